@@ -8,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -26,6 +27,7 @@
 #include "app/cli/test_verb.h"
 #include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
+#include "app/files/descriptor.h"
 #include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/film_formats.h"
@@ -633,9 +635,11 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
 /// A result that nobody got is no success: a full disk behind `kerf inspect MODEL --json > FILE`.
 int checkStandardOutput(int exitCode) {
     std::cout.flush();
-    return std::cout
-               ? exitCode
-               : complain("Standard output could not be written; is the disk full?", kExitLimit);
+    return std::cout ? exitCode
+                     : complain(
+                           "Standard output could not be written; is the disk full, or the output "
+                           "closed?",
+                           kExitLimit);
 }
 
 /// runVerb with every error as a sentence and an exit code.
@@ -675,6 +679,8 @@ int endParsing(const Parser& parser, const CLI::ParseError& error) {
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
+    holdStandardStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails with a sentence instead
     keepFreedMemory();
     setUpLog();
     readModelsWithThisProgram();

@@ -11,6 +11,7 @@
 #include "app/cli/run_files.h"
 #include "app/files/export.h"
 #include "app/files/file_io.h"
+#include "app/files/folder_lock.h"
 #include "app/files/output_folder.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/running_session.h"
@@ -55,6 +56,14 @@ void removeEarlierResults(OutputFolder& folder, const Session& session, bool ver
         } else if (const auto* mesh = std::get_if<ExportEvent>(&event.action)) {
             removeExport(folder, *mesh);
         }
+    }
+}
+
+/// What a run that was killed has left of the tables.
+void removeUnfinished(const OutputFolder& folder) {
+    folder.remove(kUnfinishedFilm);
+    for (const char* name : kReplayFiles) {
+        folder.removeUnfinished(name);
     }
 }
 
@@ -377,6 +386,8 @@ ReplayResult replaySession(const Session& session, ModelMesh model,
     const std::size_t undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
     requireMemoryFor(session, model.mesh, undoBudget);
     OutputFolder output(folder);
+    const FolderLock lock(folder);
+    removeUnfinished(output);
     const std::vector<std::string> remarks = std::move(model.remarks);
     RunningSession running(session, std::move(model), undoBudget, options.quality);
     Replay replay(running, remarks, output, options);

@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "app/cli/replay.h"
+#include "app/cli/replay_targets.h"
 #include "app/cli/usage_error.h"
 #include "app/files/exit_codes.h"
 #include "app/files/progress_line.h"
@@ -29,12 +30,6 @@ constexpr PictureSize kGifSize{640, 360};
 std::optional<HashCourse> readExpectedHashes(const ReplayArguments& arguments) {
     if (arguments.verify.empty()) {
         return std::nullopt;
-    }
-    std::error_code error;
-    if (arguments.hashes &&
-        std::filesystem::equivalent(arguments.verify, arguments.out / kHashesFile, error)) {
-        throw UsageError("--hashes would write over " + arguments.verify.string() +
-                         ", which --verify reads; choose another folder for --out");
     }
     return HashCourse::read(arguments.verify);
 }
@@ -254,6 +249,7 @@ int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& error
         applyMaterial(session, findMaterial(arguments.material, {}));
     }
     setParameters(session, arguments.set);
+    checkReplayTargets(session, arguments);
     for (const std::string& warning : session.warnings) {
         spdlog::warn(warning);
     }

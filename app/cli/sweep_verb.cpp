@@ -13,6 +13,7 @@
 #include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
+#include "app/study/run_lock.h"
 #include "app/study/study_plots.h"
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"
@@ -140,7 +141,7 @@ Numbers pendingRuns(const Study& study, const fs::path& out) {
 }
 
 std::vector<std::string> childArguments(const SweepArguments& arguments, std::size_t number) {
-    return {"sweep", arguments.study.string(), "--out", arguments.out.string(),
+    return {"sweep", asArgument(arguments.study), "--out", asArgument(arguments.out),
             "--run", std::to_string(number)};
 }
 
@@ -245,7 +246,15 @@ int gather(const Study& study, const SweepArguments& arguments, std::ostream& ou
     return table.failed.empty() && table.missing.empty() ? kExitDone : kExitCheckFailed;
 }
 
+/// What would stop each run, or the table in the end, is told before anything runs.
+void requireUsable(const fs::path& out) {
+    OutputFolder folder(out);
+    RunLock::requireFile(out);
+    const AtomicFile table(folder.pathOf(kTableFile));
+}
+
 int sweep(const Study& study, const SweepArguments& arguments, std::ostream& out) {
+    requireUsable(arguments.out);
     const Numbers pending = pendingRuns(study, arguments.out);
     runPending(study, pending, arguments, out);
     return gather(study, arguments, out);

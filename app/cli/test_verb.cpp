@@ -11,10 +11,12 @@
 #include "app/cli/usage_error.h"
 #include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
+#include "app/files/folder_lock.h"
 #include "app/files/interruption.h"
 #include "app/files/temporary_folder.h"
 #include "app/regression/test_report.h"
 #include "app/regression/test_session.h"
+#include "app/session/session.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -39,6 +41,7 @@ class ResultFolder {
     explicit ResultFolder(const fs::path& kept)
         : path_(kept.empty() ? temporary_.emplace("kerf-test").path() : kept) {
         makeFolder(path_);
+        lock_.emplace(path_);
     }
 
     /// "3-slice": sessions of several folders may have one name.
@@ -50,6 +53,7 @@ class ResultFolder {
   private:
     std::optional<TemporaryFolder> temporary_;
     fs::path path_;
+    std::optional<FolderLock> lock_;
 };
 
 int jobsOf(const TestArguments& arguments) {
@@ -94,6 +98,27 @@ class ReportFile {
     std::optional<AtomicFile> file_;
 };
 
+/// What a test reads besides its expectation; of a session that can't be read, the session alone.
+std::vector<fs::path> inputsOf(const fs::path& session) {
+    std::vector<fs::path> files;
+    try {
+        files = modelFiles(readSession(session));
+    } catch (const InputError&) {  // is told by its test
+    }
+    files.push_back(session);
+    return files;
+}
+
+/// Results must not be taken for what a test expects.
+void requireNoExpectation(const fs::path& out, const fs::path& session) {
+    std::error_code error;
+    const fs::path expected = fs::canonical(expectationFolder(session), error);
+    if (!error && !out.empty() && leadsInside(expected, out)) {
+        throw UsageError("--out " + out.string() +
+                         ": this folder holds what a test expects; choose another");
+    }
+}
+
 /// A report must take the place neither of what the tests read nor of the other report.
 void checkTargets(const TestArguments& arguments, const std::vector<fs::path>& sessions) {
     if (!arguments.junit.empty() &&
@@ -101,11 +126,15 @@ void checkTargets(const TestArguments& arguments, const std::vector<fs::path>& s
         throw UsageError("--junit and --report name one file; choose two");
     }
     std::error_code error;
-    for (const fs::path& target : {arguments.junit, arguments.report}) {
-        for (const fs::path& session : sessions) {
-            if (fs::equivalent(target, session, error) ||
-                fs::equivalent(fs::absolute(target, error).parent_path(),
-                               expectationFolder(session), error)) {
+    for (const fs::path& session : sessions) {
+        requireNoExpectation(arguments.out, session);
+        const std::vector<fs::path> inputs = inputsOf(session);
+        for (const fs::path& target : {arguments.junit, arguments.report}) {
+            const bool isInput = std::ranges::any_of(inputs, [&](const fs::path& input) {
+                return fs::equivalent(target, input, error);
+            });
+            if (isInput || fs::equivalent(fs::absolute(target, error).parent_path(),
+                                          expectationFolder(session), error)) {
                 throw UsageError(target.string() +
                                  ": the tests read this file; choose another for the report");
             }

@@ -231,6 +231,10 @@ void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
     crew.rethrow();
 }
 
+std::string asArgument(const std::filesystem::path& path) {
+    return path.string().starts_with('-') ? "./" + path.string() : path.string();
+}
+
 std::string lastWords(const ChildOutcome& outcome) {
     constexpr std::string_view kName = "kerf: ";
     const std::string said = lastLine(outcome.log);

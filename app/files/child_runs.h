@@ -31,6 +31,9 @@ void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
 ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
                       const std::function<void(int count)>& lines);
 
+/// A path as an argument, which none takes for an option.
+std::string asArgument(const std::filesystem::path& path);
+
 /// The program that these start: $KERF_EXECUTABLE where it is set, else this one.
 std::filesystem::path kerfProgram();
 

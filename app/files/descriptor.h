@@ -20,6 +20,10 @@ class Descriptor {
     int number_;
 };
 
+/// Gives the numbers 0, 1 and 2 to files that can't be used where a program starts without them:
+/// else the next file that it opens would get one, and with it what is meant for people.
+void holdStandardStreams();
+
 /// A pipe to a child. Neither end outlives an exec, unless it is copied.
 struct Pipe {
     /// Throws OutputError where there are too many open files.

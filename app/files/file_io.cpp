@@ -1,6 +1,7 @@
 #include "app/files/file_io.h"
 
 #include <fcntl.h>
+#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,10 +19,12 @@ namespace {
 
 constexpr std::size_t kWriteBlock = 1 << 16;
 
+constexpr std::string_view kUnfinished = ".part";
+
 /// A hidden name; what an earlier program of our number left there is removed.
 std::filesystem::path unusedNameBeside(const std::filesystem::path& file) {
     const std::string name =
-        "." + file.filename().string() + "." + std::to_string(::getpid()) + ".part";
+        fmt::format(".{}.{}{}", file.filename().string(), ::getpid(), kUnfinished);
     std::filesystem::path hidden = file.parent_path() / name;
     ::unlink(hidden.c_str());
     return hidden;
@@ -154,6 +157,17 @@ void AtomicFile::commit() {
 void AtomicFile::flush() {
     out_.write(pending_);
     pending_.clear();
+}
+
+bool isUnfinished(std::string_view hidden, std::string_view name) {
+    const std::string start = fmt::format(".{}.", name);
+    if (!hidden.starts_with(start) || !hidden.ends_with(kUnfinished) ||
+        hidden.size() <= start.size() + kUnfinished.size()) {
+        return false;
+    }
+    const std::string_view number =
+        hidden.substr(start.size(), hidden.size() - start.size() - kUnfinished.size());
+    return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) {

@@ -54,6 +54,9 @@ class AtomicFile {
     bool committed_ = false;
 };
 
+/// Whether a file is the hidden one of an AtomicFile of this name, by its letters alone.
+bool isUnfinished(std::string_view hidden, std::string_view name);
+
 /// AtomicFile in one call.
 void writeOutputFile(const std::filesystem::path& file, std::string_view bytes);
 

@@ -10,9 +10,11 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder) {
     makeFolders(std::filesystem::absolute(folder, error));
     folder_ = std::filesystem::canonical(folder, error);
     if (error || !std::filesystem::is_directory(folder_)) {
-        throw OutputError(folder.string() + (std::filesystem::is_regular_file(folder, error)
-                                                 ? ": a file stands where a folder should be."
-                                                 : ": this folder could not be made."));
+        const std::string why = error ? error.message() : "there is something else";
+        throw OutputError(shownPath(folder) +
+                          (std::filesystem::is_regular_file(folder, error)
+                               ? ": a file stands where a folder should be."
+                               : ": this folder could not be made (" + why + ")."));
     }
 }
 
@@ -51,6 +53,15 @@ std::filesystem::path OutputFolder::pathOf(const std::string& name) {
         throw OutputError(printable(name) + ": a link leads out of the output folder; remove it.");
     }
     return file;
+}
+
+void OutputFolder::removeUnfinished(const std::string& name) const {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+        if (isUnfinished(entry.path().filename().string(), name)) {
+            std::filesystem::remove(entry.path(), error);
+        }
+    }
 }
 
 void OutputFolder::remove(const std::string& name) const {

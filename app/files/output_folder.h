@@ -21,6 +21,9 @@ class OutputFolder {
     /// Path of the file `name`, whose own folder is made. Throws also where the name or a link
     /// leads outside.
     std::filesystem::path pathOf(const std::string& name);
+    /// Removes what a run that was broken off has left of the file `name`: nobody else may be
+    /// writing it.
+    void removeUnfinished(const std::string& name) const;
     /// Removes an earlier result, if there is one; of a link, the link.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.

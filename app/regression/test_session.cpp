@@ -154,7 +154,7 @@ void judgeBeforeRun(TestResult& result, bool update) {
         readSession(result.session);
         fail(result, TestStatus::failed, "expectation",
              "There is no " + expected.string() + "; make it with kerf test --update " +
-                 result.session.string() + ".");
+                 asArgument(result.session) + ".");
     }
 }
 
@@ -173,6 +173,21 @@ void renew(TestResult& result, const Session& session, const RunResults& run, bo
     }
 }
 
+/// An expectation whose files are damaged doesn't hold where it is to be made anew.
+Judgement judgeAgainst(const fs::path& expected, const RunResults& run, const fs::path& differences,
+                       bool update) {
+    try {
+        return judge(expected, run, differences);
+    } catch (const InputError& error) {
+        if (!update) {
+            throw;
+        }
+        Judgement judgement;
+        judgement.findings.push_back({"expectation", -1, error.what()});
+        return judgement;
+    }
+}
+
 void judgeResults(TestResult& result, bool update) {
     const Session session = readSession(result.session);
     const RunResults run = readResults(result.results, session);
@@ -181,7 +196,8 @@ void judgeResults(TestResult& result, bool update) {
     const fs::path expected = expectationFolder(result.session);
     const bool isNew = !hasExpectation(result.session);
     if (!isNew) {
-        result.judgement = judge(expected, run, OutputFolder(result.results).pathOf("diff"));
+        result.judgement =
+            judgeAgainst(expected, run, OutputFolder(result.results).pathOf("diff"), update);
     }
     result.status = result.judgement.holds() ? TestStatus::passed : TestStatus::failed;
     if (update) {
@@ -206,9 +222,9 @@ std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
 
 std::vector<std::string> runArguments(const fs::path& session, const fs::path& results,
                                       bool hashChecks) {
-    std::vector<std::string> arguments{"replay",         session.string(), "--out",
-                                       results.string(), "--hashes",       "--pieces",
-                                       "--keep-going"};
+    std::vector<std::string> arguments{
+        "replay",   asArgument(session), "--out",       asArgument(results),
+        "--hashes", "--pieces",          "--keep-going"};
     if (!hashChecks) {
         arguments.emplace_back("--no-hash-checks");
     }
@@ -240,6 +256,8 @@ TestResult judgeRun(const fs::path& session, const fs::path& results, const Chil
             judgeResults(result, update);
         } else if (outcome.exitCode == kExitInput) {
             fail(result, TestStatus::unreadable, "session", lastWords(outcome));
+        } else if (outcome.exitCode == kExitLimit) {
+            fail(result, TestStatus::unwritable, "run", lastWords(outcome));
         } else {
             fail(result, TestStatus::failed, "run",
                  "The replay did not finish: " + sentenceAbout(outcome));

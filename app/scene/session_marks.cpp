@@ -41,12 +41,6 @@ std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
     return ui::SessionMark{entry.id, step, Kind::check, textOf(*check)};
 }
 
-/// The file that an event writes; empty for none.
-std::string fileOf(const JournalEntry& entry) {
-    const std::optional<ui::SessionMark> mark = markOf(entry);
-    return mark && mark->kind != Kind::check ? mark->text : "";
-}
-
 /// "Gravity: none".
 std::string nameOf(const SetParam& set) {
     const bool known = findParam(set.name) != nullptr;
@@ -97,7 +91,11 @@ std::string freeOutputName(const SessionJournal& journal, const std::string& nam
                            const std::string& ending) {
     const std::string stem = name + "-" + std::to_string(step);
     std::string file = stem + ending;
-    for (int n = 2; std::ranges::count(journal.entries(), file, fileOf) > 0; ++n) {
+    const auto isTaken = [&](const JournalEntry& entry) {
+        const std::string* const taken = fileOf(entry.event.action);
+        return taken != nullptr && *taken == file;
+    };
+    for (int n = 2; std::ranges::any_of(journal.entries(), isTaken); ++n) {
         file = stem;
         file.append("-").append(std::to_string(n)).append(ending);
     }

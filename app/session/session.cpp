@@ -126,6 +126,26 @@ std::optional<Command> commandOf(const SessionAction& action) {
         action);
 }
 
+std::vector<std::filesystem::path> modelFiles(const Session& session) {
+    std::vector<std::filesystem::path> files{session.model.file()};
+    for (const FurtherModel& further : session.moreModels) {
+        files.push_back(further.model.file());
+    }
+    return files;
+}
+
+const std::string* fileOf(const SessionAction& action) {
+    return std::visit(
+        [](const auto& kind) -> const std::string* {
+            if constexpr (requires { kind.file; }) {
+                return &kind.file;
+            } else {
+                return nullptr;
+            }
+        },
+        action);
+}
+
 std::vector<std::string> pictureFiles(const Session& session) {
     std::vector<std::string> files;
     for (const SessionEvent& event : session.events) {

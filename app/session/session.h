@@ -135,6 +135,10 @@ void takeModelOut(Session& session, int model);
 
 /// The command that an action is; none where it changes no simulation.
 std::optional<Command> commandOf(const SessionAction& action);
+/// The files of its models, the first one's first.
+std::vector<std::filesystem::path> modelFiles(const Session& session);
+/// The file below the output folder that an action writes; null for none.
+const std::string* fileOf(const SessionAction& action);
 /// The files of its screenshot events, each once.
 std::vector<std::string> pictureFiles(const Session& session);
 /// Tells whether the body begins anew with an action, so that no hand holds it any more.

@@ -149,7 +149,7 @@ void requireInsideOutputFolder(const Node& node, const std::string& name) {
              "'" + shortened(name) + "' is not a file inside the output folder; use a plain name.");
     }
     for (const char* own : kReplayFiles) {
-        if (path == own) {
+        if (*path.begin() == own) {
             fail(node.path,
                  "'" + shortened(name) + "' is written by the replay itself; use another name.");
         }
@@ -498,19 +498,28 @@ InputJson parseValue(const std::string& text) {
     return isWord && !InputJson::accept(text) ? InputJson(text) : parseJson(text);
 }
 
+/// No file can lie in another one.
+void requireFilesBesideEachOther(const Session& session) {
+    std::set<std::string> names;
+    for (const SessionEvent& event : session.events) {
+        if (const std::string* file = fileOf(event.action)) {
+            names.insert(*file);
+        }
+    }
+    for (const std::string& name : names) {
+        const auto inside = names.lower_bound(name + "/");
+        if (inside != names.end() && inside->starts_with(name + "/")) {
+            fail("events", "'" + shortened(*inside) + "' can't lie in '" + shortened(name) +
+                               "', which is a file; use another name.");
+        }
+    }
+}
+
 /// Of two files of one name the earlier is lost.
 void warnAboutOneName(Session& session) {
     std::set<std::string> names;
     for (const SessionEvent& event : session.events) {
-        const std::string* file = std::visit(
-            [](const auto& action) -> const std::string* {
-                if constexpr (requires { action.file; }) {
-                    return &action.file;
-                } else {
-                    return nullptr;
-                }
-            },
-            event.action);
+        const std::string* file = fileOf(event.action);
         if (file != nullptr && !names.insert(*file).second) {
             session.warnings.push_back("events: at step " + std::to_string(event.step) + " " +
                                        shortened(*file) +
@@ -558,6 +567,7 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
     if (top.material() && !session.colors.any()) {
         session.colors = top.material()->colors;
     }
+    requireFilesBesideEachOther(session);
     warnAboutOneName(session);
     makeAbsolute(session.model, baseFolder);
     for (FurtherModel& further : session.moreModels) {

@@ -95,7 +95,7 @@ Json schemaOf(const std::string&, const OutputName& rule) {
     const auto exactly = [](std::string_view text) { return literalPattern(text, false); };
     const auto inAnyCase = [](std::string_view text) { return literalPattern(text, true); };
     return patternSchema("^(?!/)(?!(\\./+)*\\.\\./)(?!(\\./+)*(" +
-                             joined(kReplayFiles, "|", exactly) + ")$)[^\\u0000]*[^/\\u0000](" +
+                             joined(kReplayFiles, "|", exactly) + ")(/|$))[^\\u0000]*[^/\\u0000](" +
                              joined(rule.endings, "|", inAnyCase) + ")$",
                          "Expected a file inside the output folder (" + joined(rule.endings, ", ") +
                              ") that no replay writes itself.");

@@ -42,6 +42,10 @@ RunLock::RunLock(const std::filesystem::path& out, std::size_t number)
     }
 }
 
+void RunLock::requireFile(const std::filesystem::path& out) {
+    const Descriptor file(openLockFile(out / kLockFile));
+}
+
 RunLock::~RunLock() {
     struct flock lock = byteOf(number_, F_UNLCK);
     ::fcntl(file_.get(), F_OFD_SETLK, &lock);

@@ -15,6 +15,8 @@ class RunLock {
     /// be there. Throws OutputError where that can't be opened.
     RunLock(const std::filesystem::path& out, std::size_t number);
     ~RunLock();
+    /// Throws OutputError where that file can't be opened.
+    static void requireFile(const std::filesystem::path& out);
     RunLock(const RunLock&) = delete;
     RunLock& operator=(const RunLock&) = delete;
 

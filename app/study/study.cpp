@@ -90,10 +90,10 @@ class SessionShelf {
         session.file = file;
         session.params = read.params;
         session.sha256 = sha256OfFile(file);
-        session.modelSha256 = digestOf(read.model.file());
-        for (const FurtherModel& further : read.moreModels) {
-            session.modelSha256.append(",").append(digestOf(further.model.file()));
-        }
+        const std::vector<fs::path> models = modelFiles(read);
+        session.models = static_cast<int>(models.size());
+        session.modelSha256 =
+            joined(models, ",", [&](const fs::path& model) { return digestOf(model); });
         return session;
     }
 
@@ -231,6 +231,20 @@ Variants readVariants(const Json& top) {
 
 // --- Runs ------------------------------------------------------------------------------------
 
+/// A parameter of one model needs that model in each session that is read.
+void requireModels(const Study& study) {
+    for (const std::string& parameter : study.parameters) {
+        for (const StudySession& session : study.sessions) {
+            if (session.models > 0 && modelOf(parameter) >= session.models) {
+                fail(shortened(parameter), shortened(session.name) + " has no model " +
+                                               std::to_string(modelOf(parameter)) + ", only " +
+                                               counted(session.models, "model", "models") +
+                                               ", numbered from 0.");
+            }
+        }
+    }
+}
+
 std::vector<StudyRun> makeRuns(std::size_t sessions, const std::vector<Settings>& variants) {
     std::vector<StudyRun> runs;
     for (std::size_t session = 0; session < sessions; ++session) {
@@ -267,6 +281,7 @@ Study parseStudy(const std::string& text, const fs::path& folder,
     study.runs = makeRuns(study.sessions.size(), variants.runs);
     study.parameters = std::move(variants.parameters);
     study.warnings = unknownKeys(top);
+    requireModels(study);
     return study;
 }
 

@@ -18,6 +18,7 @@ struct StudySession {
     std::string sha256;          ///< of the file
     std::string modelSha256;     ///< of its model's file
     Params params;               ///< at its start
+    int models = 0;              ///< how many it has; 0 where it was not read
 };
 
 /// A parameter that a run sets.

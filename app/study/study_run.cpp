@@ -2,10 +2,13 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "app/files/child_runs.h"
 #include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
+#include "app/session/session.h"
 #include "app/study/run_lock.h"
 
 namespace kerf::app {
@@ -30,10 +33,39 @@ void removeFolder(const fs::path& folder) {
     }
 }
 
-/// What is no run of a sweep was put there by somebody else, who may want to keep it.
-void requireReplaceable(const fs::path& folder) {
+/// Whether a run of the session may have written a file of this name.
+bool isResult(const Session& session, const fs::path& name) {
+    if (name == kRecordFile || std::ranges::find(kReplayFiles, name) != kReplayFiles.end()) {
+        return true;
+    }
+    return std::ranges::any_of(session.events, [&](const SessionEvent& event) {
+        const std::string* const file = fileOf(event.action);
+        const fs::path own = file != nullptr ? *file : "";
+        return file != nullptr && name.parent_path() == own.parent_path() &&
+               name.extension() == own.extension() &&
+               name.stem().string().starts_with(own.stem().string());  // pieces have numbers
+    });
+}
+
+/// Whether nothing lies there but what a run may have left.
+bool holdsOnlyResults(const fs::path& folder, const Session& session) {
     std::error_code error;
-    if (fs::exists(folder) && !fs::exists(folder / kRecordFile) && !fs::is_empty(folder, error)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+        if (!entry.is_directory(error) &&
+            !isResult(session, entry.path().lexically_relative(folder))) {
+            return false;
+        }
+    }
+    return !error;
+}
+
+/// What is no run of a sweep was put there by somebody else, who may want to keep it.
+void requireReplaceable(const fs::path& folder, const fs::path& session) {
+    std::error_code error;
+    if (!fs::exists(folder) || fs::is_empty(folder, error) || readRecord(folder)) {
+        return;
+    }
+    if (!fs::exists(folder / kRecordFile) || !holdsOnlyResults(folder, readSession(session))) {
         throw OutputError(folder.string() +
                           ": there is something else than a run of a sweep; choose another --out.");
     }
@@ -76,7 +108,7 @@ RunEnd replaceRun(const Study& study, std::size_t number, const fs::path& out) {
     const fs::path folder = folderOfRun(out, number);
     const fs::path unfinished = unfinishedFolder(out, number);
     const StudyRun& run = study.runs[number];
-    requireReplaceable(folder);
+    requireReplaceable(folder, study.sessionOf(run).file);
     removeFolder(unfinished);
     const ChildOutcome outcome = replay(study, run, unfinished);
     if (outcome.exitCode == kExitNoOpenGl) {

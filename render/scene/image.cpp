@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace kerf::render {
@@ -18,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxSide = 32768;
+constexpr std::size_t kMaxPixels = 512u << 20;  // what stb_image reads with four channels
 constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -75,10 +78,13 @@ void checkSize(const std::vector<std::uint8_t>& bytes, const fs::path& file) {
     int channels = 0;
     const int size = static_cast<int>(bytes.size());
     if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-        refuse(file, "the PNG header is damaged");
+        refuse(file, "the PNG header is damaged, or of a picture that is too large");
     }
     if (width > kMaxSide || height > kMaxSide) {
         refuse(file, "the picture is larger than 32768 pixels on a side");
+    }
+    if (std::size_t(width) * height > kMaxPixels) {
+        refuse(file, "the picture has more than 512 million pixels");
     }
 }
 
@@ -136,6 +142,9 @@ Image readPng(const fs::path& file) {
         stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width,
                               &image.height, &channels, 4),
         &stbi_image_free);
+    if (!pixels && std::string_view(stbi_failure_reason()) == "outofmem") {
+        throw std::bad_alloc();
+    }
     if (!pixels) {
         refuse(file, "the PNG picture is damaged or cut off");
     }

@@ -147,6 +147,8 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"FileAbove", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "x/../../a.png"})"), "events[0].file: 'x/../../a.png' is not a file inside"},
         {"FileIsFolder", sessionWithEvent(R"({"step": 1, "type": "export", "file": "x/"})"), "events[0].file: 'x/' is not a file inside"},
         {"OwnFile", sessionWithEvent(R"({"step": 1, "type": "export", "file": "./final.ply"})"), "events[0].file: './final.ply' is written by the replay itself"},
+        {"FileInOwnFile", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "summary.json/x.png"})"), "events[0].file: 'summary.json/x.png' is written by the replay itself"},
+        {"FileInFile", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "a.png"}, {"step": 1, "type": "screenshot", "file": "a.png/b.png"})"), "events: 'a.png/b.png' can't lie in 'a.png'"},
         {"NoPng", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "a.jpg"})"), "events[0].file: 'a.jpg' must end in .png"},
         {"NoMesh", sessionWithEvent(R"({"step": 1, "type": "export", "file": "a.fbx"})"), "events[0].file: 'a.fbx' must end in"},
         {"HugePicture", sessionWithEvent(R"({"step": 1, "type": "screenshot", "file": "a.png", "width": 100000})"), "events[0].width: 1e+05 is out of range"},

@@ -212,5 +212,18 @@ TEST(CompareReplays, OfTwoStiffnessesTellsThemApart) {
     EXPECT_LT(json["mean_error"], 0.002) << "too little for a mean over all pixels";
 }
 
+TEST_F(CompareVerb, APictureThatIsTooLargeIsNotCalledDamaged) {
+    // A header alone: 30,000 pixels each way.
+    const char bytes[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x75\x30\0\0\x75\x30\x08\0\0\0\0";
+    test::writeText(folder_ / "large.png", std::string(bytes, sizeof bytes - 1) + "crc.");
+    arguments_.a = folder_ / "large.png";
+    try {
+        run();
+        FAIL() << "it was read";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("more than 512 million pixels"));
+    }
+}
+
 }  // namespace
 }  // namespace kerf::app

@@ -1,12 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/files/csv.h"
 #include "render/scene/image.h"
+#include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
@@ -66,6 +69,48 @@ TEST_F(ReplayVerbOptions, SetRefusesWhatIsNoParameterOrValue) {
         EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
     }
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(ReplayVerbOptions, NothingThatIsReadIsWrittenOver) {
+    ASSERT_EQ(replay("ref", {}).exitCode, 0);
+    std::filesystem::create_directories(folder_ / "out/diff");
+    std::filesystem::create_directories(folder_ / "own");
+    std::filesystem::copy(folder_ / "ref/end.png", folder_ / "out/diff/end.png");
+    std::filesystem::copy(folder_ / "ref/final.ply", folder_ / "own/final.ply");
+    writeText(folder_ / "own/summary.json", smallSession());
+    writeText(folder_ / "own/own.kerf.json",
+              R"({"format": "kerf-session", "version": 1, "model": {"path": "final.ply"},
+                  "steps": 2})");
+    const std::string mesh = readBytes(folder_ / "own/final.ply");
+    const std::string picture = readBytes(folder_ / "ref/end.png");
+
+    const auto expectRefused = [](const ProgramRun& run, const std::string& words) {
+        EXPECT_EQ(run.exitCode, 2) << run.errors;
+        EXPECT_THAT(run.errors, HasSubstr(words));
+    };
+    expectRefused(replay("ref", {"--reference", path("ref")}), "ref/pictures/half.png and would write over");
+    expectRefused(replay("ref/../ref", {"--reference", path("ref")}), "would write over");
+    expectRefused(replay("out", {"--reference", path("out/diff")}), "would write over");
+    expectRefused(runKerf({"replay", path("own/own.kerf.json"), "--out", path("own")}),
+                  "own/final.ply and would write over");
+    expectRefused(runKerf({"replay", path("own/summary.json"), "--out", path("own")}),
+                  "own/summary.json and would write over");
+    expectRefused(replay("new", {"--strip", path("new/end.png"), "3"}), "another result");
+    EXPECT_EQ(readBytes(folder_ / "own/final.ply"), mesh);
+    EXPECT_EQ(readBytes(folder_ / "own/summary.json"), smallSession());
+    EXPECT_EQ(readBytes(folder_ / "ref/end.png"), picture);
+    EXPECT_EQ(readBytes(folder_ / "out/diff/end.png"), picture);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+    EXPECT_EQ(replay("other", {"--reference", path("ref")}).exitCode, 0);
+}
+
+TEST_F(ReplayVerbOptions, WithoutStandardStreamsTheirTextReachesNoFile) {
+    const std::string script = "'" KERF_BINARY_DIR "/kerf' replay '" + path("test.kerf.json") +
+                               "' --hashes --out '" + path("out") + "' <&- >&- 2>&-";
+    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 5) << "nobody got what it printed";
+    ASSERT_EQ(replay("usual", {"--hashes"}).exitCode, 0);
+    EXPECT_EQ(readBytes(folder_ / "out/hashes.csv"), readBytes(folder_ / "usual/hashes.csv"));
+    EXPECT_THAT(readBytes(folder_ / "out/metrics.csv"), testing::StartsWith("step,"));
 }
 
 TEST_F(ReplayVerbOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {

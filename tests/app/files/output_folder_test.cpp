@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "app/files/file_io.h"
+#include "app/files/folder_lock.h"
 #include "app/files/free_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -48,6 +49,35 @@ TEST_F(OutputPaths, NamesThatLeadOutAreRefused) {
         EXPECT_THROW(out_.write(name, "x"), OutputError) << name;
         EXPECT_THROW(out_.remove(name), OutputError) << name;
     }
+    EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+}
+
+TEST_F(OutputPaths, WhatABrokenOffRunLeftIsRemovedByItsNameAlone) {
+    const std::vector<std::string> left{".a.csv.1.part", ".a.csv.31000.part"};
+    const std::vector<std::string> others{".b.csv.1.part", ".a.csv.part", ".a.csv..part",
+                                          ".a.csv.1x.part", "a.csv"};
+    for (const std::string& name : left) {
+        out_.write(name, "x");
+    }
+    for (const std::string& name : others) {
+        out_.write(name, "x");
+    }
+    out_.removeUnfinished("a.csv");
+    for (const std::string& name : left) {
+        EXPECT_FALSE(fs::exists(folder_ / "out" / name)) << name;
+    }
+    for (const std::string& name : others) {
+        EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+    }
+}
+
+TEST_F(OutputPaths, OneAtATimeHoldsAFolder) {
+    {
+        const FolderLock first(folder_ / "out");
+        EXPECT_THROW(FolderLock(folder_ / "out"), OutputError);
+        EXPECT_NO_THROW(FolderLock(folder_ / "elsewhere"));
+    }
+    EXPECT_NO_THROW(FolderLock(folder_ / "out"));
     EXPECT_TRUE(fs::is_empty(folder_ / "out"));
 }
 

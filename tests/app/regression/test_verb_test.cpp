@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/files/folder_lock.h"
 #include "render/scene/image.h"
 #include "tests/paths.h"
 #include "tests/support/run_kerf.h"
@@ -96,6 +97,53 @@ TEST_F(TestVerb, WhatWasMadeHoldsWhateverTheNumberOfThreads) {
     const ProgramRun same = run({"--update"});
     EXPECT_THAT(same.out, HasSubstr("passed ")) << "nothing to renew";
     EXPECT_EQ(readBytes(expected("expected.json")), before);
+}
+
+TEST_F(TestVerb, UpdateMendsWhatIsDamaged) {
+    makeExpectation();
+    const std::string hashes = readBytes(expected("hashes.csv"));
+    const std::string course = readBytes(expected("course.csv"));
+    writeText(expected("hashes.csv"), hashes.substr(0, hashes.find('\n', 200) + 1));
+    EXPECT_EQ(run().exitCode, 3);
+    EXPECT_THAT(run({"--update"}).out, HasSubstr("renewed "));
+    EXPECT_EQ(readBytes(expected("hashes.csv")), hashes);
+    std::filesystem::remove(expected("course.csv"));
+    writeText(expected("end.png"), "no picture");
+    EXPECT_EQ(run().exitCode, 3);
+    EXPECT_THAT(run({"--update"}).out, HasSubstr("renewed "));
+    EXPECT_EQ(readBytes(expected("course.csv")), course);
+    EXPECT_EQ(run().exitCode, 0);
+}
+
+TEST_F(TestVerb, ResultsAndReportsTakeNobodysPlace) {
+    makeExpectation();
+    const ProgramRun inside = run({"--out", expected("runs").string()});
+    EXPECT_EQ(inside.exitCode, 2);
+    EXPECT_THAT(inside.errors, HasSubstr("holds what a test expects"));
+    writeText(folder_ / "m.obj", "o");
+    writeText(folder_ / "other.kerf.json",
+              R"({"format": "kerf-session", "version": 1, "model": {"path": "m.obj"},
+                  "steps": 2})");
+    const ProgramRun over = run({"--junit", (folder_ / "m.obj").string()});
+    EXPECT_EQ(over.exitCode, 2);
+    EXPECT_THAT(over.errors, HasSubstr("m.obj: the tests read this file"));
+    EXPECT_EQ(readBytes(folder_ / "m.obj"), "o");
+}
+
+TEST_F(TestVerb, OneOutHasOneCallAtATime) {
+    makeExpectation();
+    std::filesystem::create_directories(folder_ / "runs");
+    const FolderLock held(folder_ / "runs");
+    const ProgramRun second = run({"--out", (folder_ / "runs").string()});
+    EXPECT_EQ(second.exitCode, 5);
+    EXPECT_THAT(second.errors, HasSubstr("another run writes its results there"));
+}
+
+TEST_F(TestVerb, WithoutMemoryItIsNoFailureOfTheTest) {
+    makeExpectation();
+    const ProgramRun starved = run({}, {{"KERF_MEMORY_BYTES", "1000000"}});
+    EXPECT_EQ(starved.exitCode, 5) << starved.out;
+    EXPECT_THAT(starved.out, HasSubstr("unwritable "));
 }
 
 TEST_F(TestVerb, NamesTheStepThePartAndHowFar) {

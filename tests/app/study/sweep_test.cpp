@@ -268,6 +268,49 @@ TEST_F(Sweep, WhatWasDamagedSinceCountsAsMissingAndIsRunAgain) {
     EXPECT_EQ(rows("out"), whole);
 }
 
+TEST_F(Sweep, AFolderOfSomebodyElseStaysWhateverItsRecordSays) {
+    fs::create_directories(folder_ / "out/1");
+    writeText(folder_ / "out/1/run.json", R"({"my": 1})");
+    writeText(folder_ / "out/1/precious.txt", "mine");
+    const ProgramRun run = sweep("out");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.out, HasSubstr("out/1: there is something else than a run of a sweep"));
+    EXPECT_THAT(run.out, HasSubstr("4 runs, 1 missing (run 1)"));
+    EXPECT_EQ(bytes("out/1/precious.txt"), "mine");
+    EXPECT_EQ(bytes("out/1/run.json"), R"({"my": 1})");
+}
+
+TEST_F(Sweep, WhatWouldStopEachRunIsToldOnceAndBefore) {
+    fs::create_directories(folder_ / "table/table.csv");
+    fs::create_directories(folder_ / "lock/.lock");
+    for (const char* out : {"a.kerf.json/x", "table", "lock"}) {
+        const ProgramRun run = sweep(out);
+        EXPECT_EQ(run.exitCode, 5) << out << run.out << run.errors;
+        EXPECT_EQ(linesOf(run.errors).size(), 1u) << run.errors;
+        EXPECT_EQ(run.out, "") << out;
+    }
+    EXPECT_FALSE(has("table/0"));
+    EXPECT_FALSE(has("lock/0"));
+}
+
+TEST_F(Sweep, AParameterOfAModelThatIsNotThereIsToldBefore) {
+    writeStudy(R"("grid": {"density@1": [50]})");
+    const ProgramRun run = runKerf({"sweep", study_, "--list"});
+    EXPECT_EQ(run.exitCode, 3) << run.out;
+    EXPECT_THAT(run.errors, HasSubstr("density@1: a.kerf.json has no model 1, only 1 model"));
+}
+
+TEST_F(Sweep, NamesMayBeginWithADash) {
+    writeText(folder_ / "-a.kerf.json", sessionThatDoes(""));
+    writeText(folder_ / "-study.json", R"({"format": "kerf-sweep", "version": 1,
+                                           "sessions": ["-a.kerf.json"], "runs": [{}]})");
+    const std::string script = "cd '" + folder_.path().string() +
+                               "' && '" KERF_BINARY_DIR
+                               "/kerf' sweep --out=-out -- -study.json > log 2>&1";
+    EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 0) << bytes("log");
+    EXPECT_TRUE(has("-out/0/final.ply"));
+}
+
 TEST_F(Sweep, WithNothingDoneThereIsNothingToGather) {
     const ProgramRun none = sweep("out", {"--gather"});
     EXPECT_EQ(none.exitCode, 1);
