@@ -9,7 +9,9 @@
 #include <charconv>
 #include <climits>
 #include <fstream>
+#include <new>
 
+#include "app/files/memory_means.h"
 #include "app/files/model_source.h"
 #include "sim/base/text.h"
 
@@ -179,6 +181,10 @@ void writeOutputFile(const std::filesystem::path& file, std::string_view bytes) 
 render::Image readPicture(const std::filesystem::path& file) {
     try {
         return render::readPng(file);
+    } catch (const std::bad_alloc&) {
+        throw MemoryShortage(
+            shownPath(file) +
+            ": there is too little memory for this picture; close other programs.");
     } catch (const std::runtime_error& error) {
         throw InputError(error.what());
     }

@@ -37,6 +37,14 @@ UploadedDocument::UploadedDocument(PreparedDocument prepared)
       body(std::move(prepared.body)),
       depth(std::move(prepared.depth)) {}
 
+ReadOptions editorReading(const MemoryMeans& means) {
+    ReadOptions options;
+    options.means = means;
+    options.findFaults = true;
+    options.findCrossingsUpTo = kMostSearched;
+    return options;
+}
+
 OpeningOrder orderOf(const std::filesystem::path& file) {
     return {"Opening " + file.filename().string(), file,
             [file](const ReadOptions& options) { return openDocument(file, options); }};
@@ -45,13 +53,10 @@ OpeningOrder orderOf(const std::filesystem::path& file) {
 DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
     : order_(std::move(order)),
       job_([open = order_.open, mending, means = meansNow()](WorkProgress& progress) {
-          ReadOptions options;
-          options.means = means;
+          ReadOptions options = editorReading(means);
           options.fillHoles = mending == Mending::fillHoles;
           options.repair = mending == Mending::repair;
           options.tryMending = mending == Mending::none;
-          options.findFaults = true;
-          options.findCrossingsUpTo = kMostSearched;
           options.progress = &progress;
           return prepareDocument(open(options), &progress, means);
       }) {}

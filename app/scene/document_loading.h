@@ -47,6 +47,8 @@ struct OpeningOrder {
 };
 /// What is done about a model that can't be cut as it is.
 enum class Mending { none, fillHoles, repair };
+/// How the editor reads models: with what is wrong with them, as far as the search is short.
+ReadOptions editorReading(const MemoryMeans& means);
 /// To open a model or a session.
 OpeningOrder orderOf(const std::filesystem::path& file);
 

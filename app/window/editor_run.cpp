@@ -9,6 +9,7 @@
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
 #include "app/journal/journal_folder.h"
+#include "app/scene/document_loading.h"
 #include "app/session/material.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
@@ -37,9 +38,7 @@ bool isThere(const std::filesystem::path& file) {
 /// The document of the command line, or the default one; without that the editor opens empty.
 std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
     if (file) {
-        ReadOptions options;
-        options.means = memoryMeans();
-        return openDocument(*file, options);
+        return openDocument(*file, editorReading(memoryMeans()));
     }
     try {
         return openDefaultDocument();

@@ -88,7 +88,8 @@ TEST_F(ReplayVerbOptions, NothingThatIsReadIsWrittenOver) {
         EXPECT_EQ(run.exitCode, 2) << run.errors;
         EXPECT_THAT(run.errors, HasSubstr(words));
     };
-    expectRefused(replay("ref", {"--reference", path("ref")}), "ref/pictures/half.png and would write over");
+    expectRefused(replay("ref", {"--reference", path("ref")}),
+                  "ref/pictures/half.png and would write over");
     expectRefused(replay("ref/../ref", {"--reference", path("ref")}), "would write over");
     expectRefused(replay("out", {"--reference", path("out/diff")}), "would write over");
     expectRefused(runKerf({"replay", path("own/own.kerf.json"), "--out", path("own")}),

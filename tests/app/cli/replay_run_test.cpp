@@ -123,14 +123,14 @@ TEST(Replay, AnAbortedRunLeavesNoFinishedResults) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "out");
     writeText(folder / "out/summary.json", "of an earlier run");
-    // By step 9 there is a picture where this export needs a folder.
+    // By step 9 there is a piece's file where this export needs a folder.
     const ProgramRun run = replay(
-        folder,
-        smallSession(R"(, {"step": 9, "type": "export", "file": "pictures/half.png/x.ply"})"),
+        folder, smallSession(R"(, {"step": 8, "type": "export", "file": "e.ply", "per_piece": true},
+                  {"step": 9, "type": "export", "file": "e-1.ply/x.ply"})"),
         "out");
     EXPECT_EQ(run.exitCode, 5) << run.errors;
     EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    EXPECT_EQ(filesBelow(folder / "out"), (std::set<std::string>{"pictures/half.png"}));
+    EXPECT_EQ(filesBelow(folder / "out"), (std::set<std::string>{"e-1.ply", "pictures/half.png"}));
 }
 
 TEST(Replay, LinksDoNotLeadOutOfTheFolder) {

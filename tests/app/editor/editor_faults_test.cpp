@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/files/file_io.h"
+#include "app/scene/document_loading.h"
 #include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
@@ -319,6 +320,14 @@ TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
     undo();
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(editor->scene()->pieceCount(), 2);
+}
+
+TEST_F(EditorFaultsTest, AModelOfTheCommandLineIsSearchedForPiecesThatCross) {
+    test::writeText(folder / "boxes.obj",
+                    test::objText(test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0, 0))));
+    const Document document = openDocument(folder / "boxes.obj", editorReading(memoryMeans()));
+    EXPECT_GT(document.faults.of(repair::FaultKind::crossingTriangle).count(), 0);
+    EXPECT_THAT(document.note, HasSubstr("pass through others"));
 }
 
 }  // namespace
