@@ -25,19 +25,6 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
     return std::ranges::find(files, placeOf(file)) != files.end();
 }
 
-/// Of an export by pieces, those that an earlier run has left count: they are removed first.
-void addExport(const ExportEvent& event, const fs::path& out, std::vector<fs::path>& files) {
-    files.push_back(placeOf(out / event.file));
-    std::error_code error;
-    for (int piece = 0; event.filePerPiece; ++piece) {
-        const fs::path file = out / pieceFile(event.file, piece);
-        if (!fs::exists(file, error)) {
-            return;
-        }
-        files.push_back(placeOf(file));
-    }
-}
-
 /// What the run writes or removes below its output folder.
 std::vector<fs::path> resultsOf(const Session& session, const ReplayArguments& arguments) {
     const bool keepsHashes = !arguments.verify.empty() && !arguments.hashes;
@@ -54,7 +41,7 @@ std::vector<fs::path> resultsOf(const Session& session, const ReplayArguments& a
                 files.push_back(placeOf(arguments.out / "diff" / picture->file));
             }
         } else if (const auto* mesh = std::get_if<ExportEvent>(&event.action)) {
-            addExport(*mesh, arguments.out, files);
+            files.push_back(placeOf(arguments.out / mesh->file));
         }
     }
     return files;
@@ -79,9 +66,19 @@ std::vector<fs::path> inputsOf(const Session& session, const ReplayArguments& ar
     return files;
 }
 
-void requireKept(const std::vector<fs::path>& inputs, const std::vector<fs::path>& results) {
+/// How many pieces there will be is not known: all their files count.
+bool isOfPieces(const fs::path& file, const Session& session, const fs::path& out) {
+    return std::ranges::any_of(session.events, [&](const SessionEvent& event) {
+        const auto* mesh = std::get_if<ExportEvent>(&event.action);
+        return mesh != nullptr && mesh->filePerPiece &&
+               isPieceFile(placeOf(file), placeOf(out / mesh->file));
+    });
+}
+
+void requireKept(const std::vector<fs::path>& inputs, const std::vector<fs::path>& results,
+                 const Session& session, const fs::path& out) {
     for (const fs::path& input : inputs) {
-        if (contains(results, input)) {
+        if (contains(results, input) || isOfPieces(input, session, out)) {
             throw UsageError("--out: the replay reads " + shownPath(input) +
                              " and would write over it; choose another folder");
         }
@@ -125,7 +122,7 @@ void requireFreeSequence(const Session& session, const ReplayArguments& argument
 void checkReplayTargets(const Session& session, const ReplayArguments& arguments) {
     const std::vector<fs::path> inputs = inputsOf(session, arguments);
     std::vector<fs::path> results = resultsOf(session, arguments);
-    requireKept(inputs, results);
+    requireKept(inputs, results, session, arguments.out);
     requireOwnFile("--movie", arguments.film.file, inputs, results);
     requireOwnFile("--strip", arguments.strip.file, inputs, results);
     requireFreeSequence(session, arguments);

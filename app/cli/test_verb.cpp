@@ -109,6 +109,18 @@ std::vector<fs::path> inputsOf(const fs::path& session) {
     return files;
 }
 
+/// Whether the test of a session reads a file; what is not there yet is read by none.
+bool reads(const fs::path& session, const fs::path& file) {
+    std::error_code error;
+    if (file.empty()) {
+        return false;
+    }
+    const auto isFile = [&](const fs::path& input) { return fs::equivalent(file, input, error); };
+    return fs::equivalent(fs::absolute(file, error).parent_path(), expectationFolder(session),
+                          error) ||
+           (fs::exists(file, error) && std::ranges::any_of(inputsOf(session), isFile));
+}
+
 /// Results must not be taken for what a test expects.
 void requireNoExpectation(const fs::path& out, const fs::path& session) {
     std::error_code error;
@@ -125,16 +137,10 @@ void checkTargets(const TestArguments& arguments, const std::vector<fs::path>& s
         arguments.junit.lexically_normal() == arguments.report.lexically_normal()) {
         throw UsageError("--junit and --report name one file; choose two");
     }
-    std::error_code error;
     for (const fs::path& session : sessions) {
         requireNoExpectation(arguments.out, session);
-        const std::vector<fs::path> inputs = inputsOf(session);
         for (const fs::path& target : {arguments.junit, arguments.report}) {
-            const bool isInput = std::ranges::any_of(inputs, [&](const fs::path& input) {
-                return fs::equivalent(target, input, error);
-            });
-            if (isInput || fs::equivalent(fs::absolute(target, error).parent_path(),
-                                          expectationFolder(session), error)) {
+            if (reads(session, target)) {
                 throw UsageError(target.string() +
                                  ": the tests read this file; choose another for the report");
             }

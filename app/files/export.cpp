@@ -425,4 +425,12 @@ std::filesystem::path pieceFile(const std::filesystem::path& file, int piece) {
     return file.parent_path() / name;
 }
 
+bool isPieceFile(const std::filesystem::path& path, const std::filesystem::path& file) {
+    const std::string stem = path.stem().string();
+    const std::string start = file.stem().string() + "-";
+    return path.parent_path() == file.parent_path() && path.extension() == file.extension() &&
+           stem.starts_with(start) && stem.size() > start.size() &&
+           stem.find_first_not_of("0123456789", start.size()) == std::string::npos;
+}
+
 }  // namespace kerf::app

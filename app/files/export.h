@@ -68,5 +68,7 @@ OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceM
 
 /// The file of a piece where each piece gets one: "slice.obj" becomes "slice-1.obj" for piece 0.
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);
+/// Whether a path is that of some piece, by its letters alone.
+bool isPieceFile(const std::filesystem::path& path, const std::filesystem::path& file);
 
 }  // namespace kerf::app

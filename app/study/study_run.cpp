@@ -6,6 +6,7 @@
 
 #include "app/files/child_runs.h"
 #include "app/files/exit_codes.h"
+#include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/output_folder.h"
 #include "app/session/session.h"
@@ -40,10 +41,7 @@ bool isResult(const Session& session, const fs::path& name) {
     }
     return std::ranges::any_of(session.events, [&](const SessionEvent& event) {
         const std::string* const file = fileOf(event.action);
-        const fs::path own = file != nullptr ? *file : "";
-        return file != nullptr && name.parent_path() == own.parent_path() &&
-               name.extension() == own.extension() &&
-               name.stem().string().starts_with(own.stem().string());  // pieces have numbers
+        return file != nullptr && (name == *file || isPieceFile(name, *file));
     });
 }
 

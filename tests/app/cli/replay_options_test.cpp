@@ -96,6 +96,12 @@ TEST_F(ReplayVerbOptions, NothingThatIsReadIsWrittenOver) {
                   "own/final.ply and would write over");
     expectRefused(runKerf({"replay", path("own/summary.json"), "--out", path("own")}),
                   "own/summary.json and would write over");
+    writeText(folder_ / "own/pieces.kerf.json",
+              R"({"format": "kerf-session", "version": 1, "model": {"path": "e-7.ply"}, "steps": 2,
+                  "events": [{"step": 2, "type": "export", "file": "e.ply", "per_piece": true}]})");
+    std::filesystem::copy(folder_ / "own/final.ply", folder_ / "own/e-7.ply");
+    expectRefused(runKerf({"replay", path("own/pieces.kerf.json"), "--out", path("own")}),
+                  "own/e-7.ply and would write over");
     expectRefused(replay("new", {"--strip", path("new/end.png"), "3"}), "another result");
     EXPECT_EQ(readBytes(folder_ / "own/final.ply"), mesh);
     EXPECT_EQ(readBytes(folder_ / "own/summary.json"), smallSession());

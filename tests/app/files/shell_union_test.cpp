@@ -52,15 +52,19 @@ TEST(ShellUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
     EXPECT_NEAR(report.volume, 2 - 0.5 * 0.75 * 0.875, 1e-12);
 }
 
-TEST(ShellUnion, OfBoxesThatMeetOnEdgesAndDiagonalsAlone) {
-    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3::Constant(0.5));
-    EXPECT_THAT(app::uniteCrossingPieces(soup).done,
-                testing::ElementsAre("united 2 pieces that crossed"));
+/// All pieces become one, of this volume.
+void expectUnited(TriangleSoup soup, const std::string& what, double volume) {
+    EXPECT_THAT(app::uniteCrossingPieces(soup).done, testing::ElementsAre(what));
     const MeshReport report = reportOf(soup);
     EXPECT_TRUE(report.cuttable) << report.problem;
     EXPECT_EQ(report.pieces, 1);
     EXPECT_EQ(report.crossingTriangles, 0);
-    EXPECT_NEAR(report.volume, 2 - 0.125, 1e-12);
+    EXPECT_NEAR(report.volume, volume, 1e-12);
+}
+
+TEST(ShellUnion, OfBoxesThatMeetOnEdgesAndDiagonalsAlone) {
+    expectUnited(test::joined(test::boxSoup(), test::boxSoup(), Vec3::Constant(0.5)),
+                 "united 2 pieces that crossed", 2 - 0.125);
 }
 
 TEST(ShellUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
@@ -68,13 +72,7 @@ TEST(ShellUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
     for (int i = 1; i < 8; ++i) {
         soup = test::joined(soup, test::boxSoup(), Vec3(0.5 * i, 0, 0));
     }
-    EXPECT_THAT(app::uniteCrossingPieces(soup).done,
-                testing::ElementsAre("united 8 pieces that crossed"));
-    const MeshReport report = reportOf(soup);
-    EXPECT_TRUE(report.cuttable) << report.problem;
-    EXPECT_EQ(report.pieces, 1);
-    EXPECT_EQ(report.crossingTriangles, 0);
-    EXPECT_NEAR(report.volume, 4.5, 1e-12);
+    expectUnited(soup, "united 8 pieces that crossed", 4.5);
 }
 
 TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {

@@ -20,8 +20,7 @@ int crossingTriangles(const TriangleSoup& soup) {
     return report.crossingTriangles;
 }
 
-// --- Solids of cubes, in places where edges, diagonals and faces meet
-// -----------------------------
+// --- Solids of cubes, in places where edges, diagonals and faces meet ------------------------
 
 using Cell = std::array<int, 3>;
 
@@ -210,8 +209,7 @@ TEST(Crossings, OfAPegBehindAFaceThatOnlyTouchesAreFound) {
         << "without its foot the plate lies on the block";
 }
 
-// --- Whole shapes
-// ----------------------------------------------------------------------------------
+// --- Whole shapes ----------------------------------------------------------------------------
 
 TEST(Crossings, SoundShapesHaveNone) {
     EXPECT_EQ(crossingTriangles(test::icosphereSoup(3)), 0);
