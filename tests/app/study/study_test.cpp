@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "app/files/model_source.h"
+#include "app/files/sha256.h"
 #include "app/study/run_record.h"
 #include "app/study/study_plots.h"
+#include "tests/support/shapes.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
 
@@ -72,6 +74,21 @@ TEST_F(StudyFile, ListedRunsKeepWhatTheyDoNotSet) {
     EXPECT_EQ(startValue(study, study.runs[0], "iterations"), "20");
     EXPECT_EQ(startValue(study, study.runs[0], "gravity"), "[0, 0, 0]") << "as its session has it";
     EXPECT_EQ(startValue(study, study.runs[1], "gravity"), "[0, -1, 0]");
+}
+
+TEST_F(StudyFile, KnowsTheFilesOfItsSessionsByTheirDigests) {
+    test::writeText(folder_ / "cube.obj", test::objText(test::boxSoup()));
+    for (const char* name : {"c", "d"}) {
+        writeText(folder_ / (std::string(name) + ".kerf.json"),
+                  R"({"format": "kerf-session", "version": 1, "model": {"path": "cube.obj"},
+                      "steps": 1, "events": []})");
+    }
+    const Study study =
+        read(R"("grid": {"iterations": [4]})", R"(["a.kerf.json", "c.kerf.json", "d.kerf.json"])");
+    EXPECT_EQ(study.sessions[0].sha256, sha256OfFile(folder_ / "a.kerf.json"));
+    EXPECT_NE(study.sessions[0].modelSha256, study.sessions[1].modelSha256);
+    EXPECT_EQ(study.sessions[1].modelSha256, sha256OfFile(folder_ / "cube.obj"));
+    EXPECT_EQ(study.sessions[2].modelSha256, study.sessions[1].modelSha256) << "read once";
 }
 
 TEST_F(StudyFile, ForOneRunOnlyItsSessionIsRead) {

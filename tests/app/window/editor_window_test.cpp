@@ -322,6 +322,20 @@ TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
     EXPECT_THAT(errors, ::testing::HasSubstr("bad.obj"));
 }
 
+TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
+    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
+        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+    }
+    const test::TemporaryFolder folder;
+    const std::string seen =
+        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                       "/tests/app/window/editor_window_resets.sh " KERF_BINARY_DIR "/kerf " +
+                       folder.path().string() + " 2>&1");
+    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+    std::map<std::string, std::string> values = valuesIn(seen);
+    EXPECT_EQ(values["exit"], "4") << "and no window after the other for ever";
+}
+
 /// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.
 render::Image readDisplay(const std::filesystem::path& file) {
     const std::string bytes = test::readBytes(file);

@@ -108,6 +108,26 @@ TEST(BodyCut, TheModelFollowsTheCutStepByStep) {
     EXPECT_GT(body.model.ispcs.size(), 0.98 * used);
 }
 
+/// Along a stroke that goes right through the middle of an ISPC.
+test::Stroke strokeAcross(const SurfaceMesh& mesh, const shared::IspcConstraint& ispc) {
+    const Vec3& start = mesh.restPosition(static_cast<int>(ispc.vertex));
+    const Vec3 end = restEnd(mesh, ispc);
+    const Vec3 along = (end - start).unitOrthogonal();
+    const Vec3 travel = (end - start).cross(along).normalized();
+    return test::straightStroke(0.5 * (start + end), along, travel, 3.0, 2.4, 30);
+}
+
+TEST(BodyCut, NoneOfTheIspcsIsForgotten) {
+    const SurfaceMesh whole = test::icosphere(2);
+    for (const std::size_t slot : {0U, 1U, 77U}) {
+        CutBody body(whole);
+        body.run(strokeAcross(whole, body.model.ispcs[slot]), [&](const BodyModel&) {
+            EXPECT_EQ(separatedIspcs(body.mesh, body.model), 0) << "after change " << body.changes;
+        });
+        EXPECT_EQ(body.model.pieces.size(), 2u);
+    }
+}
+
 /// Vertices of each piece.
 std::vector<std::vector<int>> verticesByPiece(const BodyModel& model) {
     std::vector<std::vector<int>> vertices(model.pieces.size());

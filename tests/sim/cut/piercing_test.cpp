@@ -51,7 +51,7 @@ SurfaceMesh octahedron(const Vec3& top) {
 
 int piercedPairs(const SurfaceMesh& mesh) {
     int ends = 0;
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+    for (const int t : livingTriangles(mesh)) {
         for (const int other : piercedNeighbours(mesh, t)) {
             EXPECT_TRUE(std::ranges::binary_search(piercedNeighbours(mesh, other), t));
             ++ends;
@@ -80,6 +80,31 @@ TEST(SelfPiercing, LyingFlatOnItselfCounts) {
     EXPECT_EQ(piercedPairs(octahedron({0, -0.4, 0})), 0) << "dented";
     EXPECT_EQ(piercedPairs(octahedron({0, 0, 0.5})), 0) << "with a flat top";
     EXPECT_GT(piercedPairs(octahedron({0.25, -0.5, 0.25})), 0) << "its top in a face of its bottom";
+}
+
+/// The same, with a bottom that a cut made.
+SurfaceMesh cutOctahedron(const Vec3& top) {
+    SurfaceMesh mesh = octahedron(top);
+    for (int t = 0; t < 8; ++t) {
+        const Triangle corners = mesh.triangle(t);
+        if (std::ranges::find(corners, kTop) != corners.end()) {
+            continue;
+        }
+        const int wall = mesh.addTriangle(corners, SurfaceKind::wall, 0);
+        for (int k = 0; k < 3; ++k) {
+            mesh.link(3 * wall + k, mesh.twin(3 * t + k));
+            mesh.setOutgoing(corners[k], 3 * wall + k);
+        }
+        mesh.removeTriangle(t);
+    }
+    return mesh;
+}
+
+TEST(SelfPiercing, SkinThatTouchesAWallCounts) {
+    const Vec3 inFace(0.25, -0.5, 0.25);
+    EXPECT_EQ(piercedPairs(cutOctahedron({0, 1, 0})), 0);
+    EXPECT_GT(piercedPairs(cutOctahedron(inFace)), piercedPairs(octahedron(inFace)));
+    EXPECT_EQ(piercedPairs(cutOctahedron({0, -0.4, 0})), 0) << "dented";
 }
 
 }  // namespace

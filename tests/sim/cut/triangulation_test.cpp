@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "sim/cut/exact/predicates.h"
@@ -70,6 +71,31 @@ bool hasEdge(const Triangulation& plane, int a, int b, bool constrainedOnly) {
     return false;
 }
 
+/// Both angles opposite of an edge, of which Delaunay edges have at most pi [rad].
+double oppositeAngles(const Triangulation& plane, int t, int e) {
+    const Triangle& c = plane.corners(t);
+    const Vec2 a = plane.point(c[e]);
+    const Vec2 b = plane.point(c[(e + 1) % 3]);
+    const auto angleAt = [&](const Vec2& p) {
+        const Vec2 u = a - p;
+        const Vec2 v = b - p;
+        return std::acos(u.dot(v) / (u.norm() * v.norm()));
+    };
+    return angleAt(plane.point(c[(e + 2) % 3])) + angleAt(plane.point(plane.oppositeVertex(t, e)));
+}
+
+/// Edges that are no constraint and would be better flipped, each from both of its sides.
+int edgesToFlip(const Triangulation& plane) {
+    int count = 0;
+    for (int t = 0; t < plane.size(); ++t) {
+        for (int e = 0; e < 3; ++e) {
+            count += plane.neighbor(t, e) >= 0 && plane.convex(t, e) && !plane.constrained(t, e) &&
+                     oppositeAngles(plane, t, e) > std::numbers::pi + 1e-6;
+        }
+    }
+    return count;
+}
+
 TEST(Triangulation, FillsTheTriangleWithPositiveTriangles) {
     Triangulation plane = unitTriangle();
     RandomPoints points;
@@ -87,23 +113,20 @@ TEST(Triangulation, NoVertexLiesInACircumcircle) {
     for (int i = 0; i < 60; ++i) {
         plane.insert(points.next());
     }
-    for (int t = 0; t < plane.size(); ++t) {
-        for (int e = 0; e < 3; ++e) {
-            if (plane.neighbor(t, e) < 0 || !plane.convex(t, e)) {
-                continue;
-            }
-            // The opposite angles of a Delaunay edge sum to at most pi.
-            const Triangle& c = plane.corners(t);
-            const Vec2 a = plane.point(c[e]), b = plane.point(c[(e + 1) % 3]);
-            const auto angleAt = [&](const Vec2& p) {
-                const Vec2 u = a - p, v = b - p;
-                return std::acos(u.dot(v) / (u.norm() * v.norm()));
-            };
-            EXPECT_LE(angleAt(plane.point(c[(e + 2) % 3])) +
-                          angleAt(plane.point(plane.oppositeVertex(t, e))),
-                      M_PI + 1e-6);
-        }
+    EXPECT_EQ(edgesToFlip(plane), 0);
+}
+
+TEST(Triangulation, OnlyAConstraintIsNoDelaunayEdge) {
+    Triangulation plane = unitTriangle();
+    const int a = plane.insert({0.05, 0.06}).vertex;
+    const int b = plane.insert({0.82, 0.11}).vertex;
+    RandomPoints points;
+    for (int i = 0; i < 80; ++i) {
+        plane.insert(points.next());
     }
+    ASSERT_FALSE(hasEdge(plane, a, b, false));
+    EXPECT_TRUE(plane.constrain(a, b));
+    EXPECT_EQ(edgesToFlip(plane), 0);
 }
 
 TEST(Triangulation, ConstraintsBecomeEdgesAndStay) {

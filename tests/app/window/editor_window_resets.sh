@@ -1,0 +1,22 @@
+#!/bin/bash
+# Drives the real window under a virtual display: the driver is reset again and again, faster than
+# anybody works. Prints what it saw, one "name: value" a line. Arguments: the kerf executable and an
+# empty folder.
+set -u
+kerf=$1
+folder=$2
+source "$(dirname "${BASH_SOURCE[0]}")/window_driver.sh"
+
+export KERF_LOSE_CONTEXT="$folder/lose"
+# A window that rests asks the driver nothing: the pointer wakes it.
+resetsUntilItLeaves() {
+    touch "$KERF_LOSE_CONTEXT"
+    xdotool mousemove $((300 + RANDOM % 300)) 300
+    hasLeft
+}
+openEditor
+rest
+waitFor resetsUntilItLeaves
+hasLeft || kill -9 "$editor"
+wait "$editor"
+echo "exit: $?"
