@@ -48,6 +48,7 @@ class Person {
     /// Goes on moving until `done`, each time by `move`. Returns how long that took [s].
     double moveUntil(const std::function<bool()>& done, const std::function<Vec2()>& move) {
         answers_.clear();
+        longestPicture_ = 0;
         const Stopwatch watch;
         double nextMove = 0;
         while (!done() && watch.seconds() < kLongest) {
@@ -67,11 +68,15 @@ class Person {
     /// How long answers took since moveUntil() began: median and longest [ms].
     double median() { return ranked(0.5); }
     double longest() { return ranked(1); }
+    /// How long the window did not look at its input meanwhile, at most [ms].
+    double blocked() const { return 1000 * longestPicture_; }
 
     /// One picture, as the window makes it.
     void picture() {
+        const Stopwatch watch;
         editor_.frame(sinceLast_.restart());
         glFinish();
+        longestPicture_ = std::max(longestPicture_, watch.seconds());
         if (editor_.idleSeconds() > 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
@@ -87,6 +92,7 @@ class Person {
     app::Editor& editor_;
     Vec2 at_{kWidth / 2.0, kHeight / 2.0};
     std::vector<double> answers_;  // [s]
+    double longestPicture_ = 0;    // since moveUntil() began [s]
     Stopwatch sinceLast_;
 };
 
@@ -125,6 +131,7 @@ class AnswerBench {
                                              {"seconds", seconds},
                                              {"median", person_.median()},
                                              {"longest", person_.longest()},
+                                             {"blocked", person_.blocked()},
                                              {"unit", "ms"}};
         std::puts(line.dump().c_str());
         std::fflush(stdout);

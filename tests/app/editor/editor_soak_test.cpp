@@ -138,7 +138,7 @@ class EditorSoak : public EditorStorm {
         ++row_.acts;
         ++acts_;
     }
-    /// Opens the same model again, and looks at the process once it rests.
+    /// Opens the same model again in the same size, plain, and looks at the process once it rests.
     Sample endOfRound() {
         during_ = "end of a round";
         editor->post(ui::FocusLost{});
@@ -152,6 +152,9 @@ class EditorSoak : public EditorStorm {
         waitForWork();
         editor->open(folder / "ball.obj");
         waitForWork();
+        if (panels().display.quality == render::Quality::full) {
+            tap(Key::q);  // its pictures take 25 MB more
+        }
         for (int i = 0; i < 600 && editor->idleSeconds() < 1; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frame();
