@@ -286,7 +286,9 @@ void describeSequence(CLI::App& replay, ReplayArguments& arguments) {
 void describeReplay(Parser& parser, Arguments& arguments) {
     parser.replay = parser.app.add_subcommand(
         "replay", "Run a session headless, as fast as it can, and write its results");
-    parser.replay->add_option("SESSION", arguments.replay.session, "A *.kerf.json file")
+    parser.replay
+        ->add_option("SESSION", arguments.replay.session,
+                     "A *.kerf.json file, or a .journal that a window left behind")
         ->required()
         ->check(refuseEmpty);
     parser.replay->add_option("--out", arguments.replay.out, "Folder for the results")
@@ -400,7 +402,8 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         ->needs(picture);
     parser.inspect
         ->add_option("--edge", arguments.inspect.edge,
-                     "Length of their edges in the model's unit; the mean of what there is")
+                     "Length of their edges in the model's unit; as those of even triangles with "
+                     "the same areas")
         ->type_name("LENGTH")
         ->check(refuseNoLength)
         ->needs(remesh);

@@ -19,6 +19,7 @@
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/model_units.h"
+#include "app/files/shell_union.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/keyframes.h"
 #include "gpu/context.h"
@@ -32,6 +33,8 @@ namespace kerf::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kRepairHelps = " Or have it repaired: kerf inspect MODEL --repair OUT.ply.";
 
 /// A report, and the sentence why the model is refused (empty where it is not).
 struct Inspection {
@@ -62,6 +65,14 @@ std::filesystem::path modelFile(const std::filesystem::path& model) {
     return builtin && !std::filesystem::exists(model) ? builtinModelFile(model.string()) : model;
 }
 
+void requireNewFile(const std::filesystem::path& file, const std::filesystem::path& out) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, out, error)) {
+        throw UsageError(shownPath(out) +
+                         ": this is the model itself, which stays as it is; choose another name");
+    }
+}
+
 /// Writes the model as a repair leaves it. What can't be repaired throws.
 Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
     const bool remesh = !arguments.remeshed.empty();
@@ -72,6 +83,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ": the name of a mesh file must end in .ply, .obj, .stl, "
                          ".glb or .gltf");
     }
+    requireNewFile(file, out);
     const MendedModel mended = mendModel(file, {remesh, arguments.edge});
     for (const std::string& remark : mended.model.remarks) {
         spdlog::warn("{}: {}", file.string(), remark);
@@ -97,6 +109,9 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
             spdlog::warn("{}: {}", file.string(), remark);
         }
         inspection.found = options.findFaults ? faultsOf(model.mesh) : nullptr;
+        if (inspection.report.crossingTriangles > 0) {
+            inspection.mending = unionsToMake(soupOf(model.mesh));
+        }
     } catch (const ModelFault& fault) {
         inspection.refusal = fault.what();
         inspection.mending = fault.repairs();
@@ -279,7 +294,7 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         printForPeople(inspection, file, out);
     }
     if (!inspection.refusal.empty()) {
-        throw InputError(inspection.refusal);
+        throw InputError(inspection.refusal + (inspection.mending.empty() ? "" : kRepairHelps));
     }
     return kExitDone;
 }

@@ -14,6 +14,7 @@
 #include "app/cli/usage_error.h"
 #include "app/files/exit_codes.h"
 #include "app/files/progress_line.h"
+#include "app/journal/journal_text.h"
 #include "app/regression/expectation.h"
 #include "app/regression/reference_pictures.h"
 #include "app/session/material.h"
@@ -185,8 +186,13 @@ ReferenceOutcome judgeScreenshots(const Session& session, const ReplayArguments&
     if (arguments.reference.empty()) {
         return {};
     }
-    std::vector<ReferenceDifference> differences = compareWithReference(
-        picturesUntil(session, arguments.until), arguments.reference, arguments.out);
+    const std::vector<std::string> pictures = picturesUntil(session, arguments.until);
+    if (pictures.empty()) {
+        spdlog::warn("--reference {} compares nothing: this replay takes no screenshot.",
+                     arguments.reference.string());
+    }
+    std::vector<ReferenceDifference> differences =
+        compareWithReference(pictures, arguments.reference, arguments.out);
     ReferenceOutcome outcome;
     if (arguments.update) {
         outcome.renewed = renewReference(differences, arguments.reference, arguments.out);
@@ -224,6 +230,11 @@ void requireNoExpectations(const std::filesystem::path& folder) {
     }
 }
 
+/// A session file, or a journal that a window left behind.
+Session sessionIn(const std::filesystem::path& file) {
+    return isJournal(file) ? parseSession(readJournal(file).session, {}) : readSession(file);
+}
+
 }  // namespace
 
 void setParameters(Session& session, const std::vector<std::string>& settings) {
@@ -244,7 +255,7 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
 int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& errors) {
     takeFilms(arguments);
     requireNoExpectations(arguments.out);
-    Session session = readSession(arguments.session);
+    Session session = sessionIn(arguments.session);
     if (!arguments.material.empty()) {
         applyMaterial(session, findMaterial(arguments.material, {}));
     }

@@ -2,12 +2,15 @@
 
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <optional>
 #include <string_view>
 
@@ -113,7 +116,20 @@ std::uint64_t leftByLimit(__rlimit_resource resource, std::string_view usage) {
 
 std::uint64_t leftByVariable() {
     const char* const text = std::getenv(kVariable);
-    return text == nullptr ? MemoryMeans::kNoLimit : std::strtoull(text, nullptr, 10);
+    if (text == nullptr) {
+        return MemoryMeans::kNoLimit;
+    }
+    const std::string_view digits = text;
+    std::uint64_t bytes = 0;
+    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), bytes);
+    if (error != std::errc{} || end != digits.end()) {
+        static std::once_flag told;
+        std::call_once(told, [text] {
+            spdlog::warn("{} is no number of bytes and counts for nothing: {}", kVariable, text);
+        });
+        return MemoryMeans::kNoLimit;
+    }
+    return bytes;
 }
 
 }  // namespace

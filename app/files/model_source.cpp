@@ -295,7 +295,7 @@ void noteCrossings(const MeshReport& found, bool repaired, std::vector<std::stri
         remarks.push_back(counted(found.crossingTriangles, "triangle passes", "triangles pass") +
                           " through others: where they do, the material counts twice and faces of "
                           "cuts cross; a repair unites pieces that cross (Unite pieces, under "
-                          "Model).");
+                          "Model; kerf inspect --repair).");
     }
 }
 

@@ -33,7 +33,9 @@ std::string finish(sha256_ctx& context) {
 std::string sha256OfFile(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!std::filesystem::is_regular_file(file) || !stream) {
-        throw InputError(shownPath(file) + ": there is no such file, or it can't be read.");
+        throw InputError(
+            shownPath(file) +
+            ": there is no such file, or it can't be read; check its name and rights.");
     }
     sha256_ctx context;
     sha256_init(&context);

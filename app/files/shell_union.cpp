@@ -1,8 +1,11 @@
 #include "app/files/shell_union.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "app/files/file_io.h"
@@ -172,6 +175,13 @@ std::string textOf(const std::vector<int>& group) {
     return counted(static_cast<int>(group.size()), "piece", "pieces");
 }
 
+std::string notUnited(std::string_view which, std::string_view why) {
+    return fmt::format(
+        "{} that cross were not united: {}; move one of them a little, or unite them in a "
+        "modelling tool",
+        which, why);
+}
+
 }  // namespace
 
 ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
@@ -191,8 +201,7 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
             outcome.done.push_back("united " + textOf(group) + " that crossed");
             all.push_back({group, std::move(answer)});
         } else {
-            outcome.left.push_back(textOf(group) +
-                                   " that cross were not united: " + answer.failure);
+            outcome.left.push_back(notUnited(textOf(group), answer.failure));
         }
     }
     if (all.empty()) {
@@ -201,13 +210,20 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
     TriangleSoup now = exchanged(welded, pieces, all);
     if (!inspectTriangles(now).cuttable) {
         outcome.done.clear();
-        outcome.left.emplace_back(
-            "pieces that cross were not united: with coordinates of 64 bits their union is no "
-            "closed surface");
+        outcome.left.push_back(
+            notUnited("pieces", "with coordinates of 64 bits their union is no closed surface"));
         return outcome;
     }
     welded = std::move(now);
     return outcome;
+}
+
+std::vector<std::string> unionsToMake(const TriangleSoup& welded) {
+    std::vector<std::string> clauses;
+    for (const std::vector<int>& group : CrossingPieces(welded).groups()) {
+        clauses.push_back("united " + textOf(group) + " that cross");
+    }
+    return clauses;
 }
 
 }  // namespace kerf::app

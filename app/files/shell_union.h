@@ -22,4 +22,7 @@ struct ShellUnion {
 /// WorkCancelled.
 ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress = nullptr);
 
+/// What uniteCrossingPieces() would do: a clause for each group of pieces that cross.
+std::vector<std::string> unionsToMake(const TriangleSoup& welded);
+
 }  // namespace kerf::app

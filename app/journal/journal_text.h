@@ -37,6 +37,11 @@ struct KeptWork {
     bool unsaved = false;  ///< there is something that no file has
 };
 
+/// Whether a file has the name of a journal; it need not be there.
+inline bool isJournal(const std::filesystem::path& file) {
+    return file.extension() == ".journal";
+}
+
 /// Reads a journal up to the last line that is whole and right. Throws InputError where there is
 /// nothing to go on from.
 KeptWork readJournal(const std::filesystem::path& file);

@@ -60,7 +60,7 @@ FoundSessions sessionsAt(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found && !fs::is_symlink(path, error)) {
-        throw InputError(path.string() + ": there is no such file or folder.");
+        throw InputError(path.string() + ": there is no such file or folder; check the name.");
     }
     if (!fs::is_directory(status)) {
         add(path, sessions);

@@ -38,7 +38,9 @@ bool isThere(const std::filesystem::path& file) {
 /// The document of the command line, or the default one; without that the editor opens empty.
 std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
     if (file) {
-        return openDocument(*file, editorReading(memoryMeans()));
+        Document document = openDocument(*file, editorReading(memoryMeans()));
+        RecentFiles(recentFilesStore()).add(*file);
+        return document;
     }
     try {
         return openDefaultDocument();

@@ -47,12 +47,37 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
     test::modelDefects().at("large hole")(soup);
     test::modelDefects().at("doubles")(soup);
     write("broken.obj", soup);
-    EXPECT_EQ(runKerf({"inspect", file("broken.obj")}).exitCode, 3);
+    const ProgramRun refused = runKerf({"inspect", file("broken.obj")});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.errors.find("inspect MODEL --repair OUT.ply"), std::string::npos);
     EXPECT_TRUE(reportOf(file("broken.obj"))["repairable"]);
     const ProgramRun run = runKerf({"inspect", file("broken.obj"), "--repair", file("mended.ply")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("filled 1 hole"), std::string::npos) << run.out;
     EXPECT_EQ(runKerf({"inspect", file("mended.ply")}).exitCode, 0);
+}
+
+TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
+    write("two.obj", test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.4, 0.3)));
+    const ProgramRun run = runKerf({"inspect", file("two.obj")});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_NE(run.out.find("would help: united 2 pieces that cross"), std::string::npos) << run.out;
+    EXPECT_TRUE(reportOf(file("two.obj"))["repairable"]);
+    EXPECT_FALSE(reportOf("sphere80")["repairable"]);
+}
+
+TEST_F(Inspect, LeavesTheModelAsItIs) {
+    write("own.obj", test::boxSoup());
+    const std::string before = test::readBytes(folder / "own.obj");
+    std::filesystem::create_symlink("own.obj", folder / "link.obj");
+    for (const char* out : {"own.obj", "link.obj"}) {
+        for (const char* option : {"--repair", "--remesh"}) {
+            const ProgramRun run = runKerf({"inspect", file("own.obj"), option, file(out)});
+            EXPECT_EQ(run.exitCode, 2) << out;
+            EXPECT_NE(run.errors.find("choose another name"), std::string::npos) << run.errors;
+        }
+    }
+    EXPECT_EQ(test::readBytes(folder / "own.obj"), before);
 }
 
 TEST_F(Inspect, WritesNothingOfWhatCannotBeRepaired) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/files/csv.h"
+#include "app/journal/journal_text.h"
 #include "render/scene/image.h"
 #include "tests/paths.h"
 #include "tests/support/run_kerf.h"
@@ -341,10 +342,32 @@ TEST_F(ReplayVerbOptions, ReferenceLeavesOutWhatComesBehindUntil) {
     EXPECT_EQ(made.exitCode, 0) << made.errors;
     EXPECT_THAT(made.out, HasSubstr("written to " + path("ref") + ": pictures/half.png\n"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ref/end.png"));
-    EXPECT_EQ(replay("out", options).exitCode, 0);
+    const ProgramRun same = replay("out", options);
+    EXPECT_EQ(same.exitCode, 0);
+    EXPECT_THAT(same.errors, testing::Not(HasSubstr("compares nothing")));
     std::filesystem::remove(folder_ / "ref/pictures/half.png");
     update.emplace_back("--json");
     EXPECT_EQ(nlohmann::json::parse(replay("out", update).out)["renewed"][0], "pictures/half.png");
+}
+
+TEST_F(ReplayVerbOptions, AJournalIsReplayedLikeTheSessionThatItKeeps) {
+    Session whole = readSession(folder_ / "test.kerf.json");
+    const std::vector<SessionEvent> events = std::exchange(whole.events, {});
+    writeText(folder_ / "left.journal",
+              journalStart("left", whole) +
+                  journalLine({0, 0, {events.begin(), events.end()}, whole.steps}, true) +
+                  "{\"half a");
+    EXPECT_EQ(replay("out", {}).exitCode, 0);
+    const ProgramRun left =
+        runKerf({"replay", folder_ / "left.journal", "--out", folder_ / "left"});
+    EXPECT_EQ(left.exitCode, 0) << left.errors;
+    EXPECT_EQ(summary("left")["state_hash"], summary("out")["state_hash"]);
+}
+
+TEST_F(ReplayVerbOptions, AReferenceThatComparesNothingSaysSo) {
+    const ProgramRun run = replay("out", {"--until", "1", "--reference", path("ref")});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.errors, HasSubstr("compares nothing: this replay takes no screenshot"));
 }
 
 TEST_F(ReplayVerbOptions, ACheckThatFailsEndsTheRun) {

@@ -30,6 +30,10 @@ TEST(MemoryMeans, AVariableStandsForTheMachine) {
     EXPECT_GT(free, 10'000'000U);
     const test::Variable variable(kBytes, "1000000");
     EXPECT_EQ(freeMemory(), 1'000'000U);
+    for (const char* wrong : {"1GB", "x", "", "-1"}) {
+        const test::Variable other(kBytes, wrong);
+        EXPECT_GT(freeMemory(), 10'000'000U) << wrong;
+    }
 }
 
 TEST(MemoryMeans, AnswersToTheLimitsOfTheProcess) {

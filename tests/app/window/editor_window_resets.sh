@@ -1,7 +1,7 @@
 #!/bin/bash
 # Drives the real window under a virtual display: the driver is reset again and again, faster than
-# anybody works. Prints what it saw, one "name: value" a line. Arguments: the kerf executable and an
-# empty folder.
+# anybody works. Prints what it saw, one "name: value" a line. Arguments: the kerf executable and a
+# folder with ball.obj.
 set -u
 kerf=$1
 folder=$2
@@ -14,8 +14,9 @@ resetsUntilItLeaves() {
     xdotool mousemove $((300 + RANDOM % 300)) 300
     hasLeft
 }
-openEditor
+openEditor "Kerf - ball" ball.obj
 rest
+echo "recent: $(cat "$XDG_STATE_HOME/kerf/recent-files")"
 waitFor resetsUntilItLeaves
 hasLeft || kill -9 "$editor"
 wait "$editor"

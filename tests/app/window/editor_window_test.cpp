@@ -327,6 +327,7 @@ TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
     const test::TemporaryFolder folder;
+    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(1)));
     const std::string seen =
         test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
                        "/tests/app/window/editor_window_resets.sh " KERF_BINARY_DIR "/kerf " +
@@ -334,6 +335,7 @@ TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["exit"], "4") << "and no window after the other for ever";
+    EXPECT_EQ(values["recent"], (folder / "ball.obj").string()) << "for Open again";
 }
 
 /// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.
