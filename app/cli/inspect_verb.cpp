@@ -81,7 +81,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
     if (!format) {
         throw UsageError(out.string() +
                          ": the name of a mesh file must end in .ply, .obj, .stl, "
-                         ".glb or .gltf");
+                         ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
     const MendedModel mended = mendModel(file, {remesh, arguments.edge});
