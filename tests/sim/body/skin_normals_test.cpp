@@ -23,6 +23,7 @@ class LoopCut {
     explicit LoopCut(SurfaceMesh whole) : mesh(std::move(whole)), normals(mesh) {
         const int vertices = mesh.vertexCount();
         std::vector<Triangle> old;
+        old.reserve(mesh.triangleSlots());
         for (int t = 0; t < mesh.triangleSlots(); ++t) {
             old.push_back(mesh.triangle(t));
         }

@@ -74,8 +74,8 @@ bool hasEdge(const Triangulation& plane, int a, int b, bool constrainedOnly) {
 /// Both angles opposite of an edge, of which Delaunay edges have at most pi [rad].
 double oppositeAngles(const Triangulation& plane, int t, int e) {
     const Triangle& c = plane.corners(t);
-    const Vec2 a = plane.point(c[e]);
-    const Vec2 b = plane.point(c[(e + 1) % 3]);
+    const Vec2& a = plane.point(c[e]);
+    const Vec2& b = plane.point(c[(e + 1) % 3]);
     const auto angleAt = [&](const Vec2& p) {
         const Vec2 u = a - p;
         const Vec2 v = b - p;
