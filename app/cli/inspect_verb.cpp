@@ -34,7 +34,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kRepairHelps = " Or have it repaired: kerf inspect MODEL --repair OUT.ply.";
+constexpr const char* kRepairHelps = ". Or have it repaired: kerf inspect MODEL --repair OUT.ply.";
 
 /// A report, and the sentence why the model is refused (empty where it is not).
 struct Inspection {
