@@ -13,6 +13,7 @@
 #include "app/session/session.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_soup.h"
+#include "sim/repair/soup_inspection.h"
 #include "ui/file_dialog_state.h"
 
 namespace kerf::app {

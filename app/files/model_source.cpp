@@ -360,7 +360,7 @@ repair::Faults findFaults(const TriangleSoup& soup, MeshReport& found, const Rea
         soup.triangles.size() <= options.findCrossingsUpTo && found.outOfRangeIndices == 0;
     if (!options.findFaults) {
         if (crossings) {
-            repair::countCrossings(soup, found);
+            countCrossings(soup, found);
         }
         return {};
     }
@@ -425,7 +425,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);
     requireSurvivesRounding(file, found);
-    repair::countCrossings(model.soup, found);
+    countCrossings(model.soup, found);
     found.repairs = std::move(repairs);
     found.left = std::move(left);
     return {meshOf(model), std::move(found)};

@@ -17,6 +17,7 @@
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
+#include "sim/repair/soup_inspection.h"
 #include "sim/run/prepared_body.h"
 
 namespace kerf::app {

@@ -19,6 +19,7 @@
 #include "sim/mesh/union_find.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
+#include "sim/repair/soup_inspection.h"
 
 namespace kerf::app {
 

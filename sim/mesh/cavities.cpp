@@ -73,7 +73,7 @@ int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Vec3& point
         const int shell = shells.ofTriangle[t];
         if (shell >= 0 && shells.all[shell].volume > 0 &&
             contains(shells.all[shell].bounds, point)) {
-            winding[shell] += rayCrossing(restCornersOf(mesh, t), mesh.triangle(t), point);
+            winding[shell] += rayCrossing(restCornersOf(mesh, t), point);
         }
     }
     int around = -1;

@@ -2,19 +2,28 @@
 
 #include <algorithm>
 
+#include "sim/base/predicates.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
 
+// Rays run along x. The point is thought of as moved by a hair along y, less along z and least
+// along x, so that its ray meets no edge and no plane that it lies in (simulation of simplicity,
+// Edelsbrunner and Muecke 1990). All signs are exact, so that triangles agree about their edges and
+// vertices.
 namespace winding {
 
-/// Which side of the line through a and b the point lies on, seen along x. Both triangles of an
-/// edge get opposite answers, so that a ray meets one of them.
-inline int sideOf(const Vec3& a, int idA, const Vec3& b, int idB, const Vec3& point) {
-    const Vec3 from = (idA < idB ? a : b) - point;
-    const Vec3 to = (idA < idB ? b : a) - point;
-    const int side = from.y() * to.z() - from.z() * to.y() >= 0 ? 1 : -1;
-    return idA < idB ? side : -side;
+/// The sign of a determinant that the moved point has: that of its first part which isn't 0.
+inline int firstSign(int sign, double then, double last) {
+    const auto signOf = [](double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; };
+    const int second = sign != 0 ? sign : signOf(then);
+    return second != 0 ? second : signOf(last);
+}
+
+/// Which side of the line through a and b the point lies on, seen along x; 0 where a hides b.
+inline int sideOf(const Vec3& a, const Vec3& b, const Vec3& point) {
+    const int sign = orient2d({a.y(), a.z()}, {b.y(), b.z()}, {point.y(), point.z()});
+    return firstSign(sign, a.z() - b.z(), b.y() - a.y());
 }
 
 inline bool mayCross(const Corners& at, const Vec3& point) {
@@ -25,24 +34,34 @@ inline bool mayCross(const Corners& at, const Vec3& point) {
     return spans(1) && spans(2) && std::max({at[0].x(), at[1].x(), at[2].x()}) >= point.x();
 }
 
+/// On which side of a triangle's plane the point lies, 1 where the triangle faces it. `facing`: the
+/// sign of the normal along x, not 0.
+inline int sideOfPlane(const Corners& at, int facing, const Vec3& point) {
+    const auto& [a, b, c] = at;
+    const int sign = orientSign3d(a, b, c, point);
+    if (sign != 0) {
+        return sign;
+    }
+    const int alongY = orient2d({a.z(), a.x()}, {b.z(), b.x()}, {c.z(), c.x()});
+    const int alongZ = orient2d({a.x(), a.y()}, {b.x(), b.y()}, {c.x(), c.y()});
+    return firstSign(alongY, alongZ, facing);
+}
+
 }  // namespace winding
 
 /// 1 where the ray from `point` along x leaves a body through the triangle, -1 where it enters, 0
-/// where it passes by. Summed over a closed surface it is how often that surrounds the point.
-/// `ids`: the vertices, so that triangles with a common edge agree about it.
-inline int rayCrossing(const Corners& at, const Triangle& ids, const Vec3& point) {
+/// where it passes by. Summed over a closed surface it is how often that surrounds the point. Of a
+/// point on the surface it tells one side.
+inline int rayCrossing(const Corners& at, const Vec3& point) {
     if (!winding::mayCross(at, point)) {
         return 0;
     }
-    const auto side = [&](int i, int k) {
-        return winding::sideOf(at[i], ids[i], at[k], ids[k], point);
-    };
-    const int turn = side(0, 1);
-    if (turn != side(1, 2) || turn != side(2, 0)) {
+    const int turn = winding::sideOf(at[0], at[1], point);
+    if (turn == 0 || turn != winding::sideOf(at[1], at[2], point) ||
+        turn != winding::sideOf(at[2], at[0], point)) {
         return 0;
     }
-    const double behind = areaNormal(at).dot(point - at[0]);
-    return turn * behind < 0 ? turn : 0;
+    return winding::sideOfPlane(at, turn, point) == -turn ? turn : 0;
 }
 
 /// A point in the triangle that edges of a regular mesh are hardly ever in line with.

@@ -30,14 +30,16 @@ bool haveEdgeInCommon(const Triangle& a, const Triangle& b) {
 
 }  // namespace
 
-std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most) {
+std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most,
+                                               const std::vector<int>* parts) {
     std::vector<int> all(welded.triangles.size());
     std::iota(all.begin(), all.end(), 0);
     const BoxTree::BoundsOf bounds = [&](int t) { return boundsOf(welded, t); };
     BoxTree tree(all, bounds);
     const SurfaceContact contact(welded);
     const auto cross = [&](int a, int b) {
-        return !haveEdgeInCommon(welded.triangles[a], welded.triangles[b]) && contact.crosses(a, b);
+        return (parts == nullptr || (*parts)[a] != (*parts)[b]) &&
+               !haveEdgeInCommon(welded.triangles[a], welded.triangles[b]) && contact.crosses(a, b);
     };
     std::vector<std::pair<int, int>> pairs;
     for (const int t : all) {
@@ -65,10 +67,6 @@ std::vector<int> crossingTriangles(const TriangleSoup& welded) {
     }
     sortUnique(crossing);
     return crossing;
-}
-
-void countCrossings(const TriangleSoup& welded, MeshReport& report) {
-    report.crossingTriangles = static_cast<int>(crossingTriangles(welded).size());
 }
 
 }  // namespace kerf::repair

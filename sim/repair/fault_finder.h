@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/mesh/triangle_soup.h"
+#include "sim/repair/soup_inspection.h"
 
 namespace kerf::repair {
 

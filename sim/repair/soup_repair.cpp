@@ -15,6 +15,7 @@
 #include "sim/repair/hole_patches.h"
 #include "sim/repair/near_borders.h"
 #include "sim/repair/soup_editing.h"
+#include "sim/repair/soup_inspection.h"
 
 namespace kerf::repair {
 

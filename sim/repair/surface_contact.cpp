@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 #include "sim/cut/exact/wedge.h"
 
 namespace kerf::repair {
@@ -19,7 +19,7 @@ using Signs = std::array<int, 3>;
 Signs signsOf(const Corners& corners, const Corners& plane) {
     Signs signs;
     std::ranges::transform(corners, signs.begin(), [&](const Vec3& p) {
-        return cut::orientSign3d(plane[0], plane[1], plane[2], p);
+        return orientSign3d(plane[0], plane[1], plane[2], p);
     });
     return signs;
 }
@@ -58,7 +58,7 @@ struct PlaneView {
     int axis;
 
     int orient(const Vec3& a, const Vec3& b, const Vec3& c) const {
-        return cut::orient2d(cut::without(axis, a), cut::without(axis, b), cut::without(axis, c));
+        return orient2d(cut::without(axis, a), cut::without(axis, b), cut::without(axis, c));
     }
 };
 
@@ -124,7 +124,7 @@ bool insidesMeet(const Corners& a, const Signs& ofA, const Corners& b, const Sig
     if (ofA[firstOfA] < 0) {
         std::swap(q2, r2);
     }
-    return cut::orientSign3d(p1, q1, p2, q2) < 0 && cut::orientSign3d(p1, r1, r2, p2) < 0;
+    return orientSign3d(p1, q1, p2, q2) < 0 && orientSign3d(p1, r1, r2, p2) < 0;
 }
 
 }  // namespace

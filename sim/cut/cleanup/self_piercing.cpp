@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/predicates.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/exact/piercing.h"
-#include "sim/cut/exact/predicates.h"
 #include "sim/mesh/closest_point.h"
 
 namespace kerf::cut {

@@ -1,6 +1,6 @@
 #include "sim/cut/exact/piercing.h"
 
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 
 namespace kerf::cut {
 

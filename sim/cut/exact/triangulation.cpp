@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 
 namespace kerf::cut {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 #include "sim/cut/plan/step.h"
 #include "sim/mesh/triangle.h"
 

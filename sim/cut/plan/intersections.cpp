@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "sim/base/predicates.h"
 #include "sim/base/sort_unique.h"
-#include "sim/cut/exact/predicates.h"
 #include "sim/cut/plan/front_profile.h"
 #include "sim/mesh/triangle.h"
 

@@ -7,6 +7,7 @@
 
 #include "app/files/csv.h"
 #include "app/files/model_source.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/paths.h"
 #include "tests/support/program_output.h"
 #include "tests/support/run_kerf.h"

@@ -6,6 +6,7 @@
 
 #include "app/files/file_io.h"
 #include "app/session/session.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/slow_reader.h"
 

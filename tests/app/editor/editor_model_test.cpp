@@ -3,6 +3,7 @@
 
 #include "app/files/file_io.h"
 #include "app/scene/editor_scene.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 

@@ -11,6 +11,7 @@
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "sim/cut/stroke/cutter.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 

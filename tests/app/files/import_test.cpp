@@ -12,6 +12,7 @@
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "sim/mesh/invariants.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,6 +12,7 @@
 #include "app/files/shell_protocol.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,7 +25,7 @@ using testing::IsEmpty;
 
 MeshReport reportOf(const TriangleSoup& soup) {
     MeshReport report = inspectTriangles(soup);
-    repair::countCrossings(soup, report);
+    countCrossings(soup, report);
     return report;
 }
 
@@ -128,6 +129,16 @@ TEST(ShellUnion, KeepsACavity) {
     EXPECT_EQ(report.cavities, 1);
     EXPECT_EQ(report.pieces, 1);
     EXPECT_NEAR(report.volume, 2 - 0.5 * 0.75 * 0.875 - 0.008, 1e-12);
+}
+
+TEST(ShellUnion, WhatLiesInTwoPiecesThatCrossIsFilled) {
+    for (const bool outward : {true, false}) {
+        TriangleSoup both = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+        const TriangleSoup small = test::boxSoup(Vec3::Constant(0.1));
+        both = test::joined(both, outward ? small : test::turned(small), Vec3(0.25, 0.12, 0.06));
+        turnOutward(both);
+        expectUnited(both, "united 2 pieces that crossed", 2 - 0.5 * 0.75 * 0.875);
+    }
 }
 
 TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {

@@ -12,6 +12,7 @@
 #include "app/files/model_source.h"
 #include "render/scene/image.h"
 #include "render/scene/picture_comparison.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/paths.h"

@@ -1,4 +1,4 @@
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 
 namespace kerf::cut {
 namespace {

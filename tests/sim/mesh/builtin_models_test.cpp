@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/mesh/invariants.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

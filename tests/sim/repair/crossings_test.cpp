@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 int crossingTriangles(const TriangleSoup& soup) {
     MeshReport report;
-    repair::countCrossings(soup, report);
+    countCrossings(soup, report);
     return report.crossingTriangles;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sim/repair/crossings.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/model_defects.h"
 #include "tests/support/shapes.h"
@@ -44,7 +45,7 @@ void expectAsReported(const TriangleSoup& soup) {
     EXPECT_EQ(faults.of(FaultKind::opposedEdge).count(), report.misorientedEdges);
     EXPECT_EQ(faults.of(FaultKind::flatTriangle).count(), report.degenerateTriangles);
     if (report.outOfRangeIndices == 0) {
-        repair::countCrossings(soup, report);
+        countCrossings(soup, report);
         EXPECT_EQ(faults.of(FaultKind::crossingTriangle).count(), report.crossingTriangles);
     }
 }

@@ -9,6 +9,7 @@
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_quality.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
+#include "sim/repair/soup_inspection.h"
 #include "tests/support/model_defects.h"
 #include "tests/support/shapes.h"
 

@@ -4,7 +4,7 @@
 
 #include "sim/base/math.h"
 
-namespace kerf::cut {
+namespace kerf {
 
 /// A determinant: its exact sign, and its value as far as doubles carry it.
 struct Orientation {
@@ -70,4 +70,4 @@ inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
 /// give their arguments in the same order and get bit-identical results.
 bool comesBefore(const Vec3& p, int idP, const Vec3& q, int idQ);
 
-}  // namespace kerf::cut
+}  // namespace kerf

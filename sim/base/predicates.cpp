@@ -1,9 +1,9 @@
-#include "sim/cut/exact/predicates.h"
+#include "sim/base/predicates.h"
 
 #include <array>
 #include <cmath>
 
-namespace kerf::cut {
+namespace kerf {
 
 namespace {
 
@@ -185,4 +185,4 @@ bool comesBefore(const Vec3& p, int idP, const Vec3& q, int idQ) {
     return idP < idQ;
 }
 
-}  // namespace kerf::cut
+}  // namespace kerf

@@ -1,10 +1,11 @@
-#include "sim/mesh/triangle_soup.h"
+#include "sim/repair/soup_inspection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "sim/mesh/invariants.h"
@@ -17,6 +18,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// Each triangle with corners of its own, as STL files give them.
+constexpr unsigned kSeed = 20261126;
+
 TriangleSoup exploded(const TriangleSoup& soup) {
     TriangleSoup loose;
     for (const auto& [a, b, c] : soup.triangles) {
@@ -248,6 +251,59 @@ TEST(TurnOutward, ShellsThatCrossStayAsTheyAre) {
                                     Vec3::Constant(0.415 / std::sqrt(3.0)));
     EXPECT_EQ(inspectTriangles(eye).cavities, 0);
     EXPECT_EQ(turnOutward(eye), 0);
+}
+
+/// A box between two corners.
+TriangleSoup boxBetween(const Vec3& low, const Vec3& high) {
+    TriangleSoup box = test::boxSoup(high - low);
+    for (Vec3& p : box.positions) {
+        p += (low + high) / 2;
+    }
+    return box;
+}
+
+TEST(TurnOutward, AShellOfWhichOnlyCornersLookOutStays) {
+    // The middles of the cube's triangles lie in the ball.
+    TriangleSoup both =
+        test::joined(test::icosphereSoup(3, 1), test::boxSoup(Vec3::Constant(1.2)), Vec3::Zero());
+    EXPECT_EQ(inspectTriangles(both).cavities, 0);
+    EXPECT_EQ(turnOutward(both), 0);
+}
+
+TEST(TurnOutward, ShellsAroundThatCrossCountAsOne) {
+    TriangleSoup soup = test::joined(boxBetween({0, 0, 0}, {2, 1, 1}),
+                                     boxBetween({1, 0.1, 0.1}, {3, 1.2, 1.2}), Vec3::Zero());
+    soup = test::joined(soup, test::turned(boxBetween({1.4, 0.4, 0.4}, {1.6, 0.6, 0.6})),
+                        Vec3::Zero());
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.cavities, 1);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+}
+
+/// Cavities behind a boss with the same four sides: rays along each axis lie in planes of both.
+TEST(TurnOutward, CavitiesWithSidesInThePlanesOfOthersStay) {
+    std::mt19937 random(kSeed);
+    std::uniform_int_distribution<int> tenths(5, 15);
+    for (int run = 0; run < 60; ++run) {
+        SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", run " << run);
+        const auto tenth = [&] {
+            return static_cast<double>(static_cast<float>(0.1 * tenths(random)));
+        };
+        const Vec3 low(1, tenth(), tenth());
+        const Vec3 high(2.5, 2 + tenth(), 2 + tenth());
+        TriangleSoup soup = test::joined(boxBetween(Vec3::Zero(), Vec3::Constant(4)),
+                                         test::turned(boxBetween(low, high)), Vec3::Zero());
+        const int axis = run % 3;
+        soup = test::joined(soup, boxBetween({5, low.y(), low.z()}, {6, high.y(), high.z()}),
+                            Vec3::Zero());
+        for (Vec3& p : soup.positions) {
+            p = Vec3(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
+        }
+        const MeshReport report = inspectTriangles(soup);
+        EXPECT_EQ(report.cavities, 1);
+        EXPECT_TRUE(report.cuttable) << report.problem;
+        EXPECT_EQ(turnOutward(soup), 0);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf {
+
+/// What a model is and whether it can be cut.
+struct MeshReport {
+    int vertices = 0;
+    int triangles = 0;
+    Bounds bounds;
+    int pieces = 0;               ///< a shell that bounds a cavity belongs to the one around it
+    double volume = 0;            ///< signed [m^3]
+    int openEdges = 0;            ///< edges with one triangle
+    int nonManifoldEdges = 0;     ///< edges with more than two
+    int misorientedEdges = 0;     ///< edges whose two triangles run the same way
+    int nonManifoldVertices = 0;  ///< vertices whose triangles form more than one umbrella
+    int degenerateTriangles = 0;  ///< with a repeated corner or exactly zero area
+    int nonFiniteVertices = 0;
+    int outOfRangeIndices = 0;  ///< triangles that name a vertex that is not there
+    int insideOutPieces = 0;    ///< closed shells of material that face inwards; see turnOutward
+    int flatPieces = 0;         ///< closed pieces that enclose no volume
+    int cavities = 0;           ///< closed shells that bound a hollow inside another one
+    int outwardCavities = 0;    ///< of these: such that face outward; see turnOutward
+    int crossingTriangles = 0;  ///< that pass through others; see countCrossings
+    bool closed = false;
+    bool manifold = false;
+    /// Consistently, and, where it is closed and manifold, outward (positive volume).
+    bool oriented = false;
+    std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
+    std::vector<std::string> left;     ///< what a repair left as it is and why, a clause each
+    bool cuttable = false;
+    /// Empty where cuttable; else what is wrong, how much of it, and what to do.
+    std::string problem;
+};
+
+/// Where a surface is broken.
+struct SurfaceFaults {
+    using Edge = std::array<int, 2>;     ///< its two vertices, the lower first
+    std::vector<Edge> openEdges;         ///< see MeshReport, as of the others
+    std::vector<Edge> nonManifoldEdges;  ///< each once
+    std::vector<Edge> misorientedEdges;
+    std::vector<int> nonManifoldVertices;
+    std::vector<int> degenerateTriangles;
+};
+
+/// Looks for the places that inspectTriangles() counts, each list ascending. Triangles with bad
+/// indices are left out.
+SurfaceFaults findSurfaceFaults(const TriangleSoup& welded);
+
+/// Looks at a welded soup. Never throws. Triangles with bad indices or repeated corners are counted
+/// and otherwise left out.
+MeshReport inspectTriangles(const TriangleSoup& welded);
+
+/// Turns shells that face the wrong way: one inside no other faces outward, one inside another
+/// faces inwards and bounds a cavity, one inside that faces outward again. The soup must be closed,
+/// manifold and consistently oriented. Returns the number of shells turned.
+int turnOutward(TriangleSoup& soup);
+
+/// Notes in a report how many triangles pass through others; see repair::crossingTriangles().
+void countCrossings(const TriangleSoup& welded, MeshReport& report);
+
+}  // namespace kerf
