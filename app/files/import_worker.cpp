@@ -1,4 +1,5 @@
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <unistd.h>
@@ -6,16 +7,21 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cerrno>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/files/import_appearance.h"
+#include "app/files/import_polygons.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "app/files/ply_line_end.h"
 #include "app/files/process_limits.h"
 #include "render/scene/body_look.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -32,11 +38,22 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     Assimp::IOStream* Open(const char* name, const char* mode) override {
         const bool reads = std::string_view(mode).starts_with('r') &&
                            std::string_view(mode).find('+') == std::string_view::npos;
-        return reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+        return reads && isAllowed(name) ? open(name, mode) : nullptr;
     }
 
   private:
     bool isAllowed(const std::filesystem::path& name) const { return isFileBelow(folder_, name); }
+
+    Assimp::IOStream* open(const std::filesystem::path& name, const char* mode) {
+        const std::optional<std::string> ply =
+            lowerCase(name.extension().string()) == ".ply" ? plyWithClearEnd(name) : std::nullopt;
+        if (!ply) {
+            return DefaultIOSystem::Open(name.c_str(), mode);
+        }
+        auto* bytes = new std::uint8_t[ply->size()];  // The stream deletes it.
+        std::ranges::copy(*ply, bytes);
+        return new Assimp::MemoryIOStream(bytes, ply->size(), true);
+    }
 
     std::filesystem::path folder_;
 };
@@ -122,9 +139,13 @@ ImportedModel readScene(const std::filesystem::path& file) {
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene = importer.ReadFile(
-        file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
-                           aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure);
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene != nullptr) {
+        dividePolygons(*scene);
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
+                                             aiProcess_PreTransformVertices |
+                                             aiProcess_ValidateDataStructure);
+    }
     if (scene == nullptr) {
         throw InputError(plainReason(importer.GetErrorString()));
     }

@@ -176,6 +176,52 @@ TEST_F(Import, PolygonsAreTriangulatedAndLinesLeftOut) {
     EXPECT_NEAR(meshVolume(mesh), 1, 1e-6);
 }
 
+TEST_F(Import, APolygonWithAReflexCornerOnTheSideOfAnEarIsWhole) {
+    const std::string points =
+        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+        "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+    const std::string faces =
+        "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
+        "f 5 6 12 11\nf 6 1 7 12\n";
+    // A face of two corners is a line.
+    MeshReport report;
+    loadModel(write("l.obj", points + faces + "f 1 2\n"), &report);
+    EXPECT_EQ(report.triangles, 20);
+    EXPECT_NEAR(report.volume, 3, 1e-12);
+}
+
+/// A cube as a binary PLY with a byte before each position.
+std::string binaryPly(char before, const std::string& lineEnd) {
+    std::string bytes;
+    for (const char* line :
+         {"ply", "format binary_little_endian 1.0", "comment end_header", "element vertex 8",
+          "property uchar kind", "property float x", "property float y", "property float z",
+          "element face 12", "property list uchar int vertex_indices", "end_header"}) {
+        bytes += line + lineEnd;
+    }
+    const TriangleSoup box = test::boxSoup();
+    for (const Vec3& p : box.positions) {
+        bytes += before;
+        append(bytes, Vec3f(p.cast<float>()));
+    }
+    for (const Triangle& t : box.triangles) {
+        bytes += 3;
+        append(bytes, t);
+    }
+    return bytes;
+}
+
+TEST_F(Import, DataOfAPlyMayBeginWithAnyByte) {
+    for (const std::string lineEnd : {"\n", "\r\n", "\r"}) {
+        for (const char before : {'\0', '\t', '\n', '\r', ' ', 'e', 'p', '\x7f'}) {
+            SCOPED_TRACE(testing::Message() << "line end " << testing::PrintToString(lineEnd)
+                                            << ", byte " << static_cast<int>(before));
+            const SurfaceMesh mesh = loadModel(write("box.PLY", binaryPly(before, lineEnd)));
+            EXPECT_NEAR(meshVolume(mesh), 1, 1e-12);
+        }
+    }
+}
+
 TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
     TriangleSoup ball = test::icosphereSoup(1);
     for (Triangle& t : ball.triangles) {

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr unsigned kSeed = 20261126;
+constexpr unsigned kRaySeed = 20261126;
 
 int windingAt(const TriangleSoup& soup, const Vec3& point) {
     int winding = 0;
@@ -40,11 +40,11 @@ TEST(Winding, RaysThroughEdgesVerticesAndPlanesCountOnce) {
 }
 
 TEST(Winding, PointsOfTheSurfaceLieOnOneSideOfIt) {
-    std::mt19937 random(kSeed);
+    std::mt19937 random(kRaySeed);
     std::uniform_int_distribution<int> share(0, 8);
     TriangleSoup ball = test::icosphereSoup(2, 1);
     for (int run = 0; run < 200; ++run) {
-        SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", run " << run);
+        SCOPED_TRACE(testing::Message() << "seed " << kRaySeed << ", run " << run);
         const Triangle& t = ball.triangles[random() % ball.triangles.size()];
         const double first = share(random) / 8.0;
         const double second = (1 - first) * share(random) / 8.0;

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// Each triangle with corners of its own, as STL files give them.
-constexpr unsigned kSeed = 20261126;
+constexpr unsigned kBoxSeed = 20261126;
 
 TriangleSoup exploded(const TriangleSoup& soup) {
     TriangleSoup loose;
@@ -282,10 +282,10 @@ TEST(TurnOutward, ShellsAroundThatCrossCountAsOne) {
 
 /// Cavities behind a boss with the same four sides: rays along each axis lie in planes of both.
 TEST(TurnOutward, CavitiesWithSidesInThePlanesOfOthersStay) {
-    std::mt19937 random(kSeed);
+    std::mt19937 random(kBoxSeed);
     std::uniform_int_distribution<int> tenths(5, 15);
     for (int run = 0; run < 60; ++run) {
-        SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", run " << run);
+        SCOPED_TRACE(testing::Message() << "seed " << kBoxSeed << ", run " << run);
         const auto tenth = [&] {
             return static_cast<double>(static_cast<float>(0.1 * tenths(random)));
         };

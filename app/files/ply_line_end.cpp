@@ -1,0 +1,52 @@
+#include "app/files/ply_line_end.h"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace kerf::app {
+
+namespace {
+
+constexpr std::size_t kMostHeader = 64 << 10;
+constexpr std::string_view kLineEnds = "\r\n";
+
+std::string readAtMost(const std::filesystem::path& file, std::size_t most) {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes(most, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(most));
+    if (in.bad() || !in.is_open()) {
+        throw std::runtime_error("the file can't be read");
+    }
+    bytes.resize(static_cast<std::size_t>(in.gcount()));
+    return bytes;
+}
+
+/// Where the line end of a binary header begins whose data begin with a line feed, or npos.
+std::size_t unclearEnd(std::string_view header) {
+    constexpr std::string_view kLast = "\nend_header";
+    const std::size_t firstLineEnd = header.find_first_of(kLineEnds);
+    const std::size_t last = std::min(header.find("\nend_header"), header.find("\rend_header"));
+    if (!header.starts_with("ply") || last == std::string_view::npos ||
+        header.substr(0, last).find("format binary") == std::string_view::npos) {
+        return std::string_view::npos;
+    }
+    const std::size_t end = last + kLast.size();
+    const bool clear = header.substr(firstLineEnd).starts_with(kLineEnds);
+    const bool feeds = end + 1 < header.size() && header[end + 1] == '\n';
+    return !clear && feeds ? end : std::string_view::npos;
+}
+
+}  // namespace
+
+std::optional<std::string> plyWithClearEnd(const std::filesystem::path& file) {
+    const std::size_t end = unclearEnd(readAtMost(file, kMostHeader));
+    if (end == std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string bytes = readAtMost(file, std::filesystem::file_size(file));
+    return bytes.replace(end, 1, kLineEnds);
+}
+
+}  // namespace kerf::app
