@@ -15,6 +15,7 @@
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "sim/base/float_rounding.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
@@ -44,7 +45,7 @@ void placeAtOrigin(SurfaceMesh& mesh) {
     const double scale = 1 / std::max(bounds.diagonal(), 1e-300);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const Vec3 at = scale * (mesh.restPosition(v) - bounds.center());
-        const Vec3 rounded = at.cast<float>().cast<double>();
+        const Vec3 rounded = nearestFloats(at);
         mesh.setPosition(v, rounded);
         mesh.setRestPosition(v, rounded);
     }

@@ -18,6 +18,7 @@
 #include "sim/repair/crossings.h"
 #include "sim/repair/remesher.h"
 #include "sim/repair/soup_repair.h"
+#include "sim/repair/vertex_parting.h"
 
 namespace kerf::app {
 
@@ -184,8 +185,11 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
                           counted(filled.triangles, "triangle", "triangles"));
     }
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
-    return options.repair && found.cuttable ? united(soup, std::move(found), options.progress)
-                                            : found;
+    if (options.repair && found.cuttable) {
+        found = united(soup, std::move(found), options.progress);
+        repair::moveApart(soup);
+    }
+    return found;
 }
 
 /// See ModelFault::fillableHoles.
@@ -367,14 +371,6 @@ repair::Faults findFaults(const TriangleSoup& soup, MeshReport& found, const Rea
     repair::Faults faults = repair::findFaults(soup, crossings);
     found.crossingTriangles = faults.of(repair::FaultKind::crossingTriangle).count();
     return faults;
-}
-
-/// As a file of floats holds it.
-void roundToFloats(TriangleSoup& soup) {
-    for (Vec3& p : soup.positions) {
-        p = p.cast<float>().cast<double>();
-    }
-    soup = weldExactly(soup);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -20,11 +21,14 @@
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
+#include "sim/repair/soup_repair.h"
 
 namespace kerf::app {
 
 namespace {
 
+const std::string kFallsTogether =
+    "rounded to the 32-bit numbers of a file, their union is no closed surface";
 constexpr std::size_t kMostCrossings = 2'000'000;
 constexpr ImportLimits kLimits{.cpuSeconds = 120, .wallSeconds = 240, .addressSpace = 8ull << 30};
 
@@ -126,8 +130,27 @@ ShellMessage askForUnion(const ShellMessage& pieces, WorkProgress* progress) {
 /// A group of pieces as one surface.
 struct United {
     std::vector<int> group;
-    ShellMessage surface;
+    TriangleSoup surface;
 };
+
+/// A surface as a file of floats holds it, mended where it falls together; nothing where that
+/// leaves none of its volume that can be cut.
+std::optional<TriangleSoup> soundSurface(const ShellMessage& exact) {
+    constexpr double kMostLost = 1e-3;  // of the volume
+    TriangleSoup surface;
+    for (const auto& [x, y, z] : exact.positions) {
+        surface.positions.emplace_back(x, y, z);
+    }
+    surface.triangles.assign(exact.triangles.begin(), exact.triangles.end());
+    const double volume = inspectTriangles(surface).volume;
+    roundToFloats(surface);
+    if (!inspectTriangles(surface).cuttable) {
+        repair::repairSoup(surface);
+    }
+    const MeshReport found = inspectTriangles(surface);
+    const bool whole = std::abs(found.volume - volume) <= kMostLost * std::abs(volume);
+    return found.cuttable && whole ? std::optional(std::move(surface)) : std::nullopt;
+}
 
 /// By triangle: whether its piece is in none of these groups.
 std::vector<char> outside(const std::vector<United>& all, const CrossingPieces& pieces,
@@ -141,11 +164,9 @@ std::vector<char> outside(const std::vector<United>& all, const CrossingPieces& 
     return keep;
 }
 
-void append(const ShellMessage& surface, SkinCarrier& carrier, int uncutSlots, TriangleSoup& soup) {
+void append(const TriangleSoup& surface, SkinCarrier& carrier, int uncutSlots, TriangleSoup& soup) {
     const auto first = static_cast<int>(soup.positions.size());
-    for (const auto& [x, y, z] : surface.positions) {
-        soup.positions.emplace_back(x, y, z);
-    }
+    soup.positions.insert(soup.positions.end(), surface.positions.begin(), surface.positions.end());
     for (const auto& [a, b, c] : surface.triangles) {
         const Triangle t{first + a, first + b, first + c};
         const auto slot = static_cast<int>(soup.triangles.size());
@@ -169,7 +190,8 @@ TriangleSoup exchanged(const TriangleSoup& soup, const CrossingPieces& pieces,
     std::vector<char> keep = outside(all, pieces, soup.triangles.size());
     keep.resize(now.triangles.size(), 1);
     repair::keepTriangles(now, keep);
-    return weldExactly(now);
+    repair::dropUnusedVertices(now);
+    return now;
 }
 
 std::string textOf(const std::vector<int>& group) {
@@ -197,12 +219,15 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
     std::vector<United> all;
     for (const std::vector<int>& group : pieces.groups()) {
         enter(progress, "Uniting pieces that cross");
-        ShellMessage answer = askForUnion(messageOf(welded, pieces, group), progress);
-        if (answer.failure.empty()) {
+        const ShellMessage answer = askForUnion(messageOf(welded, pieces, group), progress);
+        std::optional<TriangleSoup> surface =
+            answer.failure.empty() ? soundSurface(answer) : std::nullopt;
+        if (surface) {
             outcome.done.push_back("united " + textOf(group) + " that crossed");
-            all.push_back({group, std::move(answer)});
+            all.push_back({group, std::move(*surface)});
         } else {
-            outcome.left.push_back(notUnited(textOf(group), answer.failure));
+            outcome.left.push_back(
+                notUnited(textOf(group), answer.failure.empty() ? kFallsTogether : answer.failure));
         }
     }
     if (all.empty()) {
@@ -212,7 +237,7 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
     if (!inspectTriangles(now).cuttable) {
         outcome.done.clear();
         outcome.left.push_back(
-            notUnited("pieces", "with coordinates of 64 bits their union is no closed surface"));
+            notUnited("pieces", "what their union surrounds faces the wrong way then"));
         return outcome;
     }
     welded = std::move(now);

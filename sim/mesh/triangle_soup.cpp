@@ -3,6 +3,8 @@
 #include <bit>
 #include <unordered_map>
 
+#include "sim/base/float_rounding.h"
+
 namespace kerf {
 
 namespace {
@@ -52,6 +54,13 @@ TriangleSoup weldExactly(const TriangleSoup& soup) {
     }
     welded.skin = soup.skin;
     return welded;
+}
+
+void roundToFloats(TriangleSoup& soup) {
+    for (Vec3& p : soup.positions) {
+        p = nearestFloats(p);
+    }
+    soup = weldExactly(soup);
 }
 
 void turnTriangle(TriangleSoup& soup, int t) {

@@ -18,6 +18,9 @@ struct TriangleSoup {
 /// first use is kept. Indices must be in range.
 TriangleSoup weldExactly(const TriangleSoup& soup);
 
+/// Rounds all positions to floats, as files hold them, and joins those that are equal then.
+void roundToFloats(TriangleSoup& soup);
+
 /// Lets a triangle face the other way, with its attributes.
 void turnTriangle(TriangleSoup& soup, int t);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -13,8 +14,7 @@ namespace kerf::repair {
 
 namespace {
 
-// How far parted vertices move apart, in edges: a float tells them apart, a person does not.
-constexpr double kParting = 1e-3;
+constexpr double kSameAngle = 1e-9;  // of triangles at an edge
 
 /// Walks over the patch of a triangle; `turned` tells which face otherwise than it. Returns the
 /// triangles of the patch.
@@ -36,31 +36,76 @@ std::vector<int> walkPatch(const TriangleSoup& soup, const Partners& partners, i
     return patch;
 }
 
-/// The way around an edge at which a triangle stands, from -pi to pi.
+/// The way around an edge at which a triangle stands, from -pi to less than pi.
 double angleAround(const TriangleSoup& soup, const Side& side, const Vec3& along, const Vec3& right,
                    const Vec3& ahead) {
     const Vec3 way = soup.positions[apexOf(soup, side.halfEdge)] - soup.positions[side.low];
     const Vec3 across = way - way.dot(along) * along;
-    return std::atan2(across.dot(ahead), across.dot(right));
+    const double angle = std::atan2(across.dot(ahead), across.dot(right));
+    return angle < std::numbers::pi - kSameAngle ? angle : angle - 2 * std::numbers::pi;
+}
+
+/// A side of an edge and where its triangle stands.
+struct PlacedSide {
+    double angle;
+    int sheet;  ///< of its triangle
+    Side side;
+};
+
+/// Of sides at one angle those come first that run up, so that solids that touch there stay apart.
+/// Of several sheets each lies within the other, so that surfaces that lie on each other keep to
+/// themselves at all their edges.
+void orderSameAngles(std::vector<PlacedSide>& placed) {
+    for (auto begin = placed.begin(); begin != placed.end();) {
+        auto end = begin + 1;
+        while (end != placed.end() && end->angle - (end - 1)->angle < kSameAngle) {
+            ++end;
+        }
+        std::stable_sort(begin, end, [](const PlacedSide& a, const PlacedSide& b) {
+            if (a.side.upward != b.side.upward) {
+                return a.side.upward;
+            }
+            return a.side.upward ? a.sheet > b.sheet : a.sheet < b.sheet;
+        });
+        begin = end;
+    }
 }
 
 /// The sides of an edge in the order in which one turns about it from low to high.
-std::vector<Side> inTurn(const TriangleSoup& soup, const Side* begin, const Side* end) {
+std::vector<Side> inTurn(const TriangleSoup& soup, const std::vector<int>& sheets,
+                         const Side* begin, const Side* end) {
     const Vec3 along =
         (soup.positions[begin->high] - soup.positions[begin->low]).stableNormalized();
     const Vec3 right = along.unitOrthogonal();
     const Vec3 ahead = along.cross(right);
-    std::vector<std::pair<double, Side>> placed;
+    std::vector<PlacedSide> placed;
     for (const Side* side = begin; side != end; ++side) {
-        placed.emplace_back(angleAround(soup, *side, along, right, ahead), *side);
+        placed.push_back(
+            {angleAround(soup, *side, along, right, ahead), sheets[side->triangle()], *side});
     }
-    std::ranges::stable_sort(placed, {}, [](const auto& p) { return p.first; });
+    std::ranges::stable_sort(placed, {}, &PlacedSide::angle);
+    orderSameAngles(placed);
     std::vector<Side> sides;
     sides.reserve(placed.size());
-    for (const auto& [angle, side] : placed) {
-        sides.push_back(side);
+    for (const PlacedSide& each : placed) {
+        sides.push_back(each.side);
     }
     return sides;
+}
+
+/// Numbers of the parts that hang together by edges of two triangles, by triangle.
+std::vector<int> sheetsOf(const Partners& partners) {
+    UnionFind sets(partners.size() / 3);
+    for (int h = 0; h < static_cast<int>(partners.size()); ++h) {
+        if (partners[h] > h) {
+            sets.join(h / 3, partners[h] / 3);
+        }
+    }
+    std::vector<int> sheets;
+    for (int t = 0; t < static_cast<int>(partners.size() / 3); ++t) {
+        sheets.push_back(sets.root(t));
+    }
+    return sheets;
 }
 
 /// Turning from low to high, material lies between a side that runs down and the next that runs
@@ -112,35 +157,12 @@ UnionFind fansOf(const TriangleSoup& soup, const Partners& partners) {
     return corners;
 }
 
-/// What a vertex moves by when it is parted from others at its place.
-class Inward {
-  public:
-    explicit Inward(const TriangleSoup& soup)
-        : normals_(soup.positions.size(), Vec3::Zero()), edges_(soup.positions.size(), 0.0) {
-        for (const Triangle& t : soup.triangles) {
-            const Corners at{soup.positions[t[0]], soup.positions[t[1]], soup.positions[t[2]]};
-            for (int i = 0; i < 3; ++i) {
-                normals_[t[i]] += areaNormal(at);
-                const double edge = (at[(i + 1) % 3] - at[i]).norm();
-                double& least = edges_[t[i]];
-                least = least == 0 ? edge : std::min(least, edge);
-            }
-        }
-    }
-    Vec3 at(int v) const { return -kParting * edges_[v] * normals_[v].stableNormalized(); }
-
-  private:
-    std::vector<Vec3> normals_;
-    std::vector<double> edges_;
-};
-
 /// Gives each fan of triangles a vertex of its own. Returns at how many vertices there were
 /// several.
 int divideVertices(TriangleSoup& soup, UnionFind& fans) {
     std::vector<int> fanOfVertex(soup.positions.size(), -1);
     std::vector<int> vertexOfFan(3 * soup.triangles.size(), -1);
     std::vector<char> isParted(soup.positions.size(), 0);
-    const std::size_t before = soup.positions.size();
     for (int corner = 0; corner < static_cast<int>(3 * soup.triangles.size()); ++corner) {
         int& v = soup.triangles[corner / 3][corner % 3];
         const int fan = fans.root(corner);
@@ -150,20 +172,12 @@ int divideVertices(TriangleSoup& soup, UnionFind& fans) {
             vertexOfFan[fan] = isFirst ? v : static_cast<int>(soup.positions.size());
             if (!isFirst) {
                 isParted[v] = 1;
-                isParted.push_back(1);
                 soup.positions.push_back(soup.positions[v]);
             }
         }
         v = vertexOfFan[fan];
     }
-    const Inward inward(soup);
-    for (std::size_t v = 0; v < isParted.size(); ++v) {
-        if (isParted[v] != 0) {
-            soup.positions[v] += inward.at(static_cast<int>(v));
-        }
-    }
-    return static_cast<int>(
-        std::count(isParted.begin(), isParted.begin() + static_cast<std::ptrdiff_t>(before), 1));
+    return static_cast<int>(std::ranges::count(isParted, 1));
 }
 
 /// Whether an edge has more than two triangles.
@@ -215,10 +229,11 @@ PartedSurface partBranches(TriangleSoup& soup) {
     }
     const std::vector<Side> sides = sidesByEdge(soup.triangles);
     Partners partners = partnersOf(sides, soup.triangles.size());
+    const std::vector<int> sheets = sheetsOf(partners);
     PartedSurface parted;
     forEachEdge(sides, [&](const Side* begin, const Side* end) {
         if (end - begin > 2) {
-            pairAround(inTurn(soup, begin, end), partners);
+            pairAround(inTurn(soup, sheets, begin, end), partners);
             ++parted.edges;
         }
     });

@@ -16,7 +16,7 @@ struct PartedSurface {
 
 /// Gives each triangle at an edge at most one partner: where there are more than two, those with
 /// material between them. What then hangs together in a point or a line alone gets vertices of its
-/// own, a thousandth of an edge inside its material.
+/// own at the same place; see moveApart().
 PartedSurface partBranches(TriangleSoup& soup);
 
 }  // namespace kerf::repair

@@ -11,6 +11,7 @@
 #include "sim/mesh/hole_filling.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
+#include "sim/repair/double_triangles.h"
 #include "sim/repair/edge_pairing.h"
 #include "sim/repair/hole_patches.h"
 #include "sim/repair/near_borders.h"
@@ -24,12 +25,6 @@ namespace {
 constexpr int kMostRounds = 4;
 // A sheet that can't be closed is dropped where it is no larger than this share of the whole.
 constexpr double kLooseShare = 0.05;
-
-/// Whether a triangle's corners run as those of the sorted one.
-bool runsUp(const Triangle& t) {
-    const auto lowest = std::ranges::min_element(t) - t.begin();
-    return t[(lowest + 1) % 3] < t[(lowest + 2) % 3];
-}
 
 /// The steps of a repair, and what they did.
 class Repair {
@@ -159,35 +154,9 @@ class Repair {
         return still && other != t && !isFlat(other) ? other : -1;
     }
 
-    /// Of triangles with the same corners one stays; where a flap has two sides, none. Of a surface
-    /// that is there twice, once for each side, one is left.
     void dropDoubles() {
-        std::vector<int> order(soup_.triangles.size());
-        std::iota(order.begin(), order.end(), 0);
-        std::ranges::stable_sort(order, {},
-                                 [&](int t) { return sortedCorners(soup_.triangles[t]); });
-        std::vector<char> keep(soup_.triangles.size(), 1);
-        std::vector<int> flaps;
-        for (std::size_t i = 0; i < order.size();) {
-            std::size_t end = i + 1;
-            const Triangle corners = sortedCorners(soup_.triangles[order[i]]);
-            while (end < order.size() && sortedCorners(soup_.triangles[order[end]]) == corners) {
-                ++end;
-            }
-            for (std::size_t k = i + 1; k < end; ++k) {
-                keep[order[k]] = 0;
-                if (runsUp(soup_.triangles[order[k]]) != runsUp(soup_.triangles[order[i]])) {
-                    flaps.push_back(order[i]);
-                }
-            }
-            i = end;
-        }
-        const bool twice = 2 * flaps.size() * 2 > soup_.triangles.size();
-        for (const int t : flaps) {
-            keep[t] = twice ? keep[t] : 0;
-        }
         note("dropped # double of a triangle", "dropped # doubles of triangles",
-             keepTriangles(soup_, keep));
+             repair::dropDoubles(soup_));
     }
 
     void joinBorders() {

@@ -11,7 +11,7 @@ namespace kerf::repair {
 /// triangles without area and doubles, joins borders that nearly meet, turns triangles, parts the
 /// surface where more than two triangles share an edge or parts touch in a vertex, drops loose
 /// sheets, and fills holes with triangles like those around. What is sound stays bit for bit.
-/// Vertices that are parted move apart by a thousandth of an edge. Returns what was done, one
+/// Vertices that are parted stay at one place; see moveApart(). Returns what was done, one
 /// phrase each; empty where nothing was.
 std::vector<std::string> repairSoup(TriangleSoup& welded);
 

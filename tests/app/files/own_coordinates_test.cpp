@@ -12,6 +12,7 @@
 #include "app/files/file_io.h"
 #include "app/scene/editor_document.h"
 #include "sim/base/boxes.h"
+#include "sim/base/float_rounding.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -169,7 +170,7 @@ class OwnCoordinates : public ::testing::TestWithParam<const char*> {
         TriangleSoup soup = shape.soup;
         for (Vec3& p : soup.positions) {
             const Vec3 exact = p.unaryExpr([](double x) { return std::fabs(x) < 1e-9 ? 0 : x; });
-            p = (shape.size * exact + shape.offset).cast<float>().cast<double>();
+            p = nearestFloats(shape.size * exact + shape.offset);
         }
         const SurfaceMesh mesh = test::meshOf(soup);
         std::filesystem::path file = folder / (std::string("model") + GetParam());

@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "sim/base/float_rounding.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 
@@ -286,9 +287,7 @@ TEST(TurnOutward, CavitiesWithSidesInThePlanesOfOthersStay) {
     std::uniform_int_distribution<int> tenths(5, 15);
     for (int run = 0; run < 60; ++run) {
         SCOPED_TRACE(testing::Message() << "seed " << kBoxSeed << ", run " << run);
-        const auto tenth = [&] {
-            return static_cast<double>(static_cast<float>(0.1 * tenths(random)));
-        };
+        const auto tenth = [&] { return nearestFloat(0.1 * tenths(random)); };
         const Vec3 low(1, tenth(), tenth());
         const Vec3 high(2.5, 2 + tenth(), 2 + tenth());
         TriangleSoup soup = test::joined(boxBetween(Vec3::Zero(), Vec3::Constant(4)),

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::repair {
+
+/// Moves vertices apart that lie at one place, as a file of floats holds it: each into its
+/// material, by a thousandth of an edge, or more where that is not enough. Else who reads the file
+/// would join them again. Returns how many were moved. O(n).
+int moveApart(TriangleSoup& soup);
+
+}  // namespace kerf::repair
