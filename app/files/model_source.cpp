@@ -187,7 +187,10 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
     if (options.repair && found.cuttable) {
         found = united(soup, std::move(found), options.progress);
-        repair::moveApart(soup);
+        const bool moved = repair::moveApart(soup) > 0;
+        if (moved && !found.left.empty()) {
+            found = united(soup, std::move(found), options.progress);
+        }
     }
     return found;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
@@ -66,13 +67,19 @@ Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
     return shells;
 }
 
-/// The smallest shell of material that the point lies in, -1 for none.
-int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Vec3& point) {
+/// The smallest shell of material that a cavity lies in, -1 for none.
+int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity) {
+    const Vec3 point = pointInside(restCornersOf(mesh, cavity.largest));
+    const auto mayHold = [&](const Shell& shell) {
+        return shell.volume > 0 && contains(shell.bounds, cavity.bounds.low) &&
+               contains(shell.bounds, cavity.bounds.high);
+    };
+    std::vector<char> asked;
+    std::ranges::transform(shells.all, std::back_inserter(asked), mayHold);
     std::vector<int> winding(shells.all.size(), 0);
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         const int shell = shells.ofTriangle[t];
-        if (shell >= 0 && shells.all[shell].volume > 0 &&
-            contains(shells.all[shell].bounds, point)) {
+        if (shell >= 0 && asked[shell] != 0) {
             winding[shell] += rayCrossing(restCornersOf(mesh, t), point);
         }
     }
@@ -106,8 +113,7 @@ bool joinCavities(const SurfaceMesh& mesh, UnionFind& shells) {
         if (!shell.isHollow()) {
             continue;
         }
-        const Vec3 point = pointInside(restCornersOf(mesh, shell.largest));
-        const int around = shellAround(mesh, measured, point);
+        const int around = shellAround(mesh, measured, shell);
         if (around >= 0) {
             shells.join(shell.lowest, measured.all[around].lowest);
             joined = true;

@@ -108,6 +108,20 @@ std::vector<int> sheetsOf(const Partners& partners) {
     return sheets;
 }
 
+/// Pairs the two sides of each sheet that has just those at the edge and runs on between them.
+void pairOwn(const std::vector<int>& sheets, const std::vector<Side>& turn, Partners& partners) {
+    for (const Side& side : turn) {
+        const auto own = [&](const Side& other) {
+            return sheets[other.triangle()] == sheets[side.triangle()];
+        };
+        const auto partner = std::ranges::find_if(
+            turn, [&](const Side& other) { return own(other) && other.upward != side.upward; });
+        if (partner != turn.end() && std::ranges::count_if(turn, own) == 2) {
+            partners[side.halfEdge] = partner->halfEdge;
+        }
+    }
+}
+
 /// Turning from low to high, material lies between a side that runs down and the next that runs
 /// up. They are matched as brackets are; what finds no match stays open.
 void pairAround(const std::vector<Side>& turn, Partners& partners) {
@@ -233,7 +247,9 @@ PartedSurface partBranches(TriangleSoup& soup) {
     PartedSurface parted;
     forEachEdge(sides, [&](const Side* begin, const Side* end) {
         if (end - begin > 2) {
-            pairAround(inTurn(soup, sheets, begin, end), partners);
+            const std::vector<Side> turn = inTurn(soup, sheets, begin, end);
+            pairOwn(sheets, turn, partners);
+            pairAround(turn, partners);
             ++parted.edges;
         }
     });

@@ -14,9 +14,9 @@ struct PartedSurface {
     int vertices = 0;
 };
 
-/// Gives each triangle at an edge at most one partner: where there are more than two, those with
-/// material between them. What then hangs together in a point or a line alone gets vertices of its
-/// own at the same place; see moveApart().
+/// Gives each triangle at an edge at most one partner: where there are more than two, those that
+/// the surface joins elsewhere, or those with material between them. What then hangs together in a
+/// point or a line alone gets vertices of its own at the same place; see moveApart().
 PartedSurface partBranches(TriangleSoup& soup);
 
 }  // namespace kerf::repair

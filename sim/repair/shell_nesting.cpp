@@ -12,6 +12,7 @@
 #include "sim/mesh/winding.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
+#include "sim/repair/surface_contact.h"
 
 namespace kerf::repair {
 
@@ -52,8 +53,13 @@ class CrossingShells {
     CrossingShells(const TriangleSoup& soup, const SoupShells& shells) {
         constexpr auto kAll = std::numeric_limits<std::size_t>::max();
         for (const auto& [a, b] : findCrossings(soup, kAll, &shells.ofTriangle)) {
-            const auto pair = std::minmax(shells.ofTriangle[a], shells.ofTriangle[b]);
-            pairs_.insert(pair);
+            const std::pair<int, int> pair =
+                std::minmax(shells.ofTriangle[a], shells.ofTriangle[b]);
+            const bool alike = shells.volumes[pair.first] * shells.volumes[pair.second] > 0;
+            // A cavity may touch the wall around it.
+            if (alike || passThrough(cornersOf(soup, a), cornersOf(soup, b))) {
+                pairs_.insert(pair);
+            }
         }
     }
     bool cross(int a, int b) const { return pairs_.contains(std::minmax(a, b)); }

@@ -129,6 +129,12 @@ bool insidesMeet(const Corners& a, const Signs& ofA, const Corners& b, const Sig
 
 }  // namespace
 
+bool passThrough(const Corners& a, const Corners& b) {
+    const Signs ofA = signsOf(a, b);
+    const Signs ofB = onBothSides(ofA) ? signsOf(b, a) : Signs{};
+    return onBothSides(ofB) && insidesMeet(a, ofA, b, ofB);
+}
+
 SurfaceContact::SurfaceContact(const TriangleSoup& soup)
     : soup_(soup), partners_(partnersOf(sidesByEdge(soup.triangles), soup.triangles.size())) {}
 

@@ -8,6 +8,10 @@
 
 namespace kerf::repair {
 
+/// Whether two triangles pass through each other's insides: each has corners on both sides of the
+/// other one's plane, and they have more than a point in common. Exact.
+bool passThrough(const Corners& a, const Corners& b);
+
 /// Where the surface of a soup meets itself, with material behind each triangle: by the signs of
 /// determinants alone, which are exact.
 class SurfaceContact {

@@ -41,23 +41,35 @@ std::vector<std::vector<int>> sharedPlaces(const TriangleSoup& soup) {
     return groups;
 }
 
-/// The way into the material at each vertex, as long as its shortest edge.
-std::vector<Vec3> waysInward(const TriangleSoup& soup) {
-    std::vector<Vec3> normals(soup.positions.size(), Vec3::Zero());
-    std::vector<double> edges(soup.positions.size(), 0);
+/// What the triangles at a vertex tell.
+struct Around {
+    Vec3 outward = Vec3::Zero();  ///< the normal, of any length
+    double edge = 0;              ///< the length of the shortest edge [m]
+    double shell = 0;             ///< the signed volume of its shell [m^3]
+};
+
+std::vector<Around> aroundVertices(const TriangleSoup& soup) {
+    const std::vector<int> parts = partsOf(soup);
+    const std::vector<double> volumes = volumesOf(soup, parts);
+    std::vector<Around> all(soup.positions.size());
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
         const Corners at = cornersOf(soup, t);
         for (int i = 0; i < 3; ++i) {
-            const int v = soup.triangles[t][i];
-            normals[v] += areaNormal(at);
+            Around& around = all[soup.triangles[t][i]];
             const double edge = (at[(i + 1) % 3] - at[i]).norm();
-            edges[v] = edges[v] == 0 ? edge : std::min(edges[v], edge);
+            around.outward += areaNormal(at);
+            around.edge = around.edge == 0 ? edge : std::min(around.edge, edge);
+            around.shell = volumes[parts[t]];
         }
     }
-    for (std::size_t v = 0; v < normals.size(); ++v) {
-        normals[v] = -edges[v] * normals[v].stableNormalized();
-    }
-    return normals;
+    return all;
+}
+
+/// Whether a cavity touches the wall around it at this place: then there is no material between.
+bool isThinWall(const std::vector<int>& place, const std::vector<Around>& all) {
+    const auto shellOf = [&](int v) { return all[v].shell; };
+    const auto [least, most] = std::ranges::minmax(place, {}, shellOf);
+    return shellOf(least) < 0 && shellOf(most) > -shellOf(least);
 }
 
 }  // namespace
@@ -66,16 +78,17 @@ int moveApart(TriangleSoup& soup) {
     int moved = 0;
     double share = kParting;
     for (int round = 0; round < kMostPartings; ++round, share *= 2) {
-        const std::vector<std::vector<int>> groups = sharedPlaces(soup);
-        if (groups.empty()) {
+        const std::vector<std::vector<int>> places = sharedPlaces(soup);
+        if (places.empty()) {
             break;
         }
-        const std::vector<Vec3> inward = waysInward(soup);
-        for (const std::vector<int>& group : groups) {
+        const std::vector<Around> all = aroundVertices(soup);
+        for (const std::vector<int>& place : places) {
+            const double side = isThinWall(place, all) ? 1 : -1;
             // Not by the same share, since two may have the same way.
             double own = share;
-            for (const int v : group) {
-                soup.positions[v] += own * inward[v];
+            for (const int v : place) {
+                soup.positions[v] += side * own * all[v].edge * all[v].outward.stableNormalized();
                 own += share / 2;
                 ++moved;
             }
