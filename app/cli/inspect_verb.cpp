@@ -42,6 +42,7 @@ struct Inspection {
     std::string refusal;
     std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
+    std::string mended;                        ///< the file that is to be written, if any
 };
 
 TriangleSoup soupOf(const SurfaceMesh& mesh) {
@@ -73,10 +74,14 @@ void requireNewFile(const std::filesystem::path& file, const std::filesystem::pa
     }
 }
 
-/// Writes the model as a repair leaves it. What can't be repaired throws.
+std::filesystem::path mendedFile(const InspectArguments& arguments) {
+    return arguments.remeshed.empty() ? arguments.repaired : arguments.remeshed;
+}
+
+/// The model as a repair leaves it. What can't be repaired throws.
 Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
     const bool remesh = !arguments.remeshed.empty();
-    const std::filesystem::path& out = remesh ? arguments.remeshed : arguments.repaired;
+    const std::filesystem::path out = mendedFile(arguments);
     const std::optional<MeshFormat> format = meshFormatOf(out);
     if (!format) {
         throw UsageError(out.string() +
@@ -91,8 +96,11 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
     const SurfaceMesh& mesh = mended.model.mesh;
     ExportLooks looks;
     looks.own = mended.model.looks;
-    writeOutputFile(out, encodeMesh(mesh, findPieces(mesh), *format, looks));
-    return {mended.report, "", {}, arguments.picture.empty() ? nullptr : faultsOf(mesh)};
+    return {mended.report,
+            "",
+            {},
+            arguments.picture.empty() ? nullptr : faultsOf(mesh),
+            encodeMesh(mesh, findPieces(mesh), *format, looks)};
 }
 
 /// A file that can't be read at all has no report and throws.
@@ -285,6 +293,9 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
     const Inspection inspection = mends ? mend(file, arguments) : inspect(file, arguments);
     if (!arguments.picture.empty()) {
         writeFaultPicture(inspection, file, arguments);
+    }
+    if (mends) {
+        writeOutputFile(mendedFile(arguments), inspection.mended);
     }
     if (arguments.json) {
         Json json = toJson(inspection.report, file);

@@ -51,8 +51,8 @@ void requireReadableSize(const std::filesystem::path& file, std::uintmax_t limit
     }
 }
 
-/// The file that a result takes the place of. A link stays, and what it leads to is replaced; a
-/// device or a pipe must not be.
+/// The file that a result takes the place of. A link stays, and what it leads to is replaced; one
+/// that leads nowhere is replaced itself. A device or a pipe must not be.
 std::filesystem::path replaceable(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);

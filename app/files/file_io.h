@@ -29,8 +29,8 @@ bool leadsInside(const std::filesystem::path& folder, const std::filesystem::pat
 std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit);
 
 /// A file that appears under its name only once it is complete: what is written goes into a hidden
-/// file of the same folder, which commit() renames. Without commit() nothing is left. A link is
-/// followed; a device or a pipe is refused.
+/// file of the same folder, which commit() renames. Without commit() nothing is left. A link that
+/// leads somewhere is followed; a device or a pipe is refused.
 class AtomicFile {
   public:
     /// Throws OutputError, as all functions here.

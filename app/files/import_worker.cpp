@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/gltf_needs.h"
 #include "app/files/import_appearance.h"
 #include "app/files/import_polygons.h"
 #include "app/files/import_process.h"
@@ -122,8 +123,21 @@ void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
     }
 }
 
+void requireReadable(const std::filesystem::path& file) {
+    const std::string extension = isGltf(file) ? unreadableExtension(file) : "";
+    if (!extension.empty()) {
+        throw InputError("it needs the glTF extension " + extension +
+                         ", which Kerf does not know; export it without");
+    }
+}
+
 /// Says in words of ours what assimp puts into its own.
 std::string plainReason(const std::string& message) {
+    if (message.find("STL storage representation") != std::string::npos) {
+        return "it is neither a binary STL as long as its number of triangles says, nor a text "
+               "that "
+               "begins with \"solid\"";
+    }
     if (message.find("mNumMeshes is 0") != std::string::npos) {
         return "there is no surface in it";
     }
@@ -135,6 +149,7 @@ std::string plainReason(const std::string& message) {
 
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readScene(const std::filesystem::path& file) {
+    requireReadable(file);
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,

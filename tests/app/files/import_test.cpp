@@ -222,6 +222,20 @@ TEST_F(Import, DataOfAPlyMayBeginWithAnyByte) {
     }
 }
 
+TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
+    const std::string needs = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "x"}],)"
+                              R"( "extensionsRequired": ["KHR_mesh_quantization"]})";
+    std::string glb = "glTF";
+    append(glb, std::uint32_t{2});
+    append(glb, static_cast<std::uint32_t>(20 + needs.size()));
+    append(glb, static_cast<std::uint32_t>(needs.size()));
+    glb += "JSON" + needs;
+    for (const fs::path& file : {write("a.gltf", needs), write("a.glb", glb)}) {
+        EXPECT_THAT(sentenceOf([&] { loadModel(file); }),
+                    HasSubstr("needs the glTF extension KHR_mesh_quantization"));
+    }
+}
+
 TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
     TriangleSoup ball = test::icosphereSoup(1);
     for (Triangle& t : ball.triangles) {

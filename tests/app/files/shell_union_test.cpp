@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
 #include "app/files/shell_protocol.h"
+#include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_inspection.h"
@@ -204,6 +207,67 @@ TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
     options.repair = true;
     const app::ModelMesh model = app::readModel(folder / "crossed.obj", options);
     EXPECT_THAT(model.remarks, testing::ElementsAre(HasSubstr("1 piece passes through itself")));
+}
+
+/// Boxes with corners on whole numbers.
+struct GridBoxes {
+    std::vector<std::array<Eigen::Vector3i, 2>> boxes;
+
+    TriangleSoup soup() const {
+        TriangleSoup all;
+        for (const auto& [low, high] : boxes) {
+            TriangleSoup box = test::boxSoup((high - low).cast<double>());
+            all = test::joined(all, box, (low + high).cast<double>() / 2);
+        }
+        return all;
+    }
+    /// By counting the cells that lie in any of them, of a grid of 7.
+    int volume() const {
+        int cells = 0;
+        for (int cell = 0; cell < 7 * 7 * 7; ++cell) {
+            const Eigen::Vector3i at(cell % 7, cell / 7 % 7, cell / 49);
+            cells += std::ranges::any_of(boxes, [&](const auto& box) {
+                return (box[0].array() <= at.array()).all() && (at.array() < box[1].array()).all();
+            });
+        }
+        return cells;
+    }
+};
+
+GridBoxes randomBoxes(std::mt19937& random) {
+    const auto upTo = [&](unsigned count) { return static_cast<int>(random() % count); };
+    GridBoxes all;
+    const int count = 2 + upTo(3);
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Vector3i low(upTo(4), upTo(4), upTo(4));
+        all.boxes.push_back({low, low + Eigen::Vector3i(1 + upTo(3), 1 + upTo(3), 1 + upTo(3))});
+    }
+    return all;
+}
+
+/// Solids with faces, edges and corners in common, and one within another as if that were none.
+TEST(ShellUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
+    constexpr unsigned kGridSeed = 20261126;
+    std::mt19937 random(kGridSeed);
+    const test::TemporaryFolder folder;
+    int runs = 0;
+    for (int run = 0; run < 40; ++run) {
+        SCOPED_TRACE(testing::Message() << "seed " << kGridSeed << ", run " << run);
+        const GridBoxes boxes = randomBoxes(random);
+        const TriangleSoup soup = boxes.soup();
+        // A box within another one that touches none of its sides bounds a cavity.
+        if (inspectTriangles(weldExactly(soup)).outwardCavities > 0) {
+            continue;
+        }
+        ++runs;
+        test::writeText(folder / "boxes.obj", test::objText(soup));
+        const app::MendedModel mended = app::mendModel(folder / "boxes.obj", {});
+        EXPECT_NEAR(mended.report.volume, boxes.volume(), 2e-3 * boxes.volume());
+        EXPECT_THAT(mended.report.left, IsEmpty());
+        EXPECT_EQ(mended.report.crossingTriangles, 0);
+        EXPECT_EQ(checkClosedManifold(mended.model.mesh), "");
+    }
+    EXPECT_GT(runs, 30);
 }
 
 // --- What both programs send each other --------------------------------------------------------
