@@ -133,15 +133,17 @@ void requireReadable(const std::filesystem::path& file) {
 
 /// Says in words of ours what assimp puts into its own.
 std::string plainReason(const std::string& message) {
-    if (message.find("STL storage representation") != std::string::npos) {
-        return "it is neither a binary STL as long as its number of triangles says, nor a text "
-               "that "
-               "begins with \"solid\"";
-    }
-    if (message.find("mNumMeshes is 0") != std::string::npos) {
+    const auto says = [&](std::string_view part) {
+        return message.find(part) != std::string::npos;
+    };
+    if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces")) {
         return "there is no surface in it";
     }
-    if (message.find("bad_alloc") != std::string::npos) {
+    if (says("STL storage representation")) {
+        return "it is neither a binary STL as long as its number of triangles says, nor a text "
+               "that begins with \"solid\"";
+    }
+    if (says("bad_alloc")) {
         return "it needs more memory than a model may";
     }
     return message;

@@ -276,6 +276,14 @@ TEST_F(Import, OtherFormatsAreRefusedWithTheList) {
                 HasSubstr("a file without extension is not read"));
 }
 
+TEST_F(Import, AFileWithoutASurfaceIsToldSo) {
+    for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "v 0 0 0\nv 1 0 0\np 1 2\n",
+                             "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
+        EXPECT_THAT(sentenceOf([&] { loadModel(write("none.obj", text)); }),
+                    HasSubstr("there is no surface in it"));
+    }
+}
+
 TEST_F(Import, TextIsNoModel) {
     for (const char* name :
          {"a.obj", "a.stl", "a.gltf", "a.glb", "a.off", "a.3ds", "a.dae", "a.fbx"}) {
