@@ -39,7 +39,7 @@ FLOORS = {
     "sim/repair": (20, 532, 84, "files made\ncuttable"),
     "sim/cut": (264, 541, 98, "types, words"),
     "sim/cut/surface": (392, 541, 106, "what lies near"),
-    "sim/cut/exact": (392, 627, 106, "wedges, planar\ntriangulation"),
+    "sim/cut/exact": (392, 627, 106, "triangulation"),
     "sim/cut/plan": (526, 580, 106, "one try of\na step"),
     "sim/cut/commit": (660, 517, 100, "carries it out"),
     "sim/cut/patch": (660, 580, 100, "closes wounds"),
