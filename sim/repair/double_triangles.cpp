@@ -1,7 +1,6 @@
 #include "sim/repair/double_triangles.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 #include <vector>
 
