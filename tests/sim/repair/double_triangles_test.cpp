@@ -64,7 +64,8 @@ TriangleSoup cell() {
 TriangleSoup cubesInABlock(int n) {
     TriangleSoup all;
     for (int i = 0; i < n * n * n; ++i) {
-        all = test::joined(all, cell(), Vec3(i % n, i / n % n, i / (n * n)));
+        const Eigen::Vector3i place(i % n, i / n % n, i / (n * n));
+        all = test::joined(all, cell(), place.cast<double>());
     }
     return weldExactly(all);
 }
