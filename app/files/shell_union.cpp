@@ -14,11 +14,11 @@
 #include "app/files/shell_protocol.h"
 #include "app/files/temporary_folder.h"
 #include "sim/base/text.h"
-#include "sim/mesh/invariants.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/crossings.h"
+#include "sim/repair/shell_nesting.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
 #include "sim/repair/soup_repair.h"
@@ -32,7 +32,7 @@ const std::string kFallsTogether =
 constexpr std::size_t kMostCrossings = 2'000'000;
 constexpr ImportLimits kLimits{.cpuSeconds = 120, .wallSeconds = 240, .addressSpace = 8ull << 30};
 
-/// The pieces of a soup, and which of them cross.
+/// The pieces of a soup, by the numbers of their outer shells, and which of them cross.
 class CrossingPieces {
   public:
     explicit CrossingPieces(const TriangleSoup& soup);
@@ -52,13 +52,14 @@ class CrossingPieces {
 };
 
 CrossingPieces::CrossingPieces(const TriangleSoup& soup) : groups_(0) {
-    const PieceMap pieces = findPieces(SurfaceMesh::fromTriangles(soup.positions, soup.triangles));
+    const repair::SoupShells shells = repair::measureShells(soup);
+    const repair::ShellNesting nesting = repair::nestShells(soup, shells);
     ofTriangle_.reserve(soup.triangles.size());
-    for (const Triangle& t : soup.triangles) {
-        ofTriangle_.push_back(pieces.ofVertex[t[0]]);
+    for (const int shell : shells.ofTriangle) {
+        ofTriangle_.push_back(nesting.owner[shell]);
     }
-    crossesItself_.assign(pieces.pieces.size(), 0);
-    groups_ = UnionFind(pieces.pieces.size());
+    crossesItself_.assign(shells.size(), 0);
+    groups_ = UnionFind(shells.size());
     const auto crossings = repair::findCrossings(soup, kMostCrossings);
     for (const auto& [first, second] : crossings) {
         if (pieceOf(first) == pieceOf(second)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/mesh/inner_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
 
@@ -67,9 +68,23 @@ Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
     return shells;
 }
 
+/// A point in the hollow, off the walls that it may touch.
+Vec3 insideOf(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity) {
+    const int own = shells.ofTriangle[cavity.largest];
+    return pointBehind(restCornersOf(mesh, cavity.largest), -1,
+                       [&](auto&& f) {
+                           for (int t = 0; t < mesh.triangleSlots(); ++t) {
+                               if (shells.ofTriangle[t] == own) {
+                                   f(restCornersOf(mesh, t));
+                               }
+                           }
+                       })
+        .point;
+}
+
 /// The smallest shell of material that a cavity lies in, -1 for none.
 int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity) {
-    const Vec3 point = pointInside(restCornersOf(mesh, cavity.largest));
+    const Vec3 point = insideOf(mesh, shells, cavity);
     const auto mayHold = [&](const Shell& shell) {
         return shell.volume > 0 && contains(shell.bounds, cavity.bounds.low) &&
                contains(shell.bounds, cavity.bounds.high);

@@ -66,6 +66,7 @@ class Sheets {
     Sheets(const TriangleSoup& soup, const std::vector<Copies>& copies)
         : soup_(soup), copies_(copies), sets_(copies.size()), sheets_(copies.size()) {
         std::vector<Triangle> one;
+        one.reserve(copies.size());
         for (const Copies& each : copies) {
             one.push_back(soup.triangles[each.most().front()]);
         }

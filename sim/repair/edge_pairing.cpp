@@ -102,6 +102,7 @@ std::vector<int> sheetsOf(const Partners& partners) {
         }
     }
     std::vector<int> sheets;
+    sheets.reserve(partners.size() / 3);
     for (int t = 0; t < static_cast<int>(partners.size() / 3); ++t) {
         sheets.push_back(sets.root(t));
     }

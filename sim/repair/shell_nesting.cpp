@@ -1,12 +1,15 @@
 #include "sim/repair/shell_nesting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
 
 #include "sim/mesh/box_tree.h"
+#include "sim/mesh/inner_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/mesh/winding.h"
@@ -18,29 +21,11 @@ namespace kerf::repair {
 
 namespace {
 
-constexpr int kLeastSamples = 5;
-constexpr double kMostTests = 3e8;  // of a point with a triangle: about a second
-
-int addShell(SoupShells& shells, int firstTriangle) {
+int addShell(SoupShells& shells) {
     shells.volumes.push_back(0);
     shells.areas.push_back(0);
     shells.bounds.emplace_back();
-    shells.firsts.push_back(firstTriangle);
-    shells.counts.push_back(0);
     return shells.size() - 1;
-}
-
-/// So many triangles of the shell, spread over it, or all.
-std::vector<int> samplesOf(const SoupShells& shells, int shell, int count) {
-    std::vector<int> samples;
-    const int step = std::max(1, shells.counts[shell] / count);
-    int seen = 0;
-    for (int t = shells.firsts[shell]; seen < shells.counts[shell]; ++t) {
-        if (shells.ofTriangle[t] == shell && seen++ % step == 0) {
-            samples.push_back(t);
-        }
-    }
-    return samples;
 }
 
 bool liesIn(const Bounds& inner, const Bounds& outer) {
@@ -50,62 +35,97 @@ bool liesIn(const Bounds& inner, const Bounds& outer) {
 /// Shells that cross each other.
 class CrossingShells {
   public:
-    CrossingShells(const TriangleSoup& soup, const SoupShells& shells) {
+    CrossingShells(const TriangleSoup& soup, const SoupShells& shells) : others_(shells.size()) {
         constexpr auto kAll = std::numeric_limits<std::size_t>::max();
         for (const auto& [a, b] : findCrossings(soup, kAll, &shells.ofTriangle)) {
-            const std::pair<int, int> pair =
-                std::minmax(shells.ofTriangle[a], shells.ofTriangle[b]);
-            const bool alike = shells.volumes[pair.first] * shells.volumes[pair.second] > 0;
+            const int first = shells.ofTriangle[a];
+            const int second = shells.ofTriangle[b];
+            const bool alike = shells.volumes[first] * shells.volumes[second] > 0;
             // A cavity may touch the wall around it.
             if (alike || passThrough(cornersOf(soup, a), cornersOf(soup, b))) {
-                pairs_.insert(pair);
+                others_[first].insert(second);
+                others_[second].insert(first);
             }
         }
     }
-    bool cross(int a, int b) const { return pairs_.contains(std::minmax(a, b)); }
-
-    /// How many solids these shells make, if those that cross were united.
-    int united(const std::vector<int>& shells) const {
-        UnionFind sets(shells.size());
-        int count = static_cast<int>(shells.size());
-        for (int i = 0; i < static_cast<int>(shells.size()); ++i) {
-            for (int k = 0; k < i; ++k) {
-                if (cross(shells[i], shells[k]) && sets.root(i) != sets.root(k)) {
-                    sets.join(i, k);
-                    --count;
-                }
-            }
-        }
-        return count;
-    }
+    /// Those that a shell crosses.
+    const std::set<int>& of(int shell) const { return others_[shell]; }
 
   private:
-    std::set<std::pair<int, int>> pairs_;
+    std::vector<std::set<int>> others_;
 };
 
-/// Finds in which other shells each lies.
-class Nesting {
+/// The triangles of a soup, to look for those that a ray along x may meet.
+class RayTargets {
   public:
-    Nesting(const TriangleSoup& soup, const SoupShells& shells) : soup_(soup), shells_(shells) {}
+    explicit RayTargets(const TriangleSoup& soup)
+        : soup_(soup), tree_(allOf(soup.triangles.size()), boundsOf_) {}
 
-    std::vector<int> depths() const {
-        std::vector<std::vector<int>> around = boxesAround();
-        keepThoseAroundSamples(around);
-        if (std::ranges::all_of(around, [](const auto& shells) { return shells.empty(); })) {
-            return std::vector<int>(around.size(), 0);
-        }
-        const CrossingShells crossing(soup_, shells_);
-        std::vector<int> depths;
-        for (int shell = 0; shell < shells_.size(); ++shell) {
-            std::erase_if(around[shell], [&](int other) { return crossing.cross(shell, other); });
-            depths.push_back(crossing.united(around[shell]));
-        }
-        return depths;
+    /// How often each shell surrounds the point, of those that do.
+    std::map<int, int> windings(const Vec3& point, const SoupShells& shells) {
+        std::map<int, int> windings;
+        const auto mayMeet = [&](const Bounds& box) {
+            return box.low.y() <= point.y() && point.y() <= box.high.y() &&
+                   box.low.z() <= point.z() && point.z() <= box.high.z() &&
+                   box.high.x() >= point.x();
+        };
+        tree_.find(boundsOf_, mayMeet, [&](int t) {
+            if (const int crossing = rayCrossing(cornersOf(soup_, t), point); crossing != 0) {
+                windings[shells.ofTriangle[t]] += crossing;
+            }
+        });
+        std::erase_if(windings, [](const auto& each) { return each.second == 0; });
+        return windings;
     }
 
   private:
+    static std::vector<int> allOf(std::size_t count) {
+        std::vector<int> all(count);
+        std::iota(all.begin(), all.end(), 0);
+        return all;
+    }
+
+    const TriangleSoup& soup_;
+    BoxTree::BoundsOf boundsOf_ = [this](int t) {
+        Bounds bounds;
+        for (const Vec3& corner : cornersOf(soup_, t)) {
+            bounds.add(corner);
+        }
+        return bounds;
+    };
+    BoxTree tree_;
+};
+
+/// Finds which shells lie around each, apart from those that it crosses.
+class Surroundings {
+  public:
+    Surroundings(const TriangleSoup& soup, const SoupShells& shells)
+        : soup_(soup), shells_(shells), triangles_(shells.size()) {
+        for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
+            triangles_[shells.ofTriangle[t]].push_back(t);
+        }
+    }
+
+    /// By shell, those around it, those that it crosses still among them.
+    std::vector<std::vector<int>> all() const {
+        std::vector<std::vector<int>> around = boxesAround();
+        if (std::ranges::all_of(around, [](const auto& each) { return each.empty(); })) {
+            return around;
+        }
+        RayTargets targets(soup_);
+        for (int shell = 0; shell < shells_.size(); ++shell) {
+            if (!around[shell].empty()) {
+                const std::map<int, int> windings = targets.windings(insideOf(shell), shells_);
+                std::erase_if(around[shell], [&](int other) { return !windings.contains(other); });
+            }
+        }
+        return around;
+    }
+
+  private:
+    /// By shell the larger ones whose boxes hold its own.
     std::vector<std::vector<int>> boxesAround() const {
-        std::vector<int> all(shells_.bounds.size());
+        std::vector<int> all(shells_.size());
         std::iota(all.begin(), all.end(), 0);
         const BoxTree::BoundsOf boundsOf = [this](int shell) { return shells_.bounds[shell]; };
         BoxTree tree(all, boundsOf);
@@ -114,7 +134,7 @@ class Nesting {
             const Bounds& own = shells_.bounds[shell];
             const auto mayHold = [&](const Bounds& box) { return liesIn(own, box); };
             tree.find(boundsOf, mayHold, [&](int other) {
-                if (other != shell && liesIn(own, shells_.bounds[other])) {
+                if (shells_.isLarger(other, shell) && liesIn(own, shells_.bounds[other])) {
                     around[shell].push_back(other);
                 }
             });
@@ -122,44 +142,107 @@ class Nesting {
         return around;
     }
 
-    void keepThoseAroundSamples(std::vector<std::vector<int>>& around) const {
-        const auto nested =
-            std::ranges::count_if(around, [](const auto& shells) { return !shells.empty(); });
-        const auto tests =
-            static_cast<double>(nested * static_cast<std::ptrdiff_t>(soup_.triangles.size()));
-        const int samples = std::max(kLeastSamples, static_cast<int>(kMostTests / (tests + 1)));
-        for (int shell = 0; shell < shells_.size(); ++shell) {
-            for (const int t : samplesOf(shells_, shell, samples)) {
-                if (around[shell].empty()) {
-                    break;
-                }
-                keepThoseAround(pointInside(cornersOf(soup_, t)), around[shell]);
+    /// The deepest of some points inside.
+    Vec3 insideOf(int shell) const {
+        constexpr int kTries = 3;
+        const int inward = shells_.volumes[shell] < 0 ? -1 : 1;
+        const auto forEach = [&](auto&& f) {
+            for (const int t : triangles_[shell]) {
+                f(cornersOf(soup_, t));
             }
+        };
+        InnerPoint best;
+        for (int i = 0; i < kTries; ++i) {
+            const int t = triangles_[shell][i * (triangles_[shell].size() - 1) / (kTries - 1)];
+            const InnerPoint next = pointBehind(cornersOf(soup_, t), inward, forEach);
+            best = i == 0 || next.depth > best.depth ? next : best;
         }
-    }
-
-    /// Removes from `around` the shells that do not surround the point.
-    void keepThoseAround(const Vec3& point, std::vector<int>& around) const {
-        std::vector<int> winding(shells_.bounds.size(), 0);
-        std::vector<char> asked(shells_.bounds.size(), 0);
-        for (const int shell : around) {
-            asked[shell] = 1;
-        }
-        for (int t = 0; t < static_cast<int>(soup_.triangles.size()); ++t) {
-            if (asked[shells_.ofTriangle[t]] != 0) {
-                winding[shells_.ofTriangle[t]] += rayCrossing(cornersOf(soup_, t), point);
-            }
-        }
-        std::erase_if(around, [&](int shell) { return winding[shell] == 0; });
+        return best.point;
     }
 
     const TriangleSoup& soup_;
     const SoupShells& shells_;
+    std::vector<std::vector<int>> triangles_;  ///< by shell
+};
+
+/// Decides from the largest shell to the smallest what each bounds.
+class Nesting {
+  public:
+    Nesting(const SoupShells& shells, std::vector<std::vector<int>> around,
+            const CrossingShells& crossing)
+        : shells_(shells), around_(std::move(around)), crossing_(crossing) {
+        for (int shell = 0; shell < shells.size(); ++shell) {
+            given_.push_back(shells.volumes[shell] < 0 ? -1 : 1);
+            std::erase_if(around_[shell],
+                          [&](int other) { return crossing.of(shell).contains(other); });
+        }
+        signs_ = given_;
+    }
+
+    ShellNesting decide() {
+        std::vector<int> order(shells_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, [&](int a, int b) { return shells_.isLarger(a, b); });
+        for (const int shell : order) {
+            signs_[shell] = isCavity(shell) ? -1 : 1;
+        }
+        ShellNesting nesting;
+        for (int shell = 0; shell < shells_.size(); ++shell) {
+            nesting.cavity.push_back(signs_[shell] < 0 ? 1 : 0);
+            nesting.owner.push_back(signs_[shell] < 0 ? ownerOf(shell) : shell);
+        }
+        return nesting;
+    }
+
+  private:
+    /// How often there is material around a shell, where it is in none that it crosses.
+    int materialAround(int shell) const {
+        return std::accumulate(around_[shell].begin(), around_[shell].end(), 0,
+                               [&](int sum, int other) { return sum + signs_[other]; });
+    }
+
+    bool isCavity(int shell) const {
+        const int around = materialAround(shell);
+        // Where it crosses a cavity that was one in the file, it lies in that in part.
+        const bool leavesMaterial = std::ranges::any_of(crossing_.of(shell), [&](int other) {
+            return given_[other] < 0 && signs_[other] < 0 && around <= 1;
+        });
+        return around >= 1 && (given_[shell] < 0 || !leavesMaterial);
+    }
+
+    /// The smallest shell of material around a cavity.
+    int ownerOf(int shell) const {
+        int owner = shell;
+        for (const int other : around_[shell]) {
+            if (signs_[other] > 0 && (owner == shell || shells_.isLarger(owner, other))) {
+                owner = other;
+            }
+        }
+        return owner;
+    }
+
+    const SoupShells& shells_;
+    std::vector<std::vector<int>> around_;
+    const CrossingShells& crossing_;
+    std::vector<int> given_;  ///< by shell: -1 where it faces inwards in the soup
+    std::vector<int> signs_;  ///< -1 for a cavity, as far as decided; else as given
 };
 
 }  // namespace
 
-SoupShells measureShells(const TriangleSoup& soup, const Vec3& middle) {
+bool SoupShells::isLarger(int a, int b) const {
+    const double first = std::abs(volumes[a]);
+    const double second = std::abs(volumes[b]);
+    return first != second ? first > second : a < b;
+}
+
+SoupShells measureShells(const TriangleSoup& soup) {
+    Bounds all;
+    for (const Vec3& p : soup.positions) {
+        all.add(p);
+    }
+    // Rounding is smallest about the middle.
+    const Vec3 middle = all.center();
     UnionFind vertices(soup.positions.size());
     for (const auto& [a, b, c] : soup.triangles) {
         vertices.join(a, b);
@@ -170,13 +253,12 @@ SoupShells measureShells(const TriangleSoup& soup, const Vec3& middle) {
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
         int& shell = shellOfRoot[vertices.root(soup.triangles[t][0])];
         if (shell < 0) {
-            shell = addShell(shells, t);
+            shell = addShell(shells);
         }
         shells.ofTriangle.push_back(shell);
         const Corners at = cornersOf(soup, t);
         shells.volumes[shell] += tetrahedronVolume(at[0] - middle, at[1] - middle, at[2] - middle);
         shells.areas[shell] += triangleArea(at);
-        ++shells.counts[shell];
         for (const Vec3& corner : at) {
             shells.bounds[shell].add(corner);
         }
@@ -184,8 +266,14 @@ SoupShells measureShells(const TriangleSoup& soup, const Vec3& middle) {
     return shells;
 }
 
-std::vector<int> nestingDepths(const TriangleSoup& soup, const SoupShells& shells) {
-    return Nesting(soup, shells).depths();
+ShellNesting nestShells(const TriangleSoup& soup, const SoupShells& shells) {
+    std::vector<std::vector<int>> around = Surroundings(soup, shells).all();
+    if (std::ranges::all_of(around, [](const auto& each) { return each.empty(); })) {
+        ShellNesting apart{std::vector<char>(shells.size(), 0), std::vector<int>(shells.size())};
+        std::iota(apart.owner.begin(), apart.owner.end(), 0);
+        return apart;
+    }
+    return Nesting(shells, std::move(around), CrossingShells(soup, shells)).decide();
 }
 
 }  // namespace kerf::repair

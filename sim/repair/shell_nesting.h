@@ -12,21 +12,27 @@ struct SoupShells {
     std::vector<double> volumes;  ///< signed [m^3]
     std::vector<double> areas;    ///< [m^2]
     std::vector<Bounds> bounds;   ///< [m]
-    std::vector<int> firsts;      ///< the lowest triangle
-    std::vector<int> counts;      ///< of triangles
 
     /// How many there are.
     int size() const { return static_cast<int>(volumes.size()); }
+    /// Whether shell a encloses more than b; of equal ones the first is the larger.
+    bool isLarger(int a, int b) const;
 };
 
-/// Measures all shells. Triangles must be proper. Volumes are summed about `middle`, where rounding
-/// is smallest. O(n).
-SoupShells measureShells(const TriangleSoup& soup, const Vec3& middle);
+/// Measures all shells. Triangles must be proper. O(n).
+SoupShells measureShells(const TriangleSoup& soup);
 
-/// By shell: in how many others it lies as a whole, as far as samples tell. A shell lies in none
-/// that it crosses, and shells around it that cross each other count as one, as a union would make
-/// them. The soup must be closed, manifold and consistently oriented. O(n log n), and O(n) for each
-/// sample.
-std::vector<int> nestingDepths(const TriangleSoup& soup, const SoupShells& shells);
+/// What each shell bounds.
+struct ShellNesting {
+    std::vector<char> cavity;  ///< by shell: 1 where it is a hollow in another one
+    std::vector<int> owner;  ///< the shell of material that a cavity lies in; of others themselves
+};
+
+/// Tells which shells bound material from outside and which bound cavities. A shell that crosses
+/// none lies in material or not, so it is a cavity in the one case and none in the other. One that
+/// crosses others is what its triangles say where both can be: a rib sunk into the wall of a cavity
+/// is material, and two cavities may cross. The soup must be closed, manifold and consistently
+/// oriented; shells may be inside out. O(n log n).
+ShellNesting nestShells(const TriangleSoup& soup, const SoupShells& shells);
 
 }  // namespace kerf::repair

@@ -90,31 +90,29 @@ double totalVolume(const SoupShells& shells) {
 
 /// By shell: whether it bounds material from outside or a cavity, and which way it faces.
 struct Facing {
-    std::vector<bool> cavity;
+    std::vector<char> cavity;
     std::vector<bool> wrong;
 
     int wrongPieces() const { return countWrong(false); }
     int wrongCavities() const { return countWrong(true); }
-    int cavities() const { return static_cast<int>(std::ranges::count(cavity, true)); }
+    int cavities() const { return static_cast<int>(std::ranges::count(cavity, 1)); }
 
   private:
     int countWrong(bool ofCavities) const {
         int found = 0;
         for (std::size_t i = 0; i < wrong.size(); ++i) {
-            found += wrong[i] && cavity[i] == ofCavities;
+            found += wrong[i] && (cavity[i] != 0) == ofCavities;
         }
         return found;
     }
 };
 
-/// A shell inside another one is a cavity, one inside that is material again, and so on.
 Facing facingOf(const TriangleSoup& soup, const SoupShells& shells) {
     Facing facing;
-    const std::vector<int> depths = repair::nestingDepths(soup, shells);
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        const bool cavity = depths[i] % 2 == 1;
-        facing.cavity.push_back(cavity);
-        facing.wrong.push_back(cavity ? shells.volumes[i] > 0 : shells.volumes[i] < 0);
+    facing.cavity = repair::nestShells(soup, shells).cavity;
+    for (int i = 0; i < shells.size(); ++i) {
+        facing.wrong.push_back(facing.cavity[i] != 0 ? shells.volumes[i] > 0
+                                                     : shells.volumes[i] < 0);
     }
     return facing;
 }
@@ -244,7 +242,7 @@ MeshReport inspectTriangles(const TriangleSoup& welded) {
     countElements(welded, report);
     const TriangleSoup proper = properPart(welded);
     countFaults(findFaultsOf(welded, proper.triangles), report);
-    const SoupShells shells = repair::measureShells(proper, report.bounds.center());
+    const SoupShells shells = repair::measureShells(proper);
     report.pieces = shells.size();
     report.volume = totalVolume(shells);
 
@@ -269,7 +267,7 @@ MeshReport inspectTriangles(const TriangleSoup& welded) {
 }
 
 int turnOutward(TriangleSoup& soup) {
-    const SoupShells shells = repair::measureShells(soup, boundsOf(soup).center());
+    const SoupShells shells = repair::measureShells(soup);
     const Facing facing = facingOf(soup, shells);
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
         if (facing.wrong[shells.ofTriangle[i]]) {

@@ -205,7 +205,7 @@ std::string binaryPly(char before, const std::string& lineEnd) {
         append(bytes, Vec3f(p.cast<float>()));
     }
     for (const Triangle& t : box.triangles) {
-        bytes += 3;
+        bytes += '\x03';
         append(bytes, t);
     }
     return bytes;

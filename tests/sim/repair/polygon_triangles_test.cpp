@@ -39,7 +39,8 @@ TEST(PolygonTriangles, AnLWhoseReflexCornerLiesOnTheSideOfAnEar) {
     expectDivided(back, -Vec3::UnitZ(), 3);
     for (std::size_t first = 1; first < ell.size(); ++first) {
         Polygon turned = ell;
-        std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(first));
+        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first),
+                    turned.end());
         expectDivided(turned, Vec3::UnitZ(), 3);
     }
 }
