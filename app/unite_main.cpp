@@ -10,9 +10,11 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <list>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/process_limits.h"
@@ -61,14 +63,28 @@ Mesh meshOf(const ShellMessage& shells, int piece) {
     return mesh;
 }
 
-/// Kernel numbers are exact, so that the result of one union can go into the next.
+/// Whether `whole` became one surface with the piece; else it stays as it was.
+bool unite(Mesh& whole, Mesh piece) {
+    Mesh before = whole;
+    if (pmp::corefine_and_compute_union(whole, piece, whole,
+                                        CGAL::parameters::throw_on_self_intersection(true))) {
+        return true;
+    }
+    whole = std::move(before);
+    return false;
+}
+
+/// Kernel numbers are exact, so that the result of one union can go into the next. What would touch
+/// in a line or a point alone waits for the others, which may fill the place.
 Mesh united(const ShellMessage& shells) {
     const int pieces = *std::ranges::max_element(shells.pieces) + 1;
     Mesh whole = meshOf(shells, 0);
+    std::list<Mesh> waiting;
     for (int piece = 1; piece < pieces; ++piece) {
-        Mesh next = meshOf(shells, piece);
-        if (!pmp::corefine_and_compute_union(whole, next, whole,
-                                             CGAL::parameters::throw_on_self_intersection(true))) {
+        waiting.push_back(meshOf(shells, piece));
+    }
+    while (!waiting.empty()) {
+        if (waiting.remove_if([&](const Mesh& piece) { return unite(whole, piece); }) == 0) {
             throw std::runtime_error(
                 "the pieces touch in a line or a point, so their union is no "
                 "surface that can be cut");

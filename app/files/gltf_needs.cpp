@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::json;
 
 // These change how the numbers of a surface are stored. assimp would read them as what they aren't.
-constexpr std::array<std::string_view, 4> kUnreadable = {
+constexpr std::array<std::string_view, 5> kUnreadable = {
     "KHR_draco_mesh_compression", "KHR_mesh_quantization", "EXT_meshopt_compression",
-    "EXT_mesh_gpu_instancing"};
+    "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
 
 /// The JSON of a GLB, empty for other files.
 std::string jsonOfGlb(std::ifstream& in, std::uintmax_t size) {

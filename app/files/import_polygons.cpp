@@ -7,16 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "sim/mesh/triangle.h"
 #include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
 
 namespace {
 
-constexpr unsigned kMostOfOthers = 4;  // assimp divides quads right
-
 bool isPolygon(const aiFace& face) {
-    return face.mNumIndices > kMostOfOthers;
+    return face.mNumIndices > 3;
 }
 
 bool isInRange(const aiMesh& mesh, const aiFace& face) {
@@ -24,17 +23,36 @@ bool isInRange(const aiMesh& mesh, const aiFace& face) {
                                [&](unsigned v) { return v < mesh.mNumVertices; });
 }
 
-/// None where assimp is to divide the face, or to refuse it.
-std::vector<Triangle> trianglesOf(const aiMesh& mesh, const aiFace& face) {
-    if (!isPolygon(face) || !isInRange(mesh, face)) {
-        return {};
-    }
+std::vector<Vec3> cornersOf(const aiMesh& mesh, const aiFace& face) {
     std::vector<Vec3> corners;
     for (const unsigned v : std::span(face.mIndices, face.mNumIndices)) {
         const aiVector3D& p = mesh.mVertices[v];
         corners.emplace_back(p.x, p.y, p.z);
     }
-    return repair::triangulatePolygon(corners);
+    return corners;
+}
+
+/// Whether a corner lies in line with its neighbours.
+bool hasStraightCorner(const std::vector<Vec3>& corners) {
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (areaNormal({corners[i], corners[(i + 1) % count], corners[(i + 2) % count]})
+                .isZero(0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// None where assimp is to divide the face, or to refuse it. Quads it divides right, but for those
+/// that are triangles with a corner on a side.
+std::vector<Triangle> trianglesOf(const aiMesh& mesh, const aiFace& face) {
+    if (!isPolygon(face) || !isInRange(mesh, face)) {
+        return {};
+    }
+    const std::vector<Vec3> corners = cornersOf(mesh, face);
+    const bool plainQuad = corners.size() == 4 && !hasStraightCorner(corners);
+    return plainQuad ? std::vector<Triangle>{} : repair::triangulatePolygon(corners);
 }
 
 void append(const aiFace& face, const std::vector<Triangle>& triangles,

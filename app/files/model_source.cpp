@@ -142,7 +142,8 @@ void noteTurning(const MeshReport& found, std::vector<std::string>& repairs) {
     }
     if (found.outwardCavities > 0) {
         repairs.push_back("turned " + counted(found.outwardCavities, "shell", "shells") +
-                          " inside another one inwards, around a cavity");
+                          " inside another one inwards, around " +
+                          (found.outwardCavities == 1 ? "a cavity" : "cavities"));
     }
 }
 
@@ -187,8 +188,9 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
     if (options.repair && found.cuttable) {
         found = united(soup, std::move(found), options.progress);
-        const bool moved = repair::moveApart(soup) > 0;
-        if (moved && !found.left.empty()) {
+        // What moves apart may cross then, and what is united may touch itself.
+        constexpr int kMostRounds = 4;
+        for (int i = 0; repair::moveApart(soup) > 0 && i < kMostRounds; ++i) {
             found = united(soup, std::move(found), options.progress);
         }
     }

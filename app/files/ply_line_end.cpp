@@ -33,9 +33,12 @@ std::size_t unclearEnd(std::string_view header) {
         return std::string_view::npos;
     }
     const std::size_t end = last + kLast.size();
-    const bool clear = header.substr(firstLineEnd).starts_with(kLineEnds);
-    const bool feeds = end + 1 < header.size() && header[end + 1] == '\n';
-    return !clear && feeds ? end : std::string_view::npos;
+    const std::string_view lineEnd = header.substr(firstLineEnd, 2);
+    const std::string_view here = header.substr(end, 2);
+    // A carriage return and a line feed end this line, unless carriage returns alone end the
+    // others.
+    const bool feeds = here == "\n\n" || (here == kLineEnds && lineEnd[0] == '\r');
+    return feeds && lineEnd != kLineEnds ? end : std::string_view::npos;
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "sim/repair/polygon_triangles.h"
 
+#include <algorithm>
 #include <map>
-#include <optional>
+#include <ranges>
 #include <utility>
 
 #include "sim/cut/exact/triangulation.h"
@@ -20,13 +21,11 @@ Vec3 areaVector(const std::vector<Vec3>& corners) {
     return sum;
 }
 
-/// The polygon seen against its normal, so that it runs counter-clockwise.
-std::optional<std::vector<Vec2>> flattened(const std::vector<Vec3>& corners) {
-    const Vec3 normal = areaVector(corners);
+/// The polygon seen along the axis that its normal is closest to: what lies in one line does so
+/// exactly then. It runs counter-clockwise.
+std::vector<Vec2> seenAlongAxis(const std::vector<Vec3>& corners, const Vec3& normal) {
     int axis = 0;
-    if (!(normal.cwiseAbs().maxCoeff(&axis) > 0) || !normal.allFinite()) {
-        return std::nullopt;
-    }
+    normal.cwiseAbs().maxCoeff(&axis);
     const int right = normal[axis] > 0 ? (axis + 1) % 3 : (axis + 2) % 3;
     const int up = 3 - axis - right;
     std::vector<Vec2> points;
@@ -35,6 +34,27 @@ std::optional<std::vector<Vec2>> flattened(const std::vector<Vec3>& corners) {
         points.emplace_back(p[right], p[up]);
     }
     return points;
+}
+
+/// The polygon seen against its normal: a bent one shows most of itself.
+std::vector<Vec2> seenAgainstNormal(const std::vector<Vec3>& corners, const Vec3& normal) {
+    const Vec3 right = normal.unitOrthogonal();
+    const Vec3 up = normal.stableNormalized().cross(right);
+    std::vector<Vec2> points;
+    points.reserve(corners.size());
+    for (const Vec3& p : corners) {
+        points.emplace_back((p - corners[0]).dot(right), (p - corners[0]).dot(up));
+    }
+    return points;
+}
+
+/// Whether corners at different places lie on each other in the picture.
+bool hidesCorners(const std::vector<Vec3>& corners, const std::vector<Vec2>& points) {
+    std::map<std::pair<double, double>, const Vec3*> places;
+    return std::ranges::any_of(std::views::iota(0, static_cast<int>(points.size())), [&](int i) {
+        const auto [at, isNew] = places.try_emplace({points[i].x(), points[i].y()}, &corners[i]);
+        return !isNew && *at->second != corners[i];
+    });
 }
 
 /// A triangle that lies around all points with room.
@@ -143,8 +163,20 @@ class PolygonTriangulation {
 }  // namespace
 
 std::vector<Triangle> triangulatePolygon(const std::vector<Vec3>& corners) {
-    const std::optional<std::vector<Vec2>> points = flattened(corners);
-    return points ? PolygonTriangulation(*points).inside() : std::vector<Triangle>{};
+    const Vec3 normal = areaVector(corners);
+    if (!normal.allFinite() || normal.isZero(0)) {
+        return {};
+    }
+    for (const auto& points :
+         {seenAlongAxis(corners, normal), seenAgainstNormal(corners, normal)}) {
+        if (!hidesCorners(corners, points)) {
+            const std::vector<Triangle> triangles = PolygonTriangulation(points).inside();
+            if (!triangles.empty()) {
+                return triangles;
+            }
+        }
+    }
+    return {};
 }
 
 }  // namespace kerf::repair

@@ -44,8 +44,12 @@ std::vector<std::vector<int>> sharedPlaces(const TriangleSoup& soup) {
 /// What the triangles at a vertex tell.
 struct Around {
     Vec3 outward = Vec3::Zero();  ///< the normal, of any length
+    Vec3 ahead = Vec3::Zero();    ///< the sum of the directions of its edges
     double edge = 0;              ///< the length of the shortest edge [m]
     double shell = 0;             ///< the signed volume of its shell [m^3]
+
+    /// Whether it is a corner of a hollow rather than of a solid.
+    bool isHollow() const { return ahead.dot(outward) > 0; }
 };
 
 std::vector<Around> aroundVertices(const TriangleSoup& soup) {
@@ -56,20 +60,35 @@ std::vector<Around> aroundVertices(const TriangleSoup& soup) {
         const Corners at = cornersOf(soup, t);
         for (int i = 0; i < 3; ++i) {
             Around& around = all[soup.triangles[t][i]];
-            const double edge = (at[(i + 1) % 3] - at[i]).norm();
+            const Vec3 way = at[(i + 1) % 3] - at[i];
             around.outward += areaNormal(at);
-            around.edge = around.edge == 0 ? edge : std::min(around.edge, edge);
+            around.ahead += way.stableNormalized();
+            around.edge = around.edge == 0 ? way.norm() : std::min(around.edge, way.norm());
             around.shell = volumes[parts[t]];
         }
     }
     return all;
 }
 
-/// Whether a cavity touches the wall around it at this place: then there is no material between.
-bool isThinWall(const std::vector<int>& place, const std::vector<Around>& all) {
-    const auto shellOf = [&](int v) { return all[v].shell; };
+/// 1 for a vertex that moves out of its material, -1 for one that moves into it. Of shells of which
+/// one lies in the other the outer one grows and those in it shrink. Else solids shrink, and so do
+/// hollows that meet.
+int sideOf(int v, const std::vector<int>& place, const std::vector<Around>& all) {
+    const auto shellOf = [&](int each) { return all[each].shell; };
     const auto [least, most] = std::ranges::minmax(place, {}, shellOf);
-    return shellOf(least) < 0 && shellOf(most) > -shellOf(least);
+    if (shellOf(least) >= 0 || shellOf(most) <= 0) {
+        const auto isHollow = [&](int each) { return all[each].isHollow(); };
+        return std::ranges::all_of(place, isHollow) ? 1 : -1;
+    }
+    const double outermost = shellOf(most) > -shellOf(least) ? shellOf(most) : shellOf(least);
+    const int growing = shellOf(v) > 0 ? 1 : -1;
+    return shellOf(v) == outermost ? growing : -growing;
+}
+
+/// What floats tell apart at a place [m].
+double leastMove(const Vec3& place) {
+    constexpr double kOfFloats = 5e-7;
+    return kOfFloats * place.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -84,11 +103,12 @@ int moveApart(TriangleSoup& soup) {
         }
         const std::vector<Around> all = aroundVertices(soup);
         for (const std::vector<int>& place : places) {
-            const double side = isThinWall(place, all) ? 1 : -1;
             // Not by the same share, since two may have the same way.
             double own = share;
             for (const int v : place) {
-                soup.positions[v] += side * own * all[v].edge * all[v].outward.stableNormalized();
+                const double length = std::max(own * all[v].edge, leastMove(soup.positions[v]));
+                soup.positions[v] +=
+                    sideOf(v, place, all) * length * all[v].outward.stableNormalized();
                 own += share / 2;
                 ++moved;
             }

@@ -4,10 +4,10 @@
 
 namespace kerf::repair {
 
-/// Moves vertices apart that lie at one place, as a file of floats holds it: each into its
-/// material, or out of it where that would be through a wall, by a thousandth of an edge, or more
-/// where that is not enough. Else who reads the file would join them again. Returns how many were
-/// moved. O(n).
+/// Moves vertices apart that lie at one place, as a file of floats holds it: solids and
+/// hollows shrink there, and what lies around another one grows, by a thousandth of an edge, or
+/// more where that is not enough. Else who reads the file would join them again. Returns how many
+/// were moved. O(n).
 int moveApart(TriangleSoup& soup);
 
 }  // namespace kerf::repair
