@@ -55,7 +55,12 @@ ImportHeader readHeader(std::string_view answer) {
 [[noreturn]] void throwFailure(const ImportHeader& head, std::string_view body) {
     const std::uint64_t size =
         std::min<std::uint64_t>({head.messageLength, body.size(), kMaxMessage});
-    throw InputError("it can't be read (" + cleaned(body.substr(0, size)) +
+    const std::string reason = cleaned(body.substr(0, size));
+    // Sentences of ours say what to do, behind a semicolon.
+    if (reason.find("; export it") != std::string::npos) {
+        throw InputError(reason);
+    }
+    throw InputError("it can't be read (" + reason +
                      "); check that it is what its extension says, or export it again");
 }
 

@@ -19,6 +19,7 @@
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "app/files/off_faces.h"
 #include "app/files/ply_line_end.h"
 #include "app/files/process_limits.h"
 #include "render/scene/body_look.h"
@@ -46,14 +47,21 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     bool isAllowed(const std::filesystem::path& name) const { return isFileBelow(folder_, name); }
 
     Assimp::IOStream* open(const std::filesystem::path& name, const char* mode) {
-        const std::optional<std::string> ply =
-            lowerCase(name.extension().string()) == ".ply" ? plyWithClearEnd(name) : std::nullopt;
-        if (!ply) {
+        const std::optional<std::string> text = readableForm(name);
+        if (!text) {
             return DefaultIOSystem::Open(name.c_str(), mode);
         }
-        auto* bytes = new std::uint8_t[ply->size()];  // The stream deletes it.
-        std::ranges::copy(*ply, bytes);
-        return new Assimp::MemoryIOStream(bytes, ply->size(), true);
+        auto* bytes = new std::uint8_t[text->size()];  // The stream deletes it.
+        std::ranges::copy(*text, bytes);
+        return new Assimp::MemoryIOStream(bytes, text->size(), true);
+    }
+
+    /// What assimp reads in the place of a file; nothing where it reads that right.
+    static std::optional<std::string> readableForm(const std::filesystem::path& name) {
+        const std::string extension = lowerCase(name.extension().string());
+        return extension == ".ply"   ? plyWithClearEnd(name)
+               : extension == ".off" ? offWithoutComments(name)
+                                     : std::nullopt;
     }
 
     std::filesystem::path folder_;
@@ -123,11 +131,20 @@ void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
     }
 }
 
+constexpr int kMostCornersOfOff = 9;
+
+/// Refuses what assimp would read as something else, or in part.
 void requireReadable(const std::filesystem::path& file) {
     const std::string extension = isGltf(file) ? unreadableExtension(file) : "";
     if (!extension.empty()) {
         throw InputError("it needs the glTF extension " + extension +
                          ", which Kerf does not know; export it without");
+    }
+    const bool off = lowerCase(file.extension().string()) == ".off";
+    if (const int corners = off ? mostCornersOfOff(file) : 0; corners > kMostCornersOfOff) {
+        throw InputError(
+            "it has a face of " + std::to_string(corners) +
+            " corners, and of an OFF no more than 9 are read; export it as OBJ or PLY");
     }
 }
 

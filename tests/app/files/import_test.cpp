@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -191,14 +192,15 @@ TEST_F(Import, APolygonWithAReflexCornerOnTheSideOfAnEarIsWhole) {
 }
 
 /// A cube as a binary PLY with a byte before each position.
-std::string binaryPly(char before, const std::string& lineEnd) {
+std::string binaryPly(char before, const std::string& lineEnd, const std::string& lastEnd) {
     std::string bytes;
     for (const char* line :
          {"ply", "format binary_little_endian 1.0", "comment end_header", "element vertex 8",
           "property uchar kind", "property float x", "property float y", "property float z",
-          "element face 12", "property list uchar int vertex_indices", "end_header"}) {
+          "element face 12", "property list uchar int vertex_indices"}) {
         bytes += line + lineEnd;
     }
+    bytes += "end_header" + lastEnd;
     const TriangleSoup box = test::boxSoup();
     for (const Vec3& p : box.positions) {
         bytes += before;
@@ -216,10 +218,52 @@ TEST_F(Import, DataOfAPlyMayBeginWithAnyByte) {
         for (const char before : {'\0', '\t', '\n', '\r', ' ', 'e', 'p', '\x7f'}) {
             SCOPED_TRACE(testing::Message() << "line end " << testing::PrintToString(lineEnd)
                                             << ", byte " << static_cast<int>(before));
-            const SurfaceMesh mesh = loadModel(write("box.PLY", binaryPly(before, lineEnd)));
+            const SurfaceMesh mesh =
+                loadModel(write("box.PLY", binaryPly(before, lineEnd, lineEnd)));
             EXPECT_NEAR(meshVolume(mesh), 1, 1e-12);
         }
     }
+    for (const std::string lastEnd : {"\r\n", " \n"}) {
+        const SurfaceMesh mesh = loadModel(write("box.ply", binaryPly('\0', "\n", lastEnd)));
+        EXPECT_NEAR(meshVolume(mesh), 1, 1e-12);
+    }
+}
+
+/// A prism over a regular polygon, with its caps as one face each.
+std::string prismOff(int sides) {
+    std::string points;
+    std::string faces;
+    std::string low = std::to_string(sides);
+    std::string high = low;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / sides;
+        for (const char* z : {"0", "1"}) {
+            points += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
+                      " " + z + "\n";
+        }
+        const int next = 2 * ((i + 1) % sides);
+        faces += "4 " + std::to_string(2 * i) + " " + std::to_string(next) + " " +
+                 std::to_string(next + 1) + " " + std::to_string(2 * i + 1) + "\n";
+        low += " " + std::to_string(2 * (sides - 1 - i));
+        high += " " + std::to_string(2 * i + 1);
+    }
+    return "OFF # a prism\n\n" + std::to_string(2 * sides) + " " + std::to_string(sides + 2) +
+           " 0\n" + points + "# its faces\n" + faces + low + "\n" + high + "\n";
+}
+
+TEST_F(Import, FacesThatAnOffMayNotHaveAreToldAndNotLeftOut) {
+    const SurfaceMesh nine = loadModel(write("nine.off", prismOff(9)));
+    EXPECT_EQ(nine.aliveTriangles(), 32);
+    EXPECT_THAT(sentenceOf([&] { loadModel(write("ten.off", prismOff(10))); }),
+                HasSubstr("a face of 10 corners"));
+}
+
+TEST_F(Import, AQuadWithACornerOnASideIsWhole) {
+    const SurfaceMesh mesh = loadModel(write("t.obj",
+                                             "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\n"
+                                             "f 1 4 3 2\nf 1 2 3 5\nf 3 4 5\nf 4 1 5\n"));
+    EXPECT_EQ(mesh.aliveTriangles(), 6);
+    EXPECT_NEAR(meshVolume(mesh), 8.0 / 6, 1e-12);
 }
 
 TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
@@ -231,8 +275,10 @@ TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
     append(glb, static_cast<std::uint32_t>(needs.size()));
     glb += "JSON" + needs;
     for (const fs::path& file : {write("a.gltf", needs), write("a.glb", glb)}) {
-        EXPECT_THAT(sentenceOf([&] { loadModel(file); }),
-                    HasSubstr("needs the glTF extension KHR_mesh_quantization"));
+        EXPECT_THAT(
+            sentenceOf([&] { loadModel(file); }),
+            HasSubstr(": it needs the glTF extension KHR_mesh_quantization, which Kerf does "
+                      "not know; export it without"));
     }
 }
 

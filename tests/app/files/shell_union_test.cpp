@@ -209,6 +209,21 @@ TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
     EXPECT_THAT(model.remarks, testing::ElementsAre(HasSubstr("1 piece passes through itself")));
 }
 
+TEST(ShellUnion, DoesNotDependOnTheOrderOfPieces) {
+    // The first two touch in a line that the third one covers.
+    const std::vector<TriangleSoup> boxes{test::boxSoup(), test::boxSoup(),
+                                          test::boxSoup(Vec3(1, 1, 2))};
+    const std::vector<Vec3> places{{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
+    std::vector<int> order{0, 1, 2};
+    do {
+        TriangleSoup soup;
+        for (const int i : order) {
+            soup = test::joined(soup, boxes[i], places[i]);
+        }
+        expectUnited(soup, "united 3 pieces that crossed", 3.5);
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
 /// Boxes with corners on whole numbers.
 struct GridBoxes {
     std::vector<std::array<Eigen::Vector3i, 2>> boxes;

@@ -95,6 +95,15 @@ TEST(Doubles, OfAModelThatIsThereTwiceOneStays) {
     EXPECT_EQ(ball.triangles, before);
 }
 
+TEST(Doubles, OfASolidThatIsThereOnceForEachSideAndHasANeighbourOneStays) {
+    const TriangleSoup both = test::joined(cell(), test::turned(cell()), Vec3::Zero());
+    TriangleSoup three = weldExactly(test::joined(both, cell(), Vec3(1, 0, 0)));
+    repair::repairSoup(three);
+    const MeshReport report = inspectTriangles(three);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_NEAR(report.volume, 2, 0.01);
+}
+
 TEST(Doubles, OfAFlapNoneStays) {
     TriangleSoup box = test::boxSoup();
     const Triangle flap{0, 1, static_cast<int>(box.positions.size())};

@@ -81,6 +81,12 @@ TEST(PolygonTriangles, AnEdgeMayLeadToAHoleAndBack) {
     expectDivided(frame, Vec3::UnitZ(), 12);
 }
 
+TEST(PolygonTriangles, OfABentOneNoCornerIsLost) {
+    // Two sides of a cube as one polygon, with corners that hide others along each axis.
+    const Polygon bent{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 1, 0}};
+    EXPECT_EQ(repair::triangulatePolygon(bent).size(), 4u);
+}
+
 TEST(PolygonTriangles, WhatCrossesItselfOrIsFlatHasNone) {
     EXPECT_TRUE(repair::triangulatePolygon({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
     EXPECT_TRUE(repair::triangulatePolygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}}).empty());

@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "sim/base/float_rounding.h"
 #include "sim/mesh/invariants.h"
@@ -279,6 +280,55 @@ TEST(TurnOutward, ShellsAroundThatCrossCountAsOne) {
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.cavities, 1);
     EXPECT_TRUE(report.cuttable) << report.problem;
+}
+
+TriangleSoup all(const std::vector<TriangleSoup>& shells) {
+    TriangleSoup soup;
+    for (const TriangleSoup& shell : shells) {
+        soup = test::joined(soup, shell, Vec3::Zero());
+    }
+    return soup;
+}
+
+TEST(TurnOutward, WhatStandsAtTheWallsOfACavityIsMaterial) {
+    const TriangleSoup outer = boxBetween(Vec3::Zero(), Vec3::Constant(10));
+    const TriangleSoup cavity = test::turned(boxBetween(Vec3::Ones(), Vec3::Constant(9)));
+    const std::vector<TriangleSoup> inside{
+        boxBetween({4, 4, 1}, {6, 6, 9}),       // a column from floor to ceiling
+        boxBetween({7, 4, 4}, {9, 6, 6}),       // an island at a wall
+        boxBetween({4, 4, 0.5}, {6, 6, 5}),     // a rib sunk into the floor
+        boxBetween({4, 4, 0.5}, {6, 6, 9.5})};  // a pillar sunk into both
+    for (const TriangleSoup& each : inside) {
+        TriangleSoup soup = all({outer, cavity, each});
+        EXPECT_EQ(inspectTriangles(soup).cavities, 1);
+        EXPECT_EQ(turnOutward(soup), 0);
+    }
+}
+
+TEST(TurnOutward, AnIslandInTheHollowOfTwoBodiesThatCrossIsMaterial) {
+    const auto at = [](double x, TriangleSoup box) { return test::joined({}, box, Vec3(x, 0, 0)); };
+    const TriangleSoup outer = test::boxSoup(Vec3::Constant(10));
+    const TriangleSoup cavity = test::turned(test::boxSoup(Vec3::Constant(8)));
+    TriangleSoup soup = all({outer, cavity, at(4, outer), at(4, cavity), at(2, test::boxSoup())});
+    EXPECT_EQ(inspectTriangles(soup).cavities, 2);
+    EXPECT_EQ(turnOutward(soup), 0);
+}
+
+TEST(TurnOutward, CavitiesThatCrossAndThatTouchTheWallAreCavities) {
+    const TriangleSoup outer = boxBetween(Vec3::Zero(), Vec3::Constant(10));
+    TriangleSoup crossing = all({outer, test::turned(boxBetween({1, 1, 1}, {6, 6, 6})),
+                                 test::turned(boxBetween({4, 4, 4}, {9, 9, 9}))});
+    EXPECT_EQ(inspectTriangles(crossing).cavities, 2);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool low : {true, false}) {
+            Vec3 from = Vec3::Constant(4);
+            Vec3 to = Vec3::Constant(5);
+            (low ? from : to)[axis] = low ? 0 : 10;
+            const TriangleSoup touching = all({outer, test::turned(boxBetween(from, to))});
+            EXPECT_EQ(inspectTriangles(touching).cavities, 1);
+            EXPECT_EQ(inspectTriangles(touching).insideOutPieces, 0);
+        }
+    }
 }
 
 /// Cavities behind a boss with the same four sides: rays along each axis lie in planes of both.

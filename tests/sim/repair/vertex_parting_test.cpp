@@ -59,5 +59,15 @@ TEST(MoveApart, ACavityThatTouchesTheWallStaysInside) {
     EXPECT_NEAR(report.volume, 64 - std::abs(own), 0.5);
 }
 
+TEST(MoveApart, CavitiesThatTouchStayTwo) {
+    const TriangleSoup hollow = test::turned(test::boxSoup());
+    TriangleSoup soup = test::joined(test::boxSoup(Vec3::Constant(8)), hollow, Vec3::Zero());
+    soup = test::joined(soup, hollow, Vec3::Ones());
+    const MeshReport report = asReadAgain(soup);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.cavities, 2);
+    EXPECT_EQ(report.crossingTriangles, 0);
+}
+
 }  // namespace
 }  // namespace kerf
