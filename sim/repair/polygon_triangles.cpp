@@ -1,8 +1,6 @@
 #include "sim/repair/polygon_triangles.h"
 
-#include <algorithm>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "sim/cut/exact/triangulation.h"
@@ -50,11 +48,14 @@ std::vector<Vec2> seenAgainstNormal(const std::vector<Vec3>& corners, const Vec3
 
 /// Whether corners at different places lie on each other in the picture.
 bool hidesCorners(const std::vector<Vec3>& corners, const std::vector<Vec2>& points) {
-    std::map<std::pair<double, double>, const Vec3*> places;
-    return std::ranges::any_of(std::views::iota(0, static_cast<int>(points.size())), [&](int i) {
-        const auto [at, isNew] = places.try_emplace({points[i].x(), points[i].y()}, &corners[i]);
-        return !isNew && *at->second != corners[i];
-    });
+    std::map<std::pair<double, double>, Vec3> places;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto [place, isNew] = places.try_emplace({points[i].x(), points[i].y()}, corners[i]);
+        if (!isNew && place->second != corners[i]) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// A triangle that lies around all points with room.
@@ -170,7 +171,7 @@ std::vector<Triangle> triangulatePolygon(const std::vector<Vec3>& corners) {
     for (const auto& points :
          {seenAlongAxis(corners, normal), seenAgainstNormal(corners, normal)}) {
         if (!hidesCorners(corners, points)) {
-            const std::vector<Triangle> triangles = PolygonTriangulation(points).inside();
+            std::vector<Triangle> triangles = PolygonTriangulation(points).inside();
             if (!triangles.empty()) {
                 return triangles;
             }

@@ -306,7 +306,9 @@ TEST(TurnOutward, WhatStandsAtTheWallsOfACavityIsMaterial) {
 }
 
 TEST(TurnOutward, AnIslandInTheHollowOfTwoBodiesThatCrossIsMaterial) {
-    const auto at = [](double x, TriangleSoup box) { return test::joined({}, box, Vec3(x, 0, 0)); };
+    const auto at = [](double x, const TriangleSoup& box) {
+        return test::joined({}, box, Vec3(x, 0, 0));
+    };
     const TriangleSoup outer = test::boxSoup(Vec3::Constant(10));
     const TriangleSoup cavity = test::turned(test::boxSoup(Vec3::Constant(8)));
     TriangleSoup soup = all({outer, cavity, at(4, outer), at(4, cavity), at(2, test::boxSoup())});
