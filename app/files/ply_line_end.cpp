@@ -25,14 +25,15 @@ std::string readAtMost(const std::filesystem::path& file, std::size_t most) {
 
 /// Where the line end of a binary header begins whose data begin with a line feed, or npos.
 std::size_t unclearEnd(std::string_view header) {
-    constexpr std::string_view kLast = "\nend_header";
+    constexpr std::string_view kLast = "end_header";
     const std::size_t firstLineEnd = header.find_first_of(kLineEnds);
-    const std::size_t last = std::min(header.find("\nend_header"), header.find("\rend_header"));
+    const auto lineBegin = [&](char end) { return header.find(end + std::string(kLast)); };
+    const std::size_t last = std::min(lineBegin('\n'), lineBegin('\r'));
     if (!header.starts_with("ply") || last == std::string_view::npos ||
         header.substr(0, last).find("format binary") == std::string_view::npos) {
         return std::string_view::npos;
     }
-    const std::size_t end = last + kLast.size();
+    const std::size_t end = last + 1 + kLast.size();
     const std::string_view lineEnd = header.substr(firstLineEnd, 2);
     const std::string_view here = header.substr(end, 2);
     // A carriage return and a line feed end this line, unless carriage returns alone end the

@@ -16,14 +16,6 @@ namespace {
 // Beyond so many pairs a model is called crossing through and through.
 constexpr std::size_t kMostCounted = 1'000'000;
 
-Bounds boundsOf(const TriangleSoup& soup, int t) {
-    Bounds bounds;
-    for (const int v : soup.triangles[t]) {
-        bounds.add(soup.positions[v]);
-    }
-    return bounds;
-}
-
 bool haveEdgeInCommon(const Triangle& a, const Triangle& b) {
     return std::ranges::count_if(a, [&](int v) { return std::ranges::find(b, v) != b.end(); }) >= 2;
 }

@@ -86,13 +86,7 @@ class RayTargets {
     }
 
     const TriangleSoup& soup_;
-    BoxTree::BoundsOf boundsOf_ = [this](int t) {
-        Bounds bounds;
-        for (const Vec3& corner : cornersOf(soup_, t)) {
-            bounds.add(corner);
-        }
-        return bounds;
-    };
+    BoxTree::BoundsOf boundsOf_ = [this](int t) { return boundsOf(soup_, t); };
     BoxTree tree_;
 };
 
@@ -237,12 +231,7 @@ bool SoupShells::isLarger(int a, int b) const {
 }
 
 SoupShells measureShells(const TriangleSoup& soup) {
-    Bounds all;
-    for (const Vec3& p : soup.positions) {
-        all.add(p);
-    }
-    // Rounding is smallest about the middle.
-    const Vec3 middle = all.center();
+    const Vec3 middle = boundsOf(soup).center();  // where rounding is smallest
     UnionFind vertices(soup.positions.size());
     for (const auto& [a, b, c] : soup.triangles) {
         vertices.join(a, b);

@@ -45,6 +45,22 @@ Corners cornersOf(const TriangleSoup& soup, int triangle) {
     return {soup.positions[a], soup.positions[b], soup.positions[c]};
 }
 
+Bounds boundsOf(const TriangleSoup& soup, int triangle) {
+    Bounds bounds;
+    for (const Vec3& corner : cornersOf(soup, triangle)) {
+        bounds.add(corner);
+    }
+    return bounds;
+}
+
+Bounds boundsOf(const TriangleSoup& soup) {
+    Bounds bounds;
+    for (const Vec3& p : soup.positions) {
+        bounds.add(p);
+    }
+    return bounds;
+}
+
 bool isUsable(const TriangleSoup& soup, const Triangle& t) {
     const int count = static_cast<int>(soup.positions.size());
     return std::ranges::all_of(

@@ -45,6 +45,10 @@ int apexOf(const TriangleSoup& soup, int halfEdge);
 
 /// The corners of a triangle, which must all be there.
 Corners cornersOf(const TriangleSoup& soup, int triangle);
+/// The box of a triangle, whose corners must all be there.
+Bounds boundsOf(const TriangleSoup& soup, int triangle);
+/// The box of all positions.
+Bounds boundsOf(const TriangleSoup& soup);
 /// Whether all corners of a triangle are there and finite.
 bool isUsable(const TriangleSoup& soup, const Triangle& t);
 /// Whether two corners of a triangle are one vertex.

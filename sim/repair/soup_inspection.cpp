@@ -32,13 +32,24 @@ bool isProper(const TriangleSoup& soup, const Triangle& t) {
     return isInRange(soup, t) && !repeatsCorner(t);
 }
 
-/// The proper triangles, without attributes.
-TriangleSoup properPart(const TriangleSoup& soup) {
-    TriangleSoup proper{.positions = soup.positions, .triangles = {}};
-    std::ranges::copy_if(soup.triangles, std::back_inserter(proper.triangles),
-                         [&](const Triangle& t) { return isProper(soup, t); });
-    return proper;
-}
+/// The proper triangles of a soup: itself where all are, else a copy without attributes.
+class ProperPart {
+  public:
+    explicit ProperPart(const TriangleSoup& soup) : soup_(soup) {
+        const auto proper = [&](const Triangle& t) { return isProper(soup, t); };
+        isWhole_ = std::ranges::all_of(soup.triangles, proper);
+        if (!isWhole_) {
+            part_.positions = soup.positions;
+            std::ranges::copy_if(soup.triangles, std::back_inserter(part_.triangles), proper);
+        }
+    }
+    const TriangleSoup& get() const { return isWhole_ ? soup_ : part_; }
+
+  private:
+    const TriangleSoup& soup_;
+    TriangleSoup part_;
+    bool isWhole_ = false;
+};
 
 void findEdges(const std::vector<Side>& sides, SurfaceFaults& faults) {
     forEachEdge(sides, [&](const Side* begin, const Side* end) {
@@ -127,18 +138,10 @@ int countFlat(const SoupShells& shells) {
     return flat;
 }
 
-Bounds boundsOf(const TriangleSoup& soup) {
-    Bounds bounds;
-    for (const Vec3& p : soup.positions) {
-        bounds.add(p);
-    }
-    return bounds;
-}
-
 void countElements(const TriangleSoup& soup, MeshReport& report) {
     report.vertices = static_cast<int>(soup.positions.size());
     report.triangles = static_cast<int>(soup.triangles.size());
-    report.bounds = boundsOf(soup);
+    report.bounds = repair::boundsOf(soup);
     report.nonFiniteVertices = static_cast<int>(
         std::ranges::count_if(soup.positions, [](const Vec3& p) { return !p.allFinite(); }));
     report.outOfRangeIndices = static_cast<int>(std::ranges::count_if(
@@ -234,13 +237,14 @@ std::string describeProblem(const MeshReport& report) {
 }  // namespace
 
 SurfaceFaults findSurfaceFaults(const TriangleSoup& welded) {
-    return findFaultsOf(welded, properPart(welded).triangles);
+    return findFaultsOf(welded, ProperPart(welded).get().triangles);
 }
 
 MeshReport inspectTriangles(const TriangleSoup& welded) {
     MeshReport report;
     countElements(welded, report);
-    const TriangleSoup proper = properPart(welded);
+    const ProperPart part(welded);
+    const TriangleSoup& proper = part.get();
     countFaults(findFaultsOf(welded, proper.triangles), report);
     const SoupShells shells = repair::measureShells(proper);
     report.pieces = shells.size();

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "app/files/builtin_models.h"
@@ -236,7 +237,7 @@ std::string prismOff(int sides) {
     std::string low = std::to_string(sides);
     std::string high = low;
     for (int i = 0; i < sides; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / sides;
+        const double angle = 2 * std::numbers::pi * i / sides;
         for (const char* z : {"0", "1"}) {
             points += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
                       " " + z + "\n";
