@@ -48,13 +48,21 @@ function(kerf_lightly_optimised target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# kerf_headers_once(TARGET <HEADERS>): compiles these and what all of our code reads only once for the
-# target, where it has so many parts that this is less work. Sources include them all the same.
+# What most of our sources read, compiled once: kerf_headers_once(TARGET <MORE HEADERS>) for the
+# target, kerf_headers_of(TARGET OTHER) takes what was compiled for another one with the same flags.
+# Sources include them all the same.
 function(kerf_headers_once target)
   if(KERF_TOGETHER)
-    target_precompile_headers(${target} PRIVATE <algorithm> <filesystem> <functional> <map> <optional>
-                              <sstream> <string> <unordered_map> <variant> <vector> <Eigen/Core>
-                              <Eigen/Geometry> <spdlog/spdlog.h> <spdlog/fmt/fmt.h> ${ARGN})
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional>
+                              <map> <memory> <optional> <set> <span> <sstream> <string>
+                              <unordered_map> <variant> <vector> <Eigen/Core> <Eigen/Geometry>
+                              <spdlog/spdlog.h> <spdlog/fmt/fmt.h> ${ARGN})
+  endif()
+endfunction()
+
+function(kerf_headers_of target other)
+  if(KERF_TOGETHER)
+    target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
 endfunction()
 

@@ -208,9 +208,8 @@ EnvironmentTexture::~EnvironmentTexture() {
     }
 }
 
-EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept {
-    *this = std::move(other);
-}
+EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept
+    : id_(std::exchange(other.id_, 0)), matt_(other.matt_) {}
 
 EnvironmentTexture& EnvironmentTexture::operator=(EnvironmentTexture&& other) noexcept {
     std::swap(id_, other.id_);

@@ -47,7 +47,6 @@ MirrorLevel mirrorLevel(float roughness);
 /// An environment on the GPU (move only).
 class EnvironmentTexture {
   public:
-    EnvironmentTexture() = default;
     explicit EnvironmentTexture(const Environment& environment);
     ~EnvironmentTexture();
     EnvironmentTexture(EnvironmentTexture&& other) noexcept;
