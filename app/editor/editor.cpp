@@ -92,9 +92,12 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.followMeasures();
     s.followPieceSums();
     s.followCuts();
-    s.drawScene();
-    s.keepPicture();
-    s.panels.interface.draw(s.picture.target());
+    s.sincePicture.restart();
+    if (s.drawsAll || s.screenshotWanted || s.keeping.pictureDue() == 0.0) {
+        s.draw();
+    } else {
+        s.redraw.putOff();
+    }
     s.saveScreenshot();
     s.keepSettings();
     s.prepareKernels(elapsedSeconds);
@@ -150,6 +153,9 @@ const gpu::Framebuffer& Editor::picture() const {
 }
 
 render::Image Editor::readPicture() const {
+    if (!state_->drawsAll) {
+        state_->draw();
+    }
     return state_->picture.read();
 }
 
@@ -252,8 +258,13 @@ void Editor::State::complain(const std::string& sentence) {
     redraw.panels();
 }
 
+void Editor::State::draw() {
+    drawScene();
+    keepPicture();
+    panels.interface.draw(picture.target());
+}
+
 void Editor::State::drawScene() {
-    sincePicture.restart();
     if (faulty) {
         render::SceneView model = faulty->scene.view();
         model.bright = view.bright;

@@ -27,6 +27,8 @@ struct EditorOptions {
     std::string device;  ///< what draws, for the status bar
     /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
     bool byTheClock = true;
+    /// Each frame is drawn; otherwise only those that are read, for tests.
+    bool drawsAll = true;
     /// By the clock, a picture is drawn whenever a step has taken so long [s].
     double portion = 0.03;
     /// Kernels are compiled while nobody does anything, before somebody waits for them.
@@ -81,7 +83,7 @@ class Editor {
     const gpu::Framebuffer& picture() const;
     /// The shape of the pointer as it stands.
     ui::Cursor cursor() const;
-    /// A copy of picture() in main memory.
+    /// A copy of picture() in main memory; draws it first where frames are not drawn.
     render::Image readPicture() const;
     /// The title of the window: "Kerf - NAME - N pieces".
     std::string title() const;

@@ -36,7 +36,8 @@ namespace kerf::app {
 /// concern, as the headings say.
 struct Editor::State {
     explicit State(const EditorOptions& options)
-        : kernels(options.warmsUp),
+        : drawsAll(options.drawsAll),
+          kernels(options.warmsUp),
           clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
@@ -52,6 +53,7 @@ struct Editor::State {
         lookForMaterials();
     }
 
+    const bool drawsAll;         ///< see EditorOptions
     gpu::ProgramShelf programs;  ///< from document to document; outlives what is made of them
     KernelPreparation kernels;
     InputQueue queue;
@@ -124,6 +126,8 @@ struct Editor::State {
     void showMessages();
     /// Says what went wrong, in the log too.
     void complain(const std::string& sentence);
+    /// Scene and panels.
+    void draw();
     void drawScene();
     /// Has the pieces added up where their list has all columns.
     void followPieceSums();

@@ -27,12 +27,14 @@ class Redraw {
     /// Whether the scene is to be drawn anew since that was last so; for steps alone where they are
     /// to be shown now (`showSteps`).
     bool takeScene(bool showSteps = true) {
-        const bool wanted = scene_ || (showSteps && steps_);
+        const bool wanted = scene_ || putOff_ || (showSteps && steps_);
         if (wanted) {
-            scene_ = steps_ = false;
+            scene_ = steps_ = putOff_ = false;
         }
         return wanted;
     }
+    /// Leaves it to the next takeScene() to say so; nothing is pending until then.
+    void putOff() { putOff_ = takeScene(); }
     /// Whether something is still to be drawn, but for steps.
     bool pending() const { return scene_ || updates_ > 0; }
     /// Whether steps are still to be shown.
@@ -44,6 +46,7 @@ class Redraw {
 
     bool scene_ = true;
     bool steps_ = false;
+    bool putOff_ = false;
     int updates_ = kSettleUpdates;
 };
 

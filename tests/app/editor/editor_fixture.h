@@ -47,6 +47,7 @@ inline EditorOptions plainOptions() {
     options.height = kHeight;
     options.quality = render::Quality::light;
     options.byTheClock = false;
+    options.drawsAll = false;
     return options;
 }
 

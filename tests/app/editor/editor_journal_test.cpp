@@ -75,6 +75,20 @@ class EditorJournalTest : public EditorTest {
         }
         EXPECT_EQ(files(), count);
     }
+    /// Until the work that was gone on from is in the journal of this editor alone.
+    void untilTakenOver() {
+        const auto isJournal = [](const auto& entry) {
+            return entry.path().extension() == ".journal";
+        };
+        const auto count = [&] {
+            return std::count_if(std::filesystem::directory_iterator(journals.path()), {},
+                                 isJournal);
+        };
+        for (int i = 0; i < 2000 && count() != 1; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            frames(1);
+        }
+    }
     /// The session that can be gone on from.
     Session leftSession() {
         const std::vector<LeftWork> left = lookForLeftWork(journals.path());
@@ -132,6 +146,7 @@ TEST_F(EditorJournalTest, ACrashAfterACrashLosesNothingEither) {
     cut();
     crash();
     goOn();
+    untilTakenOver();
     cutAcross();
     const std::string before = hash();
     const std::string title = editor->title();

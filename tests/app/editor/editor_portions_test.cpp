@@ -15,7 +15,7 @@ class EditorPortionsTest : public EditorTest {
   protected:
     EditorOptions options() override {
         EditorOptions options = EditorTest::options();
-        options.byTheClock = true;
+        options.byTheClock = options.drawsAll = true;
         options.portion = 0;
         return options;
     }
@@ -65,11 +65,11 @@ std::string hashAfter(const Session& session, const Document& start) {
 TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
     tap(Key::v);  // gravity
     tap(Key::space);
-    turningFrames(300);
+    turningFrames(40);
     drag(kTop, kBottom, 12);
-    turningFrames(300);
+    turningFrames(80);
     untilCut();
-    turningFrames(200);
+    turningFrames(40);
     tap(Key::space);
     EditorScene& scene = *editor->scene();
     ASSERT_GT(scene.simulation().stepCount(), 20);

@@ -400,7 +400,7 @@ TEST_F(EditorTest, PausedAndUntouchedItRests) {
     editor->resize(kWidth + 10, kHeight);
     EXPECT_EQ(editor->idleSeconds(), 0);
     settle();
-    EXPECT_EQ(editor->picture().width(), kWidth + 10);
+    EXPECT_EQ(editor->readPicture().width, kWidth + 10);
     EXPECT_GT(editor->idleSeconds(), 1);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     EXPECT_EQ(editor->idleSeconds(), 0);

@@ -13,6 +13,16 @@ class EditorViewTest : public EditorTest {
     Vec3 axis(int i) const { return panels().axes.axes[i]; }
 };
 
+/// The range of colours and the value under the pointer are those of pictures.
+class EditorLegendTest : public EditorViewTest {
+  protected:
+    EditorOptions options() override {
+        EditorOptions options = EditorViewTest::options();
+        options.drawsAll = true;
+        return options;
+    }
+};
+
 TEST_F(EditorViewTest, WithoutPerspectiveAStrokeStillCutsTheSphereInTwo) {
     tap(Key::digit5);
     settle();
@@ -65,7 +75,7 @@ TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
     EXPECT_EQ(panels().step, 0) << "and cuts nothing";
 }
 
-TEST_F(EditorViewTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
+TEST_F(EditorLegendTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
     moveTo(kWidth / 2.0, kHeight / 2.0);
     tap(Key::j);
     frames(3);
@@ -78,7 +88,7 @@ TEST_F(EditorViewTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
     EXPECT_FALSE(panels().fieldLegend.underPointer) << "beside the body";
 }
 
-TEST_F(EditorViewTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
+TEST_F(EditorLegendTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     tap(Key::j);
     tap(Key::v);
     tap(Key::space);
@@ -92,7 +102,7 @@ TEST_F(EditorViewTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     EXPECT_GT(*panels().fieldLegend.underPointer, 1e-4);
 }
 
-TEST_F(EditorViewTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOld) {
+TEST_F(EditorLegendTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOld) {
     for (int i = 0; i < 3; ++i) {
         tap(Key::j);
     }
@@ -150,7 +160,7 @@ TEST_F(EditorViewTest, TheTipOfASectionTurnsIt) {
     EXPECT_NEAR(panels().display.section->normal.y(), 1, 0.05);
 }
 
-TEST_F(EditorViewTest, UnderThePointerIsWhatASectionShows) {
+TEST_F(EditorLegendTest, UnderThePointerIsWhatASectionShows) {
     tap(Key::j);
     moveTo(kWidth / 2.0, kHeight / 2.0 + 8);
     frames(3);
