@@ -10,7 +10,7 @@ import numpy as np
 import kerf
 from support import ROOT, TestCase, halved, replayed
 
-STEPS = 90  # as far as the longer sessions are run here
+STEPS = 50  # as far as the longer sessions are run here
 SESSIONS = [
     "assets/sessions/sphere20.kerf.json",
     "tests/regression/two-models.kerf.json",

@@ -12,6 +12,7 @@
 #include "app/files/file_io.h"
 #include "gpu/data_path.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/nightly.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/variable.h"
 
@@ -118,6 +119,7 @@ struct Fault {
     Part part;
     const char* check;
     const char* kernels = "images";  ///< the way that has the fault
+    bool byNight = false;            ///< it takes seconds until the check tells
 };
 
 std::ostream& operator<<(std::ostream& out, const Fault& fault) {
@@ -140,19 +142,22 @@ constexpr Fault kFaults[] = {
      "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", findingsOfBanana,
      "A whole step, "},
     {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "return pressed * normal",
-     "return -pressed * normal", findingsOfHalves, "A half on the other"},
+     "return -pressed * normal", findingsOfHalves, "A half on the other", "images", true},
     {"AFaceOfABoxIsMistaken", "sim/boxes/vertices.comp", "across + face.side * lift",
-     "across - face.side * lift", findingsOfBox, "On a box"},
+     "across - face.side * lift", findingsOfBox, "On a box", "images", true},
     {"AHandPushesWhereItPulls", "sim/pull.glsl", "? d - (pull.leads", "? d + (pull.leads",
-     findingsOfHand, "In a hand"},
+     findingsOfHand, "In a hand", "images", true},
     {"NormalsPointInwards", "render/normals.comp", "vec3 n = cross(u, v);", "vec3 n = cross(v, u);",
-     findingsOfCut, "Picture"},
+     findingsOfCut, "Picture", "images", true},
 };
 
 class FaultyKernel : public FaultyDriver, public ::testing::WithParamInterface<Fault> {};
 
 TEST_P(FaultyKernel, IsFound) {
     const Fault& fault = GetParam();
+    if (fault.byNight) {
+        KERF_BY_NIGHT();
+    }
     replaceIn(fault.shader, fault.right, fault.wrong);
     const test::Variable kernels("KERF_KERNELS", fault.kernels);
     EXPECT_THAT(wrongOnes(fault.part()), Contains(HasSubstr(fault.check)));

@@ -5,13 +5,13 @@
 #include <iostream>
 
 #include "tests/app/session/replayed_session.h"
+#include "tests/support/nightly.h"
 #include "tests/support/session_validator.h"
 
 namespace kerf::app {
 namespace {
 
 constexpr unsigned kFirstSeed = 20261120;
-constexpr int kStorms = 2;
 constexpr int kActs = 30;
 
 // KERF_STORMS, KERF_STORM_ACTS: more of them. KERF_STORM_SEED: others (KERF_STORMS=1 repeats one).
@@ -127,7 +127,8 @@ TEST_F(EditorStormTest, WhateverIsDoneLeavesTheBodySoundUndoExactAndTheSessionTr
     const auto acts = static_cast<int>(environmentNumber("KERF_STORM_ACTS", kActs));
     std::cout << "first seed " << first << "\n";
     writeFiles();
-    for (unsigned i = 0; i < environmentNumber("KERF_STORMS", kStorms); ++i) {
+    const auto storms = static_cast<unsigned>(test::runs("KERF_STORMS", 2, 12));
+    for (unsigned i = 0; i < storms; ++i) {
         if (i > 0) {
             TearDown();
             SetUp();

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <random>
 #include <string>
@@ -18,6 +17,7 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/nightly.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -109,10 +109,8 @@ Depths depthsOf(const Fall& fall) {
 
 class BoxCornerTest : public test::GlTest {};
 
-/// KERF_FUZZ_RUNS, or `otherwise` where that is not set.
-std::uint32_t fuzzRuns(std::uint32_t otherwise) {
-    const char* wanted = std::getenv("KERF_FUZZ_RUNS");
-    return wanted != nullptr ? static_cast<std::uint32_t>(std::atoi(wanted)) : otherwise;
+std::uint32_t fuzzRuns(int byDay, int byNight) {
+    return static_cast<std::uint32_t>(test::runs("KERF_FUZZ_RUNS", byDay, byNight));
 }
 
 void print(std::uint32_t seed, const Depths& depths) {
@@ -122,7 +120,7 @@ void print(std::uint32_t seed, const Depths& depths) {
 
 TEST_F(BoxCornerTest, StaysOutOfWhatFallsOnIt) {
     const std::uint32_t first = test::fuzzSeed(7000);
-    const std::uint32_t runs = fuzzRuns(4);
+    const std::uint32_t runs = fuzzRuns(3, 8);  // the fourth is the octopus
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOf(randomFall(seed));
         print(seed, depths);
@@ -172,7 +170,7 @@ Depths depthsOfPush(std::uint32_t seed) {
 
 TEST_F(BoxCornerTest, LeavesABodyThatItIsMovedInto) {
     const std::uint32_t first = test::fuzzSeed(7000);
-    const std::uint32_t runs = fuzzRuns(2);
+    const std::uint32_t runs = fuzzRuns(2, 8);
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOfPush(seed);
         print(seed, depths);

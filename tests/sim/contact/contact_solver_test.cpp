@@ -10,6 +10,7 @@
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/nightly.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
@@ -285,7 +286,7 @@ TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
 TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
     test::RandomDropFigures sum;
     const std::uint64_t seed = 1;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < test::runs("KERF_FUZZ_RUNS", 1, 12); ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " drop " + std::to_string(i));
         sum.add(test::dropAtRandom({seed, i}, withContact()));
     }

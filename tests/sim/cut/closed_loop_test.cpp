@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
@@ -14,6 +13,7 @@
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/fuzz_seed.h"
+#include "tests/support/nightly.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -162,15 +162,9 @@ Outcome cutOut(const Loop& loop) {
     return outcome;
 }
 
-/// How many random loops to run: KERF_FUZZ_RUNS, or `otherwise` where that is not set.
-std::uint32_t fuzzRuns(std::uint32_t otherwise) {
-    const char* wanted = std::getenv("KERF_FUZZ_RUNS");
-    return wanted != nullptr ? static_cast<std::uint32_t>(std::atoi(wanted)) : otherwise;
-}
-
 TEST(ClosedLoop, GivesThePieceThatItEncloses) {
     const std::uint32_t first = test::fuzzSeed(2511);
-    const std::uint32_t runs = fuzzRuns(24);
+    const auto runs = static_cast<std::uint32_t>(test::runs("KERF_FUZZ_RUNS", 24, 240));
     std::uint32_t whole = 0;
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Loop loop = randomLoop(seed);

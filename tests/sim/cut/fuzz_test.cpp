@@ -5,12 +5,14 @@
 #include <iostream>
 
 #include "tests/support/cut_fuzz.h"
+#include "tests/support/nightly.h"
 
 namespace kerf {
 namespace {
 
 constexpr std::uint64_t kFirstSeed = 1000;
 constexpr int kRuns = 150;
+constexpr int kRunsByNight = 1500;
 // Slivers that one spot may keep where several cuts meet within a thousandth of an edge.
 constexpr int kCrowd = 12;
 
@@ -28,7 +30,7 @@ test::FuzzReport runFuzz() {
     using Clock = std::chrono::steady_clock;
     const auto first = static_cast<std::uint64_t>(environmentNumber("KERF_FUZZ_SEED", kFirstSeed));
     const double seconds = environmentNumber("KERF_FUZZ_SECONDS", 0);
-    const int runs = static_cast<int>(environmentNumber("KERF_FUZZ_RUNS", kRuns));
+    const int runs = test::runs("KERF_FUZZ_RUNS", kRuns, kRunsByNight);
     const auto elapsed = [start = Clock::now()] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };

@@ -9,6 +9,7 @@
 #include "sim/mesh/invariants.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/paths.h"
+#include "tests/support/nightly.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -87,6 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Assets, BuiltinModel,
                          [](const auto& test) { return test.param.name; });
 
 TEST(BuiltinModels, ScriptMakesTheCommittedFiles) {
+    KERF_BY_NIGHT();  // neither script nor files change by themselves
     if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
         GTEST_SKIP() << "python3-numpy is not installed; the script needs it";
     }

@@ -12,6 +12,7 @@
 #include "sim/body/inside_out.h"
 #include "sim/body/shape_error.h"
 #include "sim/mesh/invariants.h"
+#include "tests/support/nightly.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 
@@ -273,7 +274,8 @@ class CollapseStormTest : public CollapseTest {
 TEST_F(CollapseStormTest, WhatStormsCrushComesBack) {
     constexpr unsigned kFirst = 20261123;
     const unsigned first = environmentNumber("KERF_COLLAPSE_SEED", kFirst);
-    for (unsigned i = 0; i < environmentNumber("KERF_COLLAPSE_STORMS", 2); ++i) {
+    const auto storms = static_cast<unsigned>(test::runs("KERF_COLLAPSE_STORMS", 2, 10));
+    for (unsigned i = 0; i < storms; ++i) {
         SCOPED_TRACE("KERF_COLLAPSE_STORMS=1 KERF_COLLAPSE_SEED=" + std::to_string(first + i));
         storm(first + i);
         const int left = triangles();

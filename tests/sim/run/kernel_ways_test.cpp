@@ -15,11 +15,11 @@ class KernelWays : public test::GlTest {};
 /// A body is cut, falls onto a box and the floor, and meets itself; the hashes of its states.
 std::vector<std::string> courseOf(const SurfaceMesh& mesh, SolverMode solver) {
     constexpr int kCutSteps = 12;
-    constexpr int kSteps = 60;
+    constexpr int kSteps = 36;
     Params params;
     params.solver = solver;
-    params.floor = -0.6;
-    params.iterations = 6;
+    params.floor = -0.53;
+    params.iterations = 4;
     StaticBox box;
     box.center = Vec3(0.2, -0.55, 0);
     box.size = Vec3(0.3, 0.1, 0.3);

@@ -417,7 +417,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     params.skinThickness = 0.005;
     Simulation simulation = fallingHalves(params);
     const Moment moment = simulation.moment();
-    run(simulation, 10);
+    run(simulation, 5);
     const std::string unchanged = simulation.stateHash();
     // Without a blade these wait for the next stroke.
     const std::set<std::string_view> waiting{"blade_push",  "blade_width",     "blade_thickness",
@@ -429,7 +429,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
         simulation.goTo(moment);
         const ParamValue value = draggedValue(simulation.params(), info);
         ASSERT_EQ(simulation.execute(SetParam{std::string(info.name), value}), "");
-        run(simulation, 10);
+        run(simulation, 5);
         EXPECT_EQ(simulation.stateHash() == unchanged, waiting.contains(info.name));
         EXPECT_EQ(checkFinite(simulation.mesh()), "");
         EXPECT_TRUE(simulation.report().closed);
@@ -437,10 +437,6 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
             << "pbd has no volume constraint";
         EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
     }
-}
-
-TEST_F(SimulationTest, RunsTwiceToTheSameHash) {
-    EXPECT_EQ(hashOfACut(), hashOfACut());
 }
 
 // Run by the next test in child processes.
@@ -469,7 +465,8 @@ std::string hashWithThreads(const char* threads) {
 
 TEST_F(SimulationTest, TheNumberOfThreadsChangesNoBit) {
     const std::string expected = hashOfACut();
-    for (const char* threads : {"0", "1", "2"}) {
+    EXPECT_EQ(hashOfACut(), expected) << "in the same process";
+    for (const char* threads : {"1", "3"}) {
         EXPECT_EQ(hashWithThreads(threads), expected) << threads << " threads";
     }
 }
