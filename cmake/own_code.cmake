@@ -28,7 +28,9 @@ function(kerf_own_code target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                          -Wno-sign-conversion -Wno-float-conversion -ffp-contract=off)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(${target} PRIVATE -Wno-restrict)  # GCC bug 105651: "text" + string
+    # GCC bug 105651: "text" + string, with precompiled headers in three ways
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
+                           -Wno-array-bounds)
   endif()
   if(KERF_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

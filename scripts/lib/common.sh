@@ -11,7 +11,7 @@ fail() {
     exit 1
 }
 
-# Each line: a Debian 12 package and why it is needed.
+# Each line: a package of Debian 12 and 13, and why it is needed.
 build_packages='
 g++                 compiles C++20
 cmake               configures the build
@@ -32,10 +32,15 @@ libboost-context-dev  lets steps rest while pictures are drawn
 libstb-dev          reads and writes pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
+libcgal-dev         unites pieces that cross, in a program of its own
+'
+python_packages='
 python3-dev         compiles modules for Python
 pybind11-dev        makes the module of C++
 python3-numpy       is the arrays of the module, and remakes the builtin models
-libcgal-dev         unites pieces that cross, in a program of its own
+'
+bare_packages='
+debootstrap         makes a bare Debian
 '
 test_packages='
 libgtest-dev        runs the tests
@@ -145,8 +150,8 @@ become_root() {
     as_root=(sudo)
 }
 
-# configure PRESET FOLDER [OPTION...]: only where it has not been done with these options (such as
-# KERF_TESTS) on; ninja sees later changes itself.
+# configure PRESET FOLDER [OPTION...]: only where it has not been done with these options on, such as
+# KERF_TESTS; ninja sees later changes itself. Tests and Python are left out unless they are named.
 configure() {
     local preset=$1 folder=$2 option missing=
     local -a switches=()
@@ -158,9 +163,11 @@ configure() {
     if [[ -f $folder/build.ninja && -z $missing ]]; then
         return
     fi
-    if [[ ! -f $folder/CMakeCache.txt && $* != *KERF_TESTS* ]]; then
-        switches+=(-DKERF_TESTS=OFF)
-    fi
+    for option in KERF_TESTS KERF_PYTHON; do
+        if [[ ! -f $folder/CMakeCache.txt && " $* " != *" $option "* ]]; then
+            switches+=("-D$option=OFF")
+        fi
+    done
     say "configuring $preset in $folder"
     (cd "$root" && quietly cmake --preset "$preset" "${switches[@]}") ||
         fail "CMake could not configure the build (see above)"
