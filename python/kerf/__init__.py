@@ -12,6 +12,10 @@ All lengths are metres, all times seconds, as in session files. What can't be do
 with the sentence that the command line says.
 """
 
+from . import _interpreter
+
+_interpreter.refuse_another()
+
 from . import _program
 from ._native import CheckFailed, Error, InputError, LimitError, OpenGLError, Report, Snapshot
 from ._native import builtin_materials, builtin_models, parameters
