@@ -4,10 +4,12 @@
 
 #include <filesystem>
 
+#include "gpu/data_path.h"
+
 namespace kerf::ui {
 namespace {
 
-constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* kSystemFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontPixels = 15;
 
 constexpr Palette kDark{
@@ -142,6 +144,12 @@ void applySizes(ImGuiStyle& style) {
     style.WindowTitleAlign = {0, 0.5F};
 }
 
+/// The font that the archive of any Linux brings along, else the system's.
+std::filesystem::path fontFile() {
+    const std::filesystem::path own = gpu::dataPath("assets/fonts/DejaVuSans.ttf");
+    return std::filesystem::exists(own) ? own : kSystemFont;
+}
+
 }  // namespace
 
 const Palette& palette() {
@@ -174,13 +182,14 @@ void loadFont(float scale) {
                                           0x2248, 0x2265, 0x25A0, 0x25FF, 0};
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
-    if (std::filesystem::exists(kFontFile)) {
+    const std::filesystem::path font = fontFile();
+    if (std::filesystem::exists(font)) {
         ImFontConfig config;
         config.OversampleH = 2;
-        atlas.AddFontFromFileTTF(kFontFile, kFontPixels * scale, &config, kRanges);
+        atlas.AddFontFromFileTTF(font.c_str(), kFontPixels * scale, &config, kRanges);
         return;
     }
-    spdlog::warn("{} is missing: install fonts-dejavu-core for a legible interface", kFontFile);
+    spdlog::warn("{} is missing: install fonts-dejavu-core for a legible interface", kSystemFont);
     ImFontConfig config;
     config.SizePixels = 13 * scale;
     atlas.AddFontDefault(&config);

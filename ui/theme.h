@@ -43,8 +43,8 @@ void applyTheme(Theme theme, float scale);
 /// Makes palette() return the colours of a theme.
 void usePalette(Theme theme);
 
-/// Loads DejaVu Sans (Debian package fonts-dejavu-core) at 15 px times `scale`, or ImGui's own
-/// bitmap font where it is missing, which is said in the log.
+/// Loads DejaVu Sans (that of the archive, or of Debian's fonts-dejavu-core) at 15 px times
+/// `scale`, or ImGui's own bitmap font where it is missing, which is said in the log.
 void loadFont(float scale);
 
 }  // namespace kerf::ui
