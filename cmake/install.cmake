@@ -20,7 +20,10 @@ add_custom_command(
   OUTPUT ${made}/kerf.svg
   COMMAND ${Python3_EXECUTABLE} -B ${sources}/make_icon.py ${made}/kerf.svg
   DEPENDS ${sources}/make_icon.py VERBATIM)
-# Files that Debian asks for.
+# Files that Debian asks for. The package is for the release that it is built on, which its version
+# names: 0.1.0-1~debian12 is followed by 0.1.0-1~debian13 where that release is upgraded.
+cmake_host_system_information(RESULT system QUERY DISTRIB_INFO)
+set(KERF_PACKAGE_RELEASE "1~${system_ID}${system_VERSION_ID}")
 configure_file(${sources}/changelog.Debian.in ${made}/changelog.Debian @ONLY)
 add_custom_command(
   OUTPUT ${made}/changelog.gz ${made}/changelog.Debian.gz
@@ -59,7 +62,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS ${CMAKE_INSTALL_DEFAULT_DIRECTOR
 set(CPACK_PACKAGE_FILE_NAME
     kerf-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(CPACK_DEBIAN_PACKAGE_RELEASE ${KERF_PACKAGE_RELEASE})
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, fonts-dejavu-core")
