@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the packages that CPack makes of it (scripts/package).
+# What `cmake --install` puts where, and the Debian package that CPack makes (scripts/package).
 include(GNUInstallDirs)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests are not installed, so nobody waits for them
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
@@ -54,7 +54,7 @@ install(FILES ${sources}/kerf.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/
 install(FILES ${sources}/copyright ${made}/changelog.gz ${made}/changelog.Debian.gz
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kerf)
 
-set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR Kerf)
 set(CPACK_PACKAGE_CONTACT ${KERF_CONTACT})
 set(CPACK_STRIP_FILES ON)

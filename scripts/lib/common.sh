@@ -64,6 +64,7 @@ dpkg-dev            finds the packages that a package needs
 lintian             checks it
 desktop-file-utils  checks its desktop entry
 libxml2-utils       checks what it tells desktops
+patchelf            tells programs where their own libraries lie
 '
 docs_packages='
 python3-sphinx      makes a site of the pages
