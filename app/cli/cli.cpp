@@ -1,46 +1,36 @@
 #include "app/cli/cli.h"
 
-#include <spdlog/sinks/stdout_color_sinks.h>
-#include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
+#include <cstring>
 #include <iostream>
-#include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/cli/bar_experiment.h"
 #include "app/cli/compare_verb.h"
 #include "app/cli/doctor_verb.h"
-#include "app/cli/experiment_verb.h"
 #include "app/cli/inspect_verb.h"
 #include "app/cli/materials_verb.h"
+#include "app/cli/program.h"
 #include "app/cli/replay_verb.h"
 #include "app/cli/sweep_verb.h"
 #include "app/cli/test_verb.h"
-#include "app/cli/usage_error.h"
 #include "app/editor/editor.h"
-#include "app/files/descriptor.h"
 #include "app/files/exit_codes.h"
 #include "app/files/file_io.h"
 #include "app/files/film_formats.h"
 #include "app/files/import_process.h"
-#include "app/files/model_source.h"
 #include "app/session/material.h"
-#include "app/session/paper_experiments.h"
 #include "app/session/session_schema.h"
 #include "app/study/study.h"
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/program.h"
-#include "sim/base/freed_memory.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -48,7 +38,6 @@ namespace kerf::app {
 namespace {
 
 constexpr int kMostJobs = 256;
-constexpr int kMostRepeats = 100;
 constexpr int kMostFilmRate = 240;
 constexpr int kMostStripPictures = 1000;
 constexpr double kLeastFilmSpeed = 0.001;
@@ -58,11 +47,12 @@ constexpr double kMostFilmSpeed = 1000;
 constexpr const char* kSessionKind = "session";
 constexpr const char* kMaterialKind = "material";
 
+constexpr const char* kExperiment = "experiment";  // a verb
+
 /// What the command line asks for.
 struct Arguments {
     std::filesystem::path file;  ///< for the editor; empty for none
     ReplayArguments replay;
-    ExperimentArguments experiment;
     InspectArguments inspect;
     CompareArguments compare;
     TestArguments test;
@@ -77,7 +67,6 @@ struct Arguments {
 struct Parser {
     CLI::App app{"Kerf cuts soft 3D models in real time. Without a verb it opens the editor."};
     CLI::App* replay = nullptr;
-    CLI::App* experiment = nullptr;
     CLI::App* inspect = nullptr;
     CLI::App* compare = nullptr;
     CLI::App* test = nullptr;
@@ -87,11 +76,6 @@ struct Parser {
     CLI::App* doctor = nullptr;
     CLI::App* worker = nullptr;
 };
-
-/// An empty name is a mistake of the script that called, most often an unset variable.
-std::string refuseEmpty(const std::string& text) {
-    return text.empty() ? "the name is empty" : "";
-}
 
 /// A number and nothing else.
 std::optional<double> readNumber(const std::string& text) {
@@ -113,10 +97,6 @@ std::string refuseNoSpeed(const std::string& text) {
     const bool valid = value && *value >= kLeastFilmSpeed && *value <= kMostFilmSpeed;
     return valid ? "" : "'" + text + "' is no number from 0.001 to 1000";
 }
-
-constexpr const char* kExitCodes =
-    "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
-    "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
 
 /// "1280x720"; none where it is no size of a picture.
 std::optional<PictureSize> readPictureSize(const std::string& text) {
@@ -305,48 +285,6 @@ void describeReplay(Parser& parser, Arguments& arguments) {
         ->add_flag("--jsonl", arguments.replay.jsonl,
                    "Print a JSON object for each step, as it is done")
         ->excludes(json);
-}
-
-/// "sphere20, ..., banana, bar, ..., all".
-std::string experimentNames() {
-    std::string names;
-    for (const PaperExperiment& experiment : paperExperiments()) {
-        names += std::string(experiment.name) + ", ";
-    }
-    for (const OwnExperiment& experiment : ownExperiments()) {
-        names += std::string(experiment.name) + ", ";
-    }
-    return names + "all";
-}
-
-std::string refuseUnknownExperiment(const std::string& name) {
-    const bool known =
-        name == "all" || findOwnExperiment(name) != nullptr || findPaperExperiment(name) != nullptr;
-    return known ? "" : "there is no experiment '" + name + "'; there are " + experimentNames();
-}
-
-void describeExperiment(Parser& parser, Arguments& arguments) {
-    parser.experiment = parser.app.add_subcommand("experiment",
-                                                  "Run the paper's experiments, the virtual test "
-                                                  "bench, or a comparison with finite elements, "
-                                                  "headless and write a report");
-    parser.experiment->add_option("NAME", arguments.experiment.name, experimentNames())
-        ->required()
-        ->check(refuseUnknownExperiment);
-    parser.experiment->add_option("--out", arguments.experiment.out, "Folder for the results")
-        ->required()
-        ->check(refuseEmpty)
-        ->type_name("DIR");
-    parser.experiment->add_flag("--published", arguments.experiment.published,
-                                "Solve, answer contact and cut as the paper does");
-    parser.experiment
-        ->add_option("--runs", arguments.experiment.runs,
-                     "Runs of each stroke, for the spread of frame rates (5)")
-        ->check(CLI::Range(1, kMostRepeats))
-        ->type_name("N");
-    parser.experiment->add_flag("--whole", arguments.experiment.whole,
-                                "With bar: all combinations of settings, which takes hours");
-    parser.experiment->add_flag("--json", arguments.experiment.json, "Print one JSON object");
 }
 
 std::string refuseNoPng(const std::string& text) {
@@ -559,7 +497,11 @@ void describe(Parser& parser, Arguments& arguments) {
     parser.app.footer(kExitCodes);
     parser.app.add_option("FILE", arguments.file, "A model or a session to open in the editor");
     describeReplay(parser, arguments);
-    describeExperiment(parser, arguments);
+    // Listed here; what follows it is for becomeLaboratory.
+    parser.app.add_subcommand(kExperiment,
+                              "Run the paper's experiments, the virtual test bench, or a "
+                              "comparison with finite elements, headless and write a report; by "
+                              "kerf-lab, which is made from the source tree and not installed");
     describeInspect(parser, arguments);
     describeCompare(parser, arguments);
     describeTest(parser, arguments);
@@ -568,20 +510,6 @@ void describe(Parser& parser, Arguments& arguments) {
     describeSweep(parser, arguments);
     describeDoctor(parser, arguments);
     describeWorker(parser, arguments);
-}
-
-/// Standard output carries results alone, so the log goes to standard error.
-void setUpLog() {
-    const char* noColor = std::getenv("NO_COLOR");
-    const bool plain = noColor != nullptr && *noColor != '\0';
-    const auto mode = plain ? spdlog::color_mode::never : spdlog::color_mode::automatic;
-    spdlog::set_default_logger(spdlog::stderr_color_mt("kerf", mode));
-    spdlog::set_pattern("%^%l%$: %v");
-}
-
-int complain(const std::string& sentence, int exitCode) {
-    std::cerr << "kerf: " << printable(sentence) << "\n";
-    return exitCode;
 }
 
 /// A bare word that is no file was meant as a verb.
@@ -608,22 +536,8 @@ int schemaVerb(const std::string& kind, std::ostream& out) {
     return kExitDone;
 }
 
-/// A file in the place of the folder for results is told before anything runs.
-void refuseFileAsFolder(const Arguments& arguments) {
-    for (const std::filesystem::path& out :
-         {arguments.replay.out, arguments.experiment.out, arguments.test.out, arguments.sweep.out,
-          arguments.doctor.out}) {
-        if (std::filesystem::is_regular_file(out)) {
-            throw InputError(out.string() + ": --out is a file; name a folder.");
-        }
-    }
-}
-
 int runVerb(const Parser& parser, const Arguments& arguments) {
     if (parser.replay->parsed()) return replayVerb(arguments.replay, std::cout, std::cerr);
-    if (parser.experiment->parsed()) {
-        return experimentVerb(arguments.experiment, std::cout, std::cerr);
-    }
     if (parser.inspect->parsed()) return inspectVerb(arguments.inspect, std::cout);
     if (parser.compare->parsed()) return compareVerb(arguments.compare, std::cout);
     if (parser.test->parsed()) return testVerb(arguments.test, std::cout);
@@ -635,80 +549,42 @@ int runVerb(const Parser& parser, const Arguments& arguments) {
     return runEditorVerb(arguments.file);
 }
 
-/// A result that nobody got is no success: a full disk behind `kerf inspect MODEL --json > FILE`.
-int checkStandardOutput(int exitCode) {
-    std::cout.flush();
-    return std::cout ? exitCode
-                     : complain(
-                           "Standard output could not be written; is the disk full, or the output "
-                           "closed?",
-                           kExitLimit);
-}
-
-/// runVerb with every error as a sentence and an exit code.
-int runVerbSafely(const Parser& parser, const Arguments& arguments) {
-    try {
-        refuseFileAsFolder(arguments);
-        return checkStandardOutput(runVerb(parser, arguments));
-    } catch (const UsageError& error) {
-        return complain(error.what() + std::string("; see kerf --help."), kExitUsage);
-    } catch (const InputError& error) {
-        return complain(error.what(), kExitInput);
-    } catch (const gpu::ContextError& error) {
-        return complain(error.what(), kExitNoOpenGl);
-    } catch (const gpu::ShaderError& error) {
-        return complain(error.what(), kExitNoOpenGl);
-    } catch (const gpu::OutOfMemory& error) {
-        return complain(error.what(), kExitLimit);
-    } catch (const MemoryShortage& error) {
-        return complain(error.what(), kExitLimit);
-    } catch (const OutputError& error) {
-        return complain(error.what(), kExitLimit);
-    } catch (const std::filesystem::filesystem_error& error) {
-        return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
-    } catch (const std::bad_alloc&) {
-        return complain(outOfMemory("Kerf"), kExitLimit);
-    }
-}
-
-/// Help and version go to standard output; a mistake is one sentence.
-int endParsing(const Parser& parser, const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-        return parser.app.exit(error, std::cout, std::cerr);
-    }
-    return complain(std::string(error.what()) + "; see kerf --help.", kExitUsage);
+/// The laboratory takes the place of this program, with the words behind the verb.
+int becomeLaboratory(char** words) {
+    std::string program = programBeside("kerf-lab");
+    words[0] = program.data();
+    ::execv(program.c_str(), words);
+    return complain(program + ", which runs experiments, can't be started (" +
+                        std::strerror(errno) +
+                        "); it is no part of an installed Kerf: scripts/build of the source tree "
+                        "makes it.",
+                    kExitInput);
 }
 
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
-    holdStandardStreams();
-    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails with a sentence instead
-    keepFreedMemory();
-    setUpLog();
+    setUpProgram();
+    if (argc > 1 && argv[1] == std::string_view(kExperiment)) {
+        return becomeLaboratory(argv + 1);
+    }
     readModelsWithThisProgram();
     Arguments arguments;
     Parser parser;
     describe(parser, arguments);
-    try {
-        parser.app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return endParsing(parser, error);
+    if (const std::optional<int> ended = parseWords(parser.app, argc, argv)) {
+        return *ended;
     }
     if (!arguments.file.empty() && !parser.app.get_subcommands().empty()) {
         return complain("A verb comes first and takes its own files; see kerf --help.", kExitUsage);
     }
-    const bool likePaper = arguments.experiment.published || parser.experiment->count("--runs") > 0;
-    if (likePaper && findOwnExperiment(arguments.experiment.name) != nullptr) {
-        return complain("'" + arguments.experiment.name +
-                            "' is none of the paper's experiments and takes neither --published "
-                            "nor --runs.",
-                        kExitUsage);
-    }
-    if (arguments.experiment.whole && arguments.experiment.name != kBarExperiment) {
-        return complain("--whole is for 'bar' alone; leave it out.", kExitUsage);
-    }
-    return runVerbSafely(parser, arguments);
+    return runSafely([&] {
+        for (const std::filesystem::path& out : {arguments.replay.out, arguments.test.out,
+                                                 arguments.sweep.out, arguments.doctor.out}) {
+            refuseFileAsFolder(out);
+        }
+        return runVerb(parser, arguments);
+    });
 }
 
 }  // namespace kerf::app

@@ -11,6 +11,7 @@ import subprocess
 import sys
 
 HEADINGS = ("Positionals:", "Options:", "Subcommands:")
+ELSEWHERE = "experiment"  # run by kerf-lab, which is not installed: what `kerf --help` says is all
 
 
 @dataclasses.dataclass
@@ -88,8 +89,6 @@ def names_of(help_text):
 def completion(top, verbs, materials):
     cases = "".join(f"        {name}) words='{' '.join(names_of(verb))}' ;;\n"
                     for name, verb in verbs.items())
-    experiments = dict(verbs["experiment"].rows["Positionals:"])
-    names = next(iter(experiments.values())).replace(",", "")
     formats = next(m for t, m in verbs["replay"].rows["Options:"] if t.startswith("--meshes"))
     formats = formats.split(": ")[-1].replace(",", "")
     return f"""# Completion of kerf in bash; made of what `kerf --help` says.
@@ -99,7 +98,6 @@ _kerf() {{
     case $before in
         --material | materials) words='{' '.join(materials)}' ;;
         --meshes) words='{formats}' ;;
-        experiment) words='{names}' ;;
         schema) words='session material' ;;
     esac
     if [[ -z $words && $COMP_CWORD == 1 ]]; then
@@ -117,7 +115,9 @@ complete -o default -o bashdefault -F _kerf kerf
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     top = read_help(program)
-    verbs = {name: read_help(program, name) for name, _ in top.rows["Subcommands:"]}
+    verbs = {name: read_help(program, name) if name != ELSEWHERE else
+             Help(about, f"kerf {name} NAME --out DIR", {}, [])
+             for name, about in top.rows["Subcommands:"]}
     materials = [line.split()[0] for line in said(program, "materials").splitlines() if line]
     page = manual(top, verbs, said(program, "--version").strip())
     (folder / "kerf.1.gz").write_bytes(gzip.compress(page.encode(), 9, mtime=0))

@@ -1,5 +1,5 @@
 // Includes look back along the data flow only. Everybody may include shaders/shared; tests and
-// benchmarks may include everything.
+// benchmarks, with the laboratory in bench/lab, may include everything and nobody includes them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 /// The room of plain versions of the kernels, which tests and benchmarks alone may include.
 const fs::path kReference = "sim/reference";
-/// Who compares with it on people's machines: the GPU, and Kerf's bodies.
-const std::vector<fs::path> kComparing = {"app/doctor", "app/cli/fem"};
+/// Who compares the GPU with it on people's machines.
+const std::vector<fs::path> kComparing = {"app/doctor"};
 
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
@@ -123,6 +123,8 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
+    EXPECT_FALSE(mayInclude("app/cli/cli.cpp", "bench/lab/experiment_verb.h"));
+    EXPECT_TRUE(mayInclude("bench/lab/experiment_verb.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("sim/reference/reference_solver.h", "ui/panel.h"));
     EXPECT_TRUE(mayInclude("sim/reference/reference_solver.h", "sim/run/simulation.h"));
     EXPECT_TRUE(mayInclude("tests/app/some_test.cpp", "app/session/session.h"));

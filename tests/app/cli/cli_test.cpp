@@ -37,7 +37,6 @@ std::string openBox() {
 TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
     for (const std::vector<std::string>& call : {std::vector<std::string>{"--help"},
                                                  {"replay", "--help"},
-                                                 {"experiment", "--help"},
                                                  {"inspect", "--help"},
                                                  {"compare", "--help"},
                                                  {"schema", "--help"},
@@ -81,19 +80,6 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
                   "b.kerf.json");
     expectMistake(runKerf({"--no-such-option"}), 2, "--no-such-option");
     expectMistake(runKerf({"experimant"}), 2, "neither a verb nor a file");
-    expectMistake(runKerf({"experiment", "--out", "x"}), 2, "NAME");
-    expectMistake(runKerf({"experiment", "all"}), 2, "--out");
-    expectMistake(runKerf({"experiment", "bar", "--published", "--out", "x"}), 2,
-                  "takes neither --published nor --runs");
-    expectMistake(runKerf({"experiment", "bar", "--runs", "2", "--out", "x"}), 2,
-                  "takes neither --published nor --runs");
-    expectMistake(runKerf({"experiment", "fem", "--runs", "2", "--out", "x"}), 2,
-                  "'fem' is none of the paper's experiments");
-    expectMistake(runKerf({"experiment", "sphere20", "--whole", "--out", "x"}), 2,
-                  "--whole is for 'bar' alone");
-    expectMistake(runKerf({"experiment", "all", "--runs", "0", "--out", "x"}), 2, "--runs");
-    expectMistake(runKerf({"experiment", "cube", "--out", "x"}), 2,
-                  "there is no experiment 'cube'; there are sphere20, ");
     expectMistake(runKerf({"compare", "a.png"}), 2, "B");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "2"}), 2, "threshold");
     expectMistake(runKerf({"compare", "a.png", "b.png", "--threshold", "nan"}), 2, "threshold");
@@ -101,6 +87,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCode2) {
     expectMistake(runKerf({"compare", "a.png", "b.png", "--tolerant", "--threshold", "0"}), 2,
                   "--threshold");
     expectMistake(runKerf({"a.obj", "inspect", "b.obj"}), 2, "verb comes first");
+    expectMistake(runKerf({"a.obj", "experiment"}), 2, "verb comes first");
 }
 
 TEST(CommandLine, EmptyNamesAreWrongUsage) {
@@ -125,6 +112,18 @@ TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
                              (folder / "out").string() + "'";
     EXPECT_EQ(std::system(call.c_str()), 0);
     EXPECT_NE(readBytes(folder / "out").find("triangles  20"), std::string::npos);
+}
+
+TEST(CommandLine, SaysWhereTheLaboratoryWouldLie) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(KERF_BINARY_DIR "/kerf", folder / "kerf");
+    const std::string call = "'" + (folder / "kerf").string() + "' experiment --help 2>'" +
+                             (folder / "errors").string() + "'";
+    EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 3);
+    const std::string errors = readBytes(folder / "errors");
+    EXPECT_NE(errors.find((folder / "kerf-lab").string() + ", which runs"), std::string::npos)
+        << errors;
+    EXPECT_NE(errors.find("scripts/build"), std::string::npos) << errors;
 }
 
 TEST(CommandLine, AResultThatCannotBeWrittenIsExitCode5) {

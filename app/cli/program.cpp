@@ -1,0 +1,106 @@
+#include "app/cli/program.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+
+#include "app/cli/usage_error.h"
+#include "app/files/descriptor.h"
+#include "app/files/exit_codes.h"
+#include "app/files/file_io.h"
+#include "app/files/memory_means.h"
+#include "app/files/model_source.h"
+#include "gpu/buffer.h"
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "sim/base/freed_memory.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// Standard output carries results alone, so the log goes to standard error.
+void setUpLog() {
+    const char* noColor = std::getenv("NO_COLOR");
+    const bool plain = noColor != nullptr && *noColor != '\0';
+    const auto mode = plain ? spdlog::color_mode::never : spdlog::color_mode::automatic;
+    spdlog::set_default_logger(spdlog::stderr_color_mt("kerf", mode));
+    spdlog::set_pattern("%^%l%$: %v");
+}
+
+/// A result that nobody got is no success: a full disk behind `kerf inspect MODEL --json > FILE`.
+int checkStandardOutput(int exitCode) {
+    std::cout.flush();
+    return std::cout ? exitCode
+                     : complain(
+                           "Standard output could not be written; is the disk full, or the output "
+                           "closed?",
+                           kExitLimit);
+}
+
+}  // namespace
+
+void setUpProgram() {
+    holdStandardStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails with a sentence instead
+    keepFreedMemory();
+    setUpLog();
+}
+
+std::string refuseEmpty(const std::string& text) {
+    return text.empty() ? "the name is empty" : "";
+}
+
+void refuseFileAsFolder(const std::filesystem::path& out) {
+    if (std::filesystem::is_regular_file(out)) {
+        throw InputError(out.string() + ": --out is a file; name a folder.");
+    }
+}
+
+std::optional<int> parseWords(CLI::App& parser, int argc, char** argv) {
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // Help and version go to standard output; a mistake is one sentence.
+        return error.get_exit_code() == 0
+                   ? parser.exit(error, std::cout, std::cerr)
+                   : complain(std::string(error.what()) + "; see kerf --help.", kExitUsage);
+    }
+    return std::nullopt;
+}
+
+int runSafely(const std::function<int()>& verb) {
+    try {
+        return checkStandardOutput(verb());
+    } catch (const UsageError& error) {
+        return complain(error.what() + std::string("; see kerf --help."), kExitUsage);
+    } catch (const InputError& error) {
+        return complain(error.what(), kExitInput);
+    } catch (const gpu::ContextError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::ShaderError& error) {
+        return complain(error.what(), kExitNoOpenGl);
+    } catch (const gpu::OutOfMemory& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const MemoryShortage& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const OutputError& error) {
+        return complain(error.what(), kExitLimit);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
+    } catch (const std::bad_alloc&) {
+        return complain(outOfMemory("Kerf"), kExitLimit);
+    }
+}
+
+int complain(const std::string& sentence, int exitCode) {
+    std::cerr << "kerf: " << printable(sentence) << "\n";
+    return exitCode;
+}
+
+}  // namespace kerf::app

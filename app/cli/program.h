@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+// How the programs kerf and kerf-lab begin and end.
+namespace kerf::app {
+
+inline constexpr const char* kExitCodes =
+    "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
+    "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
+
+/// Comes first in a program: its standard streams, signals, memory and log.
+void setUpProgram();
+
+/// An empty name is a mistake of the script that called, most often an unset variable.
+std::string refuseEmpty(const std::string& text);
+/// A file in the place of the folder for results is told before anything runs, by an InputError.
+void refuseFileAsFolder(const std::filesystem::path& out);
+
+/// The exit code where the words end the program: by a mistake, or by asking for help.
+std::optional<int> parseWords(CLI::App& parser, int argc, char** argv);
+/// What the verb returns; every error of it as a sentence and an exit code.
+int runSafely(const std::function<int()>& verb);
+/// Says the sentence on standard error; returns the code.
+int complain(const std::string& sentence, int exitCode);
+
+}  // namespace kerf::app
