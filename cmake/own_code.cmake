@@ -31,6 +31,9 @@ function(kerf_own_code target)
     # GCC bug 105651: "text" + string, with precompiled headers in three ways
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
                            -Wno-array-bounds)
+  elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # Takes a key that is made for a look-up for what the look-up returns.
+    target_compile_options(${target} PRIVATE -Wno-dangling-reference)
   endif()
   if(KERF_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
