@@ -209,7 +209,7 @@ EnvironmentTexture::~EnvironmentTexture() {
 }
 
 EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), matt_(other.matt_) {}
+    : id_(std::exchange(other.id_, 0)), matt_(std::move(other.matt_)) {}
 
 EnvironmentTexture& EnvironmentTexture::operator=(EnvironmentTexture&& other) noexcept {
     std::swap(id_, other.id_);
