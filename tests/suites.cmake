@@ -4,13 +4,12 @@
 # its own, which takes a tenth less: tests run side by side.
 
 # The longest start first, so that none of them runs alone at the end: seconds on two quiet cores.
-set(cost_of_EditorKill 120)  # it waits most of the time
-set(cost_of_ShippedModels 75)
-set(cost_of_MovingScenes 60)
-set(cost_of_EditorRetractTest 60)
-set(cost_of_EditorJournalTest 50)
-set(cost_of_KeptSessions 50)
+set(cost_of_EditorKill 40)  # it waits most of the time
 set(cost_of_EditorWindowTest 40)
+set(cost_of_TestVerb 30)
+set(cost_of_SimulationTest 20)
+set(cost_of_KeptSessions 20)
+set(cost_of_OwnLooksTest 20)
 # What says most about a driver: .ci/run has these on zink, too (label "driver"). The solver runs once
 # more by the way of kernels that GPUs take. By night so do contact and cutting, which KernelWays
 # compares by day.

@@ -55,5 +55,15 @@ TEST(Redraw, StepsWaitUntilTheyAreToBeShown) {
     EXPECT_FALSE(redraw.stepsPending());
 }
 
+TEST(Redraw, WhatIsPutOffIsPendingNoMoreAndDrawnOnceItIsAskedFor) {
+    Redraw redraw = drawn();
+    redraw.steps();
+    redraw.putOff();
+    redraw.putOff();
+    EXPECT_FALSE(redraw.stepsPending());
+    EXPECT_TRUE(redraw.takeScene());
+    EXPECT_FALSE(redraw.takeScene());
+}
+
 }  // namespace
 }  // namespace kerf::app
