@@ -69,25 +69,21 @@ class EditorJournalTest : public EditorTest {
     }
     /// Until there are so many files beside each other.
     void expectFiles(std::size_t count) {
-        for (int i = 0; i < 400 && files() != count; ++i) {
+        for (int i = 0; i < 2000 && files() != count; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frames(1);
         }
         EXPECT_EQ(files(), count);
     }
-    /// Until the work that was gone on from is in the journal of this editor alone.
-    void untilTakenOver() {
-        const auto isJournal = [](const auto& entry) {
-            return entry.path().extension() == ".journal";
-        };
-        const auto count = [&] {
-            return std::count_if(std::filesystem::directory_iterator(journals.path()), {},
-                                 isJournal);
-        };
-        for (int i = 0; i < 2000 && count() != 1; ++i) {
+    /// Goes on from what was left, until the journal of this editor alone has it.
+    void takeOver() {
+        const std::filesystem::path left = lookForLeftWork(journals.path()).at(0).journal->file();
+        goOn();
+        for (int i = 0; i < 2000 && std::filesystem::exists(left); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frames(1);
         }
+        ASSERT_FALSE(std::filesystem::exists(left));
     }
     /// The session that can be gone on from.
     Session leftSession() {
@@ -145,8 +141,7 @@ TEST_F(EditorJournalTest, TheQuestionHasNameCountAndPicture) {
 TEST_F(EditorJournalTest, ACrashAfterACrashLosesNothingEither) {
     cut();
     crash();
-    goOn();
-    untilTakenOver();
+    takeOver();
     cutAcross();
     const std::string before = hash();
     const std::string title = editor->title();
