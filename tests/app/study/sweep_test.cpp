@@ -96,7 +96,7 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
             nlohmann::json::parse(bytes("out/" + std::to_string(number) + "/summary.json"));
         const auto cells = cellsOf(lines[std::size_t(number) + 1]);
         ASSERT_EQ(cells.size(), 18u);
-        EXPECT_EQ(cells[5], summary["state_hash"]);
+        EXPECT_EQ(cells[5], summary["state_hash"].get<std::string>());
         EXPECT_EQ(cells[6], "1");
         EXPECT_EQ(std::stod(cells[8]), summary["volume_ratio"]["min"].get<double>());
         EXPECT_EQ(cells[10], "") << "it was not cut";
