@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <map>
-#include <ranges>
+#include <set>
 
 #include "app/journal/journal_folder.h"
 #include "app/scene/editor_scene.h"
@@ -315,11 +314,13 @@ TEST_F(EditorJournalTest, OnAFullDiskOneSentenceComesAndEditingGoesOn) {
     cut();
     EXPECT_EQ(editor->title(), "Kerf - box - 2 pieces");
     // One for each journal; that of the ball may not have been there yet when the disk was full.
-    std::map<std::string, int> said;
+    std::set<std::string> sentences;
     for (const ui::LogLine& line : panels().log) {
-        said[line.text] += line.text.find("now and then") != std::string::npos ? 1 : 0;
+        if (line.text.find("now and then") != std::string::npos) {
+            EXPECT_TRUE(sentences.insert(line.text).second) << line.text;
+        }
     }
-    EXPECT_EQ(std::ranges::max(said | std::views::values), 1);
+    EXPECT_FALSE(sentences.empty());
 }
 
 // --- Questions before work goes ----------------------------------------------------------------
