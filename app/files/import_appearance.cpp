@@ -97,6 +97,18 @@ std::optional<fs::path> findBeside(const fs::path& folder, std::string name) {
     return std::nullopt;
 }
 
+/// Throws InputError where it is missing.
+render::ModelImage imageBeside(const fs::path& folder, const std::string& name,
+                               const std::string& material) {
+    const std::optional<fs::path> file = findBeside(folder, name);
+    if (!file) {
+        throw InputError("The image \"" + name + "\" of the material \"" + material +
+                         "\" was left out: there is no such file in the model's folder or "
+                         "below; put it there and open the model again.");
+    }
+    return {file->filename().string(), readInputFile(*file, kMaxImportImages), {}};
+}
+
 /// Takes over the materials of one scene, each once.
 class AppearanceReader {
   public:
@@ -158,13 +170,7 @@ class AppearanceReader {
         if (const aiTexture* within = scene_.GetEmbeddedTexture(name.c_str())) {
             return embedded(*within, material);
         }
-        const std::optional<fs::path> file = findBeside(folder_, gltf_ ? unescaped(name) : name);
-        if (!file) {
-            throw InputError("The image \"" + name + "\" of the material \"" + material +
-                             "\" was left out: there is no such file in the model's folder or "
-                             "below; put it there and open the model again.");
-        }
-        return {file->filename().string(), readInputFile(*file, kMaxImportImages), {}};
+        return imageBeside(folder_, gltf_ ? unescaped(name) : name, material);
     }
 
     static render::ModelImage embedded(const aiTexture& texture, const std::string& material) {
@@ -218,6 +224,20 @@ bool isFileBelow(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     return leadsInside(folder, file) && fs::is_regular_file(file, error) &&
            fs::file_size(file, error) <= kMaxModelBytes && !error;
+}
+
+void addImageMaterial(const fs::path& file, const std::string& image, ImportedModel& model) {
+    render::Material material;
+    material.name = "image";
+    try {
+        model.appearance.images.push_back(
+            imageBeside(fs::canonical(file).parent_path(), image, material.name));
+        material.image = 0;
+    } catch (const InputError& error) {
+        model.remarks.emplace_back(error.what());
+    }
+    model.appearance.materials.push_back(std::move(material));
+    model.soup.skin.materials.assign(model.soup.triangles.size(), 0);
 }
 
 void addAppearance(const aiScene& scene, const fs::path& file, const std::vector<int>& triangles,

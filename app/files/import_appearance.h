@@ -17,6 +17,11 @@ namespace kerf::app {
 void addAppearance(const aiScene& scene, const std::filesystem::path& file,
                    const std::vector<int>& triangles, ImportedModel& model);
 
+/// Gives all triangles of a model in `file` one material with the picture of that name. One that is
+/// missing is a sentence of the answer.
+void addImageMaterial(const std::filesystem::path& file, const std::string& image,
+                      ImportedModel& model);
+
 /// Whether a file is of the kinds that give colours in linear light.
 bool isGltf(const std::filesystem::path& file);
 

@@ -20,7 +20,7 @@
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "app/files/off_faces.h"
-#include "app/files/ply_line_end.h"
+#include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
 #include "render/scene/body_look.h"
 #include "sim/base/text.h"
@@ -59,9 +59,7 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     /// What assimp reads in the place of a file; nothing where it reads that right.
     static std::optional<std::string> readableForm(const std::filesystem::path& name) {
         const std::string extension = lowerCase(name.extension().string());
-        return extension == ".ply"   ? plyWithClearEnd(name)
-               : extension == ".off" ? offWithoutComments(name)
-                                     : std::nullopt;
+        return extension == ".off" ? offWithoutComments(name) : std::nullopt;
     }
 
     std::filesystem::path folder_;
@@ -167,7 +165,7 @@ std::string plainReason(const std::string& message) {
 }
 
 /// Node transforms are applied, polygons triangulated, points and lines left out.
-ImportedModel readScene(const std::filesystem::path& file) {
+ImportedModel readByAssimp(const std::filesystem::path& file) {
     requireReadable(file);
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
@@ -194,6 +192,10 @@ ImportedModel readScene(const std::filesystem::path& file) {
     }
     addAppearance(*scene, file, triangles, model);
     return model;
+}
+
+ImportedModel readScene(const std::filesystem::path& file) {
+    return lowerCase(file.extension().string()) == ".ply" ? readPly(file) : readByAssimp(file);
 }
 
 /// The answer's stream, set aside so that nothing that a library prints gets into it.

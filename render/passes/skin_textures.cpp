@@ -7,6 +7,8 @@
 #include <cstring>
 #include <utility>
 
+#include "gpu/context.h"
+
 namespace kerf::render {
 namespace {
 
@@ -28,9 +30,10 @@ bool hasExtension(const char* name) {
     return false;
 }
 
+// Mesa's software driver (25.0) draws black at the corners of texels with it.
 float anisotropy() {
-    if (!hasExtension("GL_EXT_texture_filter_anisotropic") &&
-        !hasExtension("GL_ARB_texture_filter_anisotropic")) {
+    if (gpu::queryDevice().software || (!hasExtension("GL_EXT_texture_filter_anisotropic") &&
+                                        !hasExtension("GL_ARB_texture_filter_anisotropic"))) {
         return 1;
     }
     float largest = 1;

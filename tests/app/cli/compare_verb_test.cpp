@@ -10,6 +10,7 @@
 #include "app/cli/usage_error.h"
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
+#include "tests/support/png_head.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"
 
@@ -213,9 +214,7 @@ TEST(CompareReplays, OfTwoStiffnessesTellsThemApart) {
 }
 
 TEST_F(CompareVerb, APictureThatIsTooLargeIsNotCalledDamaged) {
-    // A header alone: 30,000 pixels each way.
-    const char bytes[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x75\x30\0\0\x75\x30\x08\0\0\0\0";
-    test::writeText(folder_ / "large.png", std::string(bytes, sizeof bytes - 1) + "crc.");
+    test::writeText(folder_ / "large.png", test::pngHead(30000, 30000));
     arguments_.a = folder_ / "large.png";
     try {
         run();

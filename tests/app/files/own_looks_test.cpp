@@ -11,6 +11,7 @@
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/paths.h"
+#include "tests/support/png_head.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -194,25 +195,13 @@ TEST_F(LeftOutImage, IsNamedWhereItIsNoPictureOrDamaged) {
     EXPECT_THAT(remarkOf("half.png"), HasSubstr("it is damaged or cut off"));
 }
 
-/// A PNG whose head says how large it is, with nothing behind it.
-std::string headOfPng(std::uint32_t width, std::uint32_t height) {
-    std::string bytes = "\x89PNG\r\n\x1a\n";
-    bytes.append("\0\0\0\x0dIHDR", 8);
-    for (const std::uint32_t side : {width, height}) {
-        for (const int shift : {24, 16, 8, 0}) {
-            bytes += static_cast<char>(side >> shift & 0xFFU);
-        }
-    }
-    return bytes.append("\x08\x06\0\0\0\0\0\0\0", 9);
-}
-
 TEST_F(LeftOutImage, IsNamedWhereItIsTooLargeOrLies) {
-    test::writeText(folder / "lie.png", headOfPng(16000, 16000));
+    test::writeText(folder / "lie.png", test::pngHead(16000, 16000));
     EXPECT_THAT(remarkOf("lie.png"), HasSubstr("claims 16000 x 16000 pixels in 33 bytes"));
-    test::writeText(folder / "wide.png", headOfPng(20000, 10));
+    test::writeText(folder / "wide.png", test::pngHead(20000, 10));
     EXPECT_THAT(remarkOf("wide.png"),
                 HasSubstr("it has 20000 x 10 pixels, of which at most 16384"));
-    test::writeText(folder / "vast.png", headOfPng(20000, 20000));
+    test::writeText(folder / "vast.png", test::pngHead(20000, 20000));
     EXPECT_THAT(remarkOf("vast.png"), HasSubstr("more pixels than are read"));
 }
 

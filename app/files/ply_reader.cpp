@@ -1,0 +1,476 @@
+// From top to bottom: the header; numbers; elements; what becomes of them.
+
+#include "app/files/ply_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "app/files/file_io.h"
+#include "app/files/import_appearance.h"
+#include "app/files/model_source.h"
+#include "render/scene/body_look.h"
+#include "sim/base/text.h"
+#include "sim/repair/polygon_triangles.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// A type of numbers by both of its names.
+struct Scalar {
+    std::string_view name;
+    std::string_view other;
+    std::size_t bytes;
+    double most;  ///< that of a colour; 1 where colours are shares
+};
+constexpr std::array<Scalar, 8> kScalars{{{"char", "int8", 1, 127},
+                                          {"uchar", "uint8", 1, 255},
+                                          {"short", "int16", 2, 32767},
+                                          {"ushort", "uint16", 2, 65535},
+                                          {"int", "int32", 4, 2147483647},
+                                          {"uint", "uint32", 4, 4294967295},
+                                          {"float", "float32", 4, 1},
+                                          {"double", "float64", 8, 1}}};
+
+struct Property {
+    std::string name;
+    const Scalar* type = nullptr;
+    const Scalar* count = nullptr;  ///< null for one that is no list
+};
+
+struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+
+    /// The place of the first property that has one of the names, -1 for none.
+    int find(std::initializer_list<std::string_view> names) const {
+        const auto found = std::ranges::find_if(properties, [&](const Property& p) {
+            return std::ranges::find(names, p.name) != names.end();
+        });
+        return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
+    }
+};
+
+enum class Encoding { text, littleEndian, bigEndian };
+
+struct Header {
+    Encoding encoding = Encoding::text;
+    std::vector<Element> elements;
+    std::string image;     ///< the name of its file, or ""
+    std::size_t size = 0;  ///< [bytes]
+};
+
+[[noreturn]] void fail(const std::string& what) {
+    throw InputError(what + "; export it again");
+}
+
+const Scalar* scalarOf(const std::string& name) {
+    const auto found = std::ranges::find_if(
+        kScalars, [&](const Scalar& s) { return name == s.name || name == s.other; });
+    if (found == kScalars.end()) {
+        fail("its header names \"" + name + "\", which is no type of PLY");
+    }
+    return &*found;
+}
+
+Encoding encodingOf(const std::string& name) {
+    if (name == "ascii") {
+        return Encoding::text;
+    }
+    if (name != "binary_little_endian" && name != "binary_big_endian") {
+        fail("its header names \"" + name + "\", which is no format of PLY");
+    }
+    return name == "binary_big_endian" ? Encoding::bigEndian : Encoding::littleEndian;
+}
+
+Property propertyOf(std::istringstream& words) {
+    Property property;
+    std::string type;
+    words >> type;
+    if (type == "list") {
+        words >> type;
+        property.count = scalarOf(type);
+        words >> type;
+    }
+    property.type = scalarOf(type);
+    words >> property.name;
+    return property;
+}
+
+void readComment(const std::string& line, Header& header) {
+    constexpr std::string_view kTexture = "TextureFile ";
+    if (const std::size_t at = line.find(kTexture); at != std::string::npos) {
+        header.image = line.substr(at + kTexture.size());
+    }
+}
+
+/// False at the last line.
+bool readLine(const std::string& line, Header& header) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "comment") {
+        readComment(line, header);
+    } else if (word == "format") {
+        words >> word;
+        header.encoding = encodingOf(word);
+    } else if (word == "element") {
+        Element& element = header.elements.emplace_back();
+        if (!(words >> element.name >> element.count)) {
+            fail("its header has the line \"" + printable(line) + "\" without a count");
+        }
+    } else if (word == "property" && !header.elements.empty()) {
+        header.elements.back().properties.push_back(propertyOf(words));
+    }
+    return word != "end_header";
+}
+
+/// Lines end as the first one does. A byte order mark may stand before it.
+Header headerOf(std::string_view bytes) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    Header header;
+    std::size_t at = bytes.starts_with(kMark) ? kMark.size() : 0;
+    const std::size_t firstEnd = std::min(bytes.find_first_of("\r\n", at), bytes.size());
+    const char end =
+        bytes.substr(firstEnd, 1) == "\r" && bytes.substr(firstEnd, 2) != "\r\n" ? '\r' : '\n';
+    std::string line;
+    do {
+        const std::size_t next = bytes.find(end, at);
+        if (next == std::string_view::npos) {
+            fail("its header has no line \"end_header\"");
+        }
+        line = bytes.substr(at, next - at);
+        line.erase(line.find_last_not_of(" \t\r") + 1);
+        if (at <= kMark.size() && line != "ply") {
+            fail("it does not begin with a line \"ply\"");
+        }
+        at = next + 1;
+    } while (readLine(line, header));
+    header.size = at;
+    return header;
+}
+
+/// The numbers behind the header, one after the other.
+class Numbers {
+  public:
+    Numbers(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
+
+    /// Nothing at the end.
+    std::optional<double> next(const Scalar& type) {
+        return encoding_ == Encoding::text ? word() : number(type);
+    }
+    std::size_t left() const { return rest_.size(); }
+
+  private:
+    std::optional<double> word() {
+        constexpr std::string_view kSpace = " \t\r\n";
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
+        const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
+        rest_.remove_prefix(word.size());
+        double value = 0;
+        const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
+        const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
+        if (!word.empty() && (error == std::errc::invalid_argument || end == first)) {
+            fail("\"" + printable(std::string(word.substr(0, 40))) +
+                 "\" stands where a number must");
+        }
+        return word.empty() ? std::nullopt : std::optional(value);
+    }
+
+    std::optional<double> number(const Scalar& type) {
+        if (rest_.size() < type.bytes) {
+            return std::nullopt;
+        }
+        std::array<char, 8> bytes{};
+        std::memcpy(bytes.data(), rest_.data(), type.bytes);
+        rest_.remove_prefix(type.bytes);
+        const bool swapped =
+            (encoding_ == Encoding::bigEndian) == (std::endian::native == std::endian::little);
+        if (swapped) {
+            std::reverse(bytes.begin(), bytes.begin() + std::ptrdiff_t(type.bytes));
+        }
+        return valueOf(type, bytes);
+    }
+
+    static double valueOf(const Scalar& type, const std::array<char, 8>& bytes) {
+        const auto as = [&]<class T>(T value) {
+            std::memcpy(&value, bytes.data(), sizeof(value));
+            return static_cast<double>(value);
+        };
+        switch (&type - kScalars.data()) {
+            case 0:
+                return as(std::int8_t{});
+            case 1:
+                return as(std::uint8_t{});
+            case 2:
+                return as(std::int16_t{});
+            case 3:
+                return as(std::uint16_t{});
+            case 4:
+                return as(std::int32_t{});
+            case 5:
+                return as(std::uint32_t{});
+            case 6:
+                return as(float{});
+            default:
+                return as(double{});
+        }
+    }
+
+    std::string_view rest_;
+    Encoding encoding_;
+};
+
+/// What one item of an element holds, by property; one number for each that is no list.
+using Row = std::vector<std::vector<double>>;
+
+/// False where the file ends within it.
+bool readRow(const Element& element, Numbers& numbers, Row& row) {
+    row.resize(element.properties.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const Property& property = element.properties[i];
+        const double count =
+            property.count == nullptr ? 1 : numbers.next(*property.count).value_or(-1);
+        row[i].clear();
+        for (double k = 0; k < count; ++k) {
+            const std::optional<double> value = numbers.next(*property.type);
+            if (!value) {
+                return false;
+            }
+            row[i].push_back(*value);
+        }
+        if (!(count >= 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Some properties of one kind, such as the coordinates, by their places in an element.
+struct Group {
+    std::vector<int> places;
+
+    bool isThere(std::size_t least) const {
+        return std::all_of(places.begin(), places.begin() + std::ptrdiff_t(least),
+                           [](int place) { return place >= 0; });
+    }
+    double of(const Row& row, std::size_t i) const {
+        const int place = places[i];
+        return place < 0 || row[place].empty() ? 0 : row[place].front();
+    }
+};
+
+/// The properties of an element that are read.
+struct Places {
+    explicit Places(const Element& element)
+        : at{{element.find({"x"}), element.find({"y"}), element.find({"z"})}},
+          uv{{element.find({"s", "u", "texture_u", "texture_s"}),
+              element.find({"t", "v", "texture_v", "texture_t"})}},
+          color{{element.find({"red", "r", "diffuse_red"}),
+                 element.find({"green", "g", "diffuse_green"}),
+                 element.find({"blue", "b", "diffuse_blue"}),
+                 element.find({"alpha", "a", "diffuse_alpha"})}},
+          corners(element.find({"vertex_indices", "vertex_index"})),
+          cornerUvs(element.find({"texcoord"})) {}
+
+    Group at;
+    Group uv;
+    Group color;
+    int corners;
+    int cornerUvs;
+};
+
+/// From what displays take to linear light, apart from the opacity.
+Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& row) {
+    const auto share = [&](std::size_t i) {
+        const int place = color.places[i];
+        return place < 0 ? 1 : color.of(row, i) / element.properties[place].type->most;
+    };
+    const Vec3f linear = render::toLinear(Vec3(share(0), share(1), share(2)));
+    return {linear.x(), linear.y(), linear.z(), static_cast<float>(share(3))};
+}
+
+int indexOf(double number) {
+    return number >= 0 && number < std::numeric_limits<int>::max() ? static_cast<int>(number) : -1;
+}
+
+/// Collects vertices and faces in whatever order they come, and makes triangles of them.
+class PlyModel {
+  public:
+    /// Leaves out elements that say nothing about the surface. False for one of these.
+    bool read(const Element& element, Numbers& numbers) {
+        const Places places(element);
+        const bool isVertex = element.name == "vertex";
+        const bool isFace = element.name == "face";
+        const bool isStrip = element.name == "tristrips";
+        if (isVertex && !places.at.isThere(3)) {
+            fail("its vertices have no x, y and z");
+        }
+        Row row;
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            if (!readRow(element, numbers, row)) {
+                fail("it ends within its element \"" + printable(element.name) + "\": " +
+                     std::to_string(i) + " of " + std::to_string(element.count) + " are there");
+            }
+            if (isVertex) {
+                addVertex(element, places, row);
+            } else if (isFace && places.corners >= 0) {
+                addFace(element, places, row);
+            } else if (isStrip && places.corners >= 0) {
+                addStrips(row[places.corners]);
+            }
+        }
+        return isVertex || isFace || isStrip;
+    }
+
+    TriangleSoup triangles() {
+        std::size_t first = 0;
+        for (std::size_t face = 0; face < ends_.size(); ++face) {
+            divide(face, first);
+            first = ends_[face];
+        }
+        if (soup_.triangles.empty()) {
+            throw InputError("there is no surface in it");
+        }
+        return std::move(soup_);
+    }
+
+  private:
+    void addVertex(const Element& element, const Places& places, const Row& row) {
+        const Vec3 at(places.at.of(row, 0), places.at.of(row, 1), places.at.of(row, 2));
+        soup_.positions.push_back(at);
+        if (places.uv.isThere(2)) {
+            vertexUvs_.emplace_back(places.uv.of(row, 0), places.uv.of(row, 1));
+        }
+        if (places.color.isThere(3)) {
+            vertexColors_.push_back(colorOf(element, places.color, row));
+        }
+    }
+
+    void addFace(const Element& element, const Places& places, const Row& row) {
+        for (const double v : row[places.corners]) {
+            corners_.push_back(indexOf(v));
+        }
+        if (places.cornerUvs >= 0) {
+            const std::vector<double>& uvs = row[places.cornerUvs];
+            cornerUvs_.resize(2 * corners_.size());
+            std::copy_n(uvs.begin(), std::min(uvs.size(), 2 * row[places.corners].size()),
+                        cornerUvs_.end() - std::ptrdiff_t(2 * row[places.corners].size()));
+        }
+        if (places.color.isThere(3)) {
+            faceColors_.resize(ends_.size(), kWhite);
+            faceColors_.push_back(colorOf(element, places.color, row));
+        }
+        ends_.push_back(corners_.size());
+    }
+
+    /// Every other triangle of a strip is turned over; a negative number begins another strip.
+    void addStrips(const std::vector<double>& numbers) {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (numbers[i] < 0) {
+                begin = i + 1;
+            } else if (i >= begin + 2) {
+                const std::size_t turned = (i - begin) % 2;
+                for (const std::size_t k : {i - 2 + turned, i - 1 - turned, i}) {
+                    corners_.push_back(indexOf(numbers[k]));
+                }
+                ends_.push_back(corners_.size());
+            }
+        }
+    }
+
+    bool isInRange(int v) const { return v >= 0 && std::size_t(v) < soup_.positions.size(); }
+
+    /// A polygon that crosses itself, or encloses no area, becomes a fan.
+    std::vector<Triangle> divided(std::span<const int> polygon) const {
+        std::vector<Triangle> triangles;
+        if (polygon.size() > 3 &&
+            std::ranges::all_of(polygon, [&](int v) { return isInRange(v); })) {
+            std::vector<Vec3> corners;
+            for (const int v : polygon) {
+                corners.push_back(soup_.positions[v]);
+            }
+            triangles = repair::triangulatePolygon(corners);
+        }
+        const bool fan = triangles.empty();
+        for (int i = 2; fan && i < static_cast<int>(polygon.size()); ++i) {
+            triangles.push_back({0, i - 1, i});
+        }
+        return triangles;
+    }
+
+    void divide(std::size_t face, std::size_t first) {
+        const std::span polygon(corners_.data() + first, ends_[face] - first);
+        for (const Triangle& t : divided(polygon)) {
+            soup_.triangles.push_back({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+            if (!cornerUvs_.empty() || !vertexUvs_.empty()) {
+                const auto uv = [&](int i) { return uvAt(first + t[i]); };
+                soup_.skin.uvs.push_back({uv(0), uv(1), uv(2)});
+            }
+            if (!vertexColors_.empty() || !faceColors_.empty()) {
+                const auto color = [&](int i) { return colorAt(face, polygon[t[i]]); };
+                soup_.skin.colors.push_back({color(0), color(1), color(2)});
+            }
+        }
+    }
+
+    Eigen::Vector2f uvAt(std::size_t corner) const {
+        Eigen::Vector2f uv = Eigen::Vector2f::Zero();
+        if (2 * corner + 1 < cornerUvs_.size()) {
+            uv = Vec2(cornerUvs_[2 * corner], cornerUvs_[2 * corner + 1]).cast<float>();
+        } else if (cornerUvs_.empty() && isInRange(corners_[corner])) {
+            uv = vertexUvs_[corners_[corner]].cast<float>();
+        }
+        return uv;
+    }
+
+    Eigen::Vector4f colorAt(std::size_t face, int v) const {
+        if (!vertexColors_.empty()) {
+            return isInRange(v) ? vertexColors_[v] : kWhite;
+        }
+        return face < faceColors_.size() ? faceColors_[face] : kWhite;
+    }
+
+    static inline const Eigen::Vector4f kWhite{1, 1, 1, 1};
+
+    TriangleSoup soup_;
+    std::vector<int> corners_;                   ///< of all faces
+    std::vector<std::size_t> ends_;              ///< where the corners of each face end
+    std::vector<double> cornerUvs_;              ///< two for each corner; fewer at the end, or none
+    std::vector<Vec2> vertexUvs_;                ///< by vertex, or none
+    std::vector<Eigen::Vector4f> vertexColors_;  ///< the same
+    std::vector<Eigen::Vector4f> faceColors_;    ///< by face; fewer at the end, or none
+};
+
+}  // namespace
+
+ImportedModel readPly(const std::filesystem::path& file) {
+    const std::string bytes = readInputFile(file, kMaxModelBytes);
+    const Header header = headerOf(bytes);
+    Numbers numbers(std::string_view(bytes).substr(header.size), header.encoding);
+    PlyModel read;
+    ImportedModel model;
+    for (const Element& element : header.elements) {
+        if (!read.read(element, numbers) && element.count > 0) {
+            model.remarks.push_back("Its element \"" + printable(element.name) +
+                                    "\" was left out: Kerf does not know it.");
+        }
+    }
+    model.soup = read.triangles();
+    if (!header.image.empty()) {
+        addImageMaterial(file, header.image, model);
+    }
+    return model;
+}
+
+}  // namespace kerf::app
