@@ -197,7 +197,7 @@ TEST_F(LeftOutImage, IsNamedWhereItIsNoPictureOrDamaged) {
 
 TEST_F(LeftOutImage, IsNamedWhereItIsTooLargeOrLies) {
     test::writeText(folder / "lie.png", test::pngHead(16000, 16000));
-    EXPECT_THAT(remarkOf("lie.png"), HasSubstr("claims 16000 x 16000 pixels in 33 bytes"));
+    EXPECT_THAT(remarkOf("lie.png"), HasSubstr("claims 16000 x 16000 pixels in 45 bytes"));
     test::writeText(folder / "wide.png", test::pngHead(20000, 10));
     EXPECT_THAT(remarkOf("wide.png"),
                 HasSubstr("it has 20000 x 10 pixels, of which at most 16384"));
