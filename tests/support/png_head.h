@@ -5,7 +5,7 @@
 
 namespace kerf::test {
 
-/// A PNG whose head says how large it is, with no pixels behind it.
+/// A PNG of grey levels whose head says how large it is, with no pixels behind it.
 inline std::string pngHead(std::uint32_t width, std::uint32_t height) {
     constexpr std::size_t kChecksum = 4;  // that nobody looks at
     std::string bytes = "\x89PNG\r\n\x1a\n";
@@ -15,7 +15,7 @@ inline std::string pngHead(std::uint32_t width, std::uint32_t height) {
             bytes += static_cast<char>(side >> shift & 0xFFU);
         }
     }
-    bytes.append("\x08\x06\0\0\0", 5).append(kChecksum, '\0');
+    bytes.append("\x08\0\0\0\0", 5).append(kChecksum, '\0');
     return bytes.append("\0\0\0\0IDAT", 8).append(kChecksum, '\0');
 }
 
