@@ -56,7 +56,8 @@ def make_film(kerf, arguments, cache):
     if not still.exists():
         length = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
                                  "csv=p=0", film], check=True, capture_output=True, text=True).stdout
-        subprocess.run(["ffmpeg", "-v", "error", "-ss", str(float(length) / 2), "-i", film,
+        middle = max(float(length) / 2 - 0.1, 0)  # a film may be one picture
+        subprocess.run(["ffmpeg", "-v", "error", "-ss", str(middle), "-i", film,
                         "-frames:v", "1", still], check=True)
     return name
 
