@@ -26,7 +26,7 @@ inline constexpr std::uint64_t kMaxImportLooks = 16'000'000;
 struct ImportedModel {
     TriangleSoup soup;
     render::Appearance appearance;     ///< pictures are not decoded
-    std::vector<std::string> remarks;  ///< sentences about images that were left out
+    std::vector<std::string> remarks;  ///< sentences about what was left out
 };
 
 /// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte

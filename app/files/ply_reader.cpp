@@ -6,12 +6,15 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 #include "app/files/file_io.h"
 #include "app/files/import_appearance.h"
@@ -24,21 +27,32 @@ namespace kerf::app {
 
 namespace {
 
+template <class T>
+double numberIn(const char* bytes) {
+    T number{};
+    std::memcpy(&number, bytes, sizeof(number));
+    return static_cast<double>(number);
+}
+
 /// A type of numbers by both of its names.
 struct Scalar {
     std::string_view name;
     std::string_view other;
     std::size_t bytes;
-    double most;  ///< that of a colour; 1 where colours are shares
+    double most;                    ///< that of a colour; 1 where colours are shares
+    double (*number)(const char*);  ///< in so many bytes of this machine's order
 };
-constexpr std::array<Scalar, 8> kScalars{{{"char", "int8", 1, 127},
-                                          {"uchar", "uint8", 1, 255},
-                                          {"short", "int16", 2, 32767},
-                                          {"ushort", "uint16", 2, 65535},
-                                          {"int", "int32", 4, 2147483647},
-                                          {"uint", "uint32", 4, 4294967295},
-                                          {"float", "float32", 4, 1},
-                                          {"double", "float64", 8, 1}}};
+template <class T>
+constexpr Scalar scalar(std::string_view name, std::string_view other) {
+    const double most =
+        std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1;
+    return {name, other, sizeof(T), most, numberIn<T>};
+}
+constexpr std::array<Scalar, 8> kScalars{
+    scalar<std::int8_t>("char", "int8"),    scalar<std::uint8_t>("uchar", "uint8"),
+    scalar<std::int16_t>("short", "int16"), scalar<std::uint16_t>("ushort", "uint16"),
+    scalar<std::int32_t>("int", "int32"),   scalar<std::uint32_t>("uint", "uint32"),
+    scalar<float>("float", "float32"),      scalar<double>("double", "float64")};
 
 struct Property {
     std::string name;
@@ -124,10 +138,14 @@ bool readLine(const std::string& line, Header& header) {
         words >> word;
         header.encoding = encodingOf(word);
     } else if (word == "element") {
-        Element& element = header.elements.emplace_back();
+        Element element;
         if (!(words >> element.name >> element.count)) {
             fail("its header has the line \"" + printable(line) + "\" without a count");
         }
+        if (std::ranges::count(header.elements, element.name, &Element::name) > 0) {
+            fail("its header has the element \"" + printable(element.name) + "\" twice");
+        }
+        header.elements.push_back(std::move(element));
     } else if (word == "property" && !header.elements.empty()) {
         header.elements.back().properties.push_back(propertyOf(words));
     }
@@ -176,14 +194,22 @@ class Numbers {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
         const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
         rest_.remove_prefix(word.size());
+        return word.empty() ? std::nullopt : std::optional(valueOf(word));
+    }
+
+    /// One that no double holds is infinite, or 0.
+    static double valueOf(std::string_view word) {
         double value = 0;
-        const char* first = word.data() + (word.starts_with('+') ? 1 : 0);
-        const auto [end, error] = std::from_chars(first, word.data() + word.size(), value);
-        if (!word.empty() && (error == std::errc::invalid_argument || end == first)) {
+        const char* last = word.data() + word.size();
+        const auto [end, error] =
+            std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), last, value);
+        if (end != last || error == std::errc::invalid_argument) {
             fail("\"" + printable(std::string(word.substr(0, 40))) +
                  "\" stands where a number must");
         }
-        return word.empty() ? std::nullopt : std::optional(value);
+        return error == std::errc::result_out_of_range
+                   ? std::strtod(std::string(word).c_str(), nullptr)
+                   : value;
     }
 
     std::optional<double> number(const Scalar& type) {
@@ -198,32 +224,7 @@ class Numbers {
         if (swapped) {
             std::reverse(bytes.begin(), bytes.begin() + std::ptrdiff_t(type.bytes));
         }
-        return valueOf(type, bytes);
-    }
-
-    static double valueOf(const Scalar& type, const std::array<char, 8>& bytes) {
-        const auto as = [&]<class T>(T value) {
-            std::memcpy(&value, bytes.data(), sizeof(value));
-            return static_cast<double>(value);
-        };
-        switch (&type - kScalars.data()) {
-            case 0:
-                return as(std::int8_t{});
-            case 1:
-                return as(std::uint8_t{});
-            case 2:
-                return as(std::int16_t{});
-            case 3:
-                return as(std::uint16_t{});
-            case 4:
-                return as(std::int32_t{});
-            case 5:
-                return as(std::uint32_t{});
-            case 6:
-                return as(float{});
-            default:
-                return as(double{});
-        }
+        return type.number(bytes.data());
     }
 
     std::string_view rest_;
@@ -316,7 +317,8 @@ class PlyModel {
             fail("its vertices have no x, y and z");
         }
         Row row;
-        for (std::uint64_t i = 0; i < element.count; ++i) {
+        const std::uint64_t count = element.properties.empty() ? 0 : element.count;
+        for (std::uint64_t i = 0; i < count; ++i) {
             if (!readRow(element, numbers, row)) {
                 fail("it ends within its element \"" + printable(element.name) + "\": " +
                      std::to_string(i) + " of " + std::to_string(element.count) + " are there");

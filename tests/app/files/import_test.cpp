@@ -315,6 +315,16 @@ TEST_F(Import, ReaderThatNeverEndsIsStopped) {
     EXPECT_EQ(outcome.signal, SIGXCPU);
 }
 
+TEST_F(Import, AFileThatTakesTooLongIsToldSo) {
+    const fs::path file = write("a.ply", plyText(test::boxSoup()));
+    ImportLimits limits;
+    limits.wallSeconds = 0;
+    EXPECT_EQ(sentenceOf([&] { importModel(file, limits); }),
+              file.string() +
+                  ": reading it as PLY did not end within 0 s; the file may be cut off or damaged, "
+                  "export it again");
+}
+
 TEST_F(Import, ReaderThatWaitsIsStopped) {
     const fs::path program = write("sleeper", "#!/bin/sh\nsleep 60\n");
     fs::permissions(program, fs::perms::owner_all);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "app/files/model_source.h"
 #include "sim/repair/soup_inspection.h"
@@ -132,6 +133,18 @@ TEST_F(PlyReader, DoublesKeepTheirBits) {
     EXPECT_EQ(model.soup.positions[1].x(), 500000.1234567891);
 }
 
+TEST_F(PlyReader, ANumberTooLargeForADoubleIsNotZero) {
+    const std::string head = kPly + kVertex + kFace + kEnd;
+    const ImportedModel model = read(head + replaced(kVertices, "2", "-1e400") + kFaces);
+    EXPECT_EQ(model.soup.positions[2].y(), -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(
+        read(head + replaced(kVertices, "0 0 0", "1e-400 0 0") + kFaces).soup.positions[0].x(), 0);
+}
+
+TEST_F(PlyReader, AnElementWithoutPropertiesHoldsNothing) {
+    expectBox(kPly + "element none 99999999999999\n" + kVertex + kFace + kEnd + kVertices + kFaces);
+}
+
 TEST_F(PlyReader, ColorsAreOfVerticesOrFacesAndCountAsTheirTypeSays) {
     const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     const ImportedModel byVertex = read(kPly + kVertex + colors + kFace + kEnd +
@@ -176,8 +189,11 @@ TEST_F(PlyReader, WhatIsMissingIsTold) {
     EXPECT_THAT(sentence(replaced(head, "vertex 8", "vertex many")), HasSubstr("without a count"));
     EXPECT_THAT(sentence(head + kVertices + kFaces.substr(0, 28)),
                 HasSubstr("\"face\": 2 of 6 are there"));
-    EXPECT_THAT(sentence(head + replaced(kVertices, "2", "two") + kFaces),
-                HasSubstr("\"two\" stands where a number must"));
+    for (const char* word : {"two", "1,5", "2.0x", "+", "-"}) {
+        EXPECT_THAT(sentence(head + replaced(kVertices, "2", word) + kFaces),
+                    HasSubstr("\"" + std::string(word) + "\" stands where a number must"));
+    }
+    EXPECT_THAT(sentence(kPly + kVertex + kVertex + kFace + kEnd), HasSubstr("\"vertex\" twice"));
     EXPECT_THAT(sentence(replaced(head, " z", " depth") + kVertices + kFaces),
                 HasSubstr("no x, y and z"));
     EXPECT_THAT(sentence(kPly + kVertex + kEnd + kVertices), HasSubstr("no surface"));
