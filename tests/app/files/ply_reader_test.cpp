@@ -189,8 +189,11 @@ TEST_F(PlyReader, WhatIsMissingIsTold) {
     EXPECT_THAT(sentence(replaced(head, "vertex 8", "vertex many")), HasSubstr("without a count"));
     EXPECT_THAT(sentence(head + kVertices + kFaces.substr(0, 28)),
                 HasSubstr("\"face\": 2 of 6 are there"));
+    const auto withWord = [&](const char* word) {
+        return head + replaced(kVertices, "2", word) + kFaces;
+    };
     for (const char* word : {"two", "1,5", "2.0x", "+", "-"}) {
-        EXPECT_THAT(sentence(head + replaced(kVertices, "2", word) + kFaces),
+        EXPECT_THAT(sentence(withWord(word)),
                     HasSubstr("\"" + std::string(word) + "\" stands where a number must"));
     }
     EXPECT_THAT(sentence(kPly + kVertex + kVertex + kFace + kEnd), HasSubstr("\"vertex\" twice"));
