@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "sim/mesh/piece_labels.h"
 #include "sim/mesh/triangle.h"
@@ -166,10 +167,12 @@ std::vector<Vec3> volumeApexes(const SurfaceMesh& mesh, const PieceMap& map) {
 
 double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     double sum = 0;
+    std::optional<Vec3> o;  // a corner: about a far origin rounding would be all that is left
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t)) {
             const auto& [a, b, c] = mesh.triangle(t);
-            sum += tetrahedronVolume(points[a], points[b], points[c]);
+            o = o.value_or(points[a]);
+            sum += tetrahedronVolume(points[a] - *o, points[b] - *o, points[c] - *o);
         }
     }
     return sum;

@@ -115,14 +115,24 @@ Json stepOf(const SurfaceMesh& mesh, const Cutter& cutter, int stroke, int first
     const cut::EdgeLengthField edgeLengths(kWallEdge);
     const CutSettings settings;
     const cut::SlitOpening noOpening;
-    const cut::StepInput in{mesh,        candidates,
-                            onePiece,    cutter.strokeSurface(),
-                            noOpening,   rung,
-                            to,          {},
-                            kWallEdge,   settings.offset,
-                            edgeLengths, settings.seed,
-                            stroke,      stroke + 1,
-                            firstVertex, cut::attemptAt(cut::Level::asIs, settings.tolerance)};
+    std::map<int, Vec3> flushSides;
+    const cut::StepInput in{.mesh = mesh,
+                            .broadPhase = candidates,
+                            .pieceOfVertex = onePiece,
+                            .surface = cutter.strokeSurface(),
+                            .opening = noOpening,
+                            .rung = rung,
+                            .blade = to,
+                            .span = {},
+                            .h = kWallEdge,
+                            .offset = settings.offset,
+                            .edgeLengths = edgeLengths,
+                            .seed = settings.seed,
+                            .stroke = stroke,
+                            .transit = stroke + 1,
+                            .firstVertexOfTransit = firstVertex,
+                            .attempt = cut::attemptAt(cut::Level::asIs, settings.tolerance),
+                            .flushSides = flushSides};
     cut::PredicatePositions positions(in);
     return {{"rung", rungOf(rung)},
             {"strip", stripOf(cut::buildStrip(in, positions))},

@@ -355,6 +355,10 @@ int slitEdges(const SurfaceMesh& mesh, int stroke) {
     return static_cast<int>(slitHalfEdges(mesh, stroke).size());
 }
 
+int piecesOf(const SurfaceMesh& mesh) {
+    return static_cast<int>(findPieces(mesh).pieces.size());
+}
+
 int piecesOnBothSides(const SurfaceMesh& mesh, const Stroke& stroke, double distance) {
     const PieceMap map = findPieces(mesh);
     std::vector<std::array<bool, 2>> sides(map.pieces.size(), {false, false});

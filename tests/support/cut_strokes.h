@@ -80,6 +80,8 @@ std::string checkFront(const SurfaceMesh& mesh, const std::vector<RungNode>& run
 /// Half-edges between the two walls of one stroke, on W+: the ends of slits inside the body.
 std::vector<int> slitHalfEdges(const SurfaceMesh& mesh, int stroke);
 int slitEdges(const SurfaceMesh& mesh, int stroke);
+/// How many pieces there are.
+int piecesOf(const SurfaceMesh& mesh);
 /// Pieces with vertices farther than `distance` [m] from what the blade swept on both of its sides:
 /// a stroke right through leaves none.
 int piecesOnBothSides(const SurfaceMesh& mesh, const Stroke& stroke, double distance);

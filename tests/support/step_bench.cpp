@@ -113,6 +113,7 @@ void StepBench::startTransit() {
     firstVertexOfTransit_ = mesh.vertexCount();
     onSeams_.clear();
     sides_.clear();
+    flushSides_.clear();
 }
 
 void StepBench::begin(const Blade& at) {
@@ -156,7 +157,8 @@ cut::StepInput StepBench::stepTo(const Blade& to) {
             .firstVertexOfTransit = firstVertexOfTransit_,
             .attempt = cut::attemptAt(cut::Level::asIs, kTolerance),
             .body = around,
-            .atRest = liesAtRest(mesh)};
+            .atRest = liesAtRest(mesh),
+            .flushSides = flushSides_};
 }
 
 cut::CommitResult StepBench::carryOut(const cut::PlannedStep& step) {

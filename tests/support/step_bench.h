@@ -49,6 +49,7 @@ class StepBench {
     int stroke_ = -1;
     int transit_ = 0;
     int firstVertexOfTransit_ = 0;
+    std::map<int, Vec3> flushSides_;
     std::set<int> onSeams_;
     std::map<int, Vec3> sides_;
     std::vector<RungNode> rung_;

@@ -12,6 +12,7 @@ namespace kerf::cut {
 namespace {
 
 // Liepa's alpha: higher is finer.
+constexpr double kNoEdge = 0.01;  // share of h
 constexpr double kDensity = 1.4142135623730951;
 constexpr int kRefinements = 40;
 // Of the squared edge length: what folds over less than this is rounding.
@@ -57,17 +58,21 @@ class PatchPlanner {
         }
     }
 
-    /// Mean rest length of the edges around a vertex that are part of the surface.
+    /// Mean rest length of the edges around a vertex that are part of the surface, but for those
+    /// that lead nowhere: the blade passed at the vertex.
     double edgeLengthAround(int v) const {
         double sum = 0;
         int count = 0;
         mesh_.forEachOutgoing(v, [&](int h) {
-            if (!mesh_.absent(h / 3) || !mesh_.absent(mesh_.twin(h) / 3)) {
-                sum += (mesh_.restPosition(mesh_.target(h)) - mesh_.restPosition(v)).norm();
+            const double length =
+                (mesh_.restPosition(mesh_.target(h)) - mesh_.restPosition(v)).norm();
+            const bool isThere = !mesh_.absent(h / 3) || !mesh_.absent(mesh_.twin(h) / 3);
+            if (isThere && length > kNoEdge * h_) {
+                sum += length;
                 ++count;
             }
         });
-        return sum / count;
+        return count > 0 ? sum / count : h_;
     }
 
     Vec3 areaOf(int loop) const {

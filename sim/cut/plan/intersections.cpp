@@ -17,6 +17,9 @@ namespace {
 // Curve nodes keep this distance (as parameter or weight) from the ends of their edge and the
 // border of their triangle, so that positions of neighbours in one edge stay distinct.
 constexpr double kLeastParameter = 1e-9;
+// A point that lies no farther outside of a triangle, as a weight, is on its border; and one no
+// farther from the end of an edge, as a share, is at that end.
+constexpr double kBeside = 1e-3;
 // Stands for the sign of a vertex that both triangles share.
 constexpr int kShared = 9;
 // Far more than what rounding does to the distance from a plane, as a share of all lengths in it.
@@ -288,7 +291,7 @@ class Intersector {
         const bool onSurface = attempt.seenAt != SeenAt::ownPlace;
         const double closing = onSurface ? kCloseDistance : attempt.closing;
         const double shares = closing + 2 * attempt.tolerance;
-        return shares * in_.h + in_.opening.reach();
+        return shares * in_.h + in_.opening.reach() + positions_.asideReach();
     }
 
     // Walls of this stroke may lie in the plane of the blade, where signs cost the most: most of
@@ -473,6 +476,14 @@ class Intersector {
         }
     }
 
+    /// What is seen beside the strip, but lies in it, is met where it lies.
+    double parameterOf(int from, int to, const Crossing& crossing) const {
+        if (positions_.isAside(from) && crossing.t < kBeside) {
+            return 0;
+        }
+        return positions_.isAside(to) && crossing.t > 1 - kBeside ? 1 : crossing.t;
+    }
+
     int edgeNode(int s, int from, int to, const Crossing& crossing) {
         std::vector<EdgeHit>& hits = curves_.onEdge[edgeOf(from, to)];
         for (const EdgeHit& hit : hits) {
@@ -484,7 +495,7 @@ class Intersector {
         node.kind = NodeKind::edge;
         node.a = from;
         node.b = to;
-        node.t = crossing.t;
+        node.t = parameterOf(from, to, crossing);
         const Triangle& corners = strip_.triangles[s];
         for (int i = 0; i < 3; ++i) {
             node.layout += crossing.weights[i] * strip_.nodes[corners[i]].layout;
@@ -511,13 +522,30 @@ class Intersector {
             const bool swapped = ids[i] > ids[j];
             const int from = swapped ? j : i;
             const int to = swapped ? i : j;
-            const Crossing crossing = pierce(pair.strip[from], pair.strip[to], canonical,
-                                             pair.stripSigns.sign[from], pair.stripSigns.sign[to]);
+            Crossing crossing = pierce(pair.strip[from], pair.strip[to], canonical,
+                                       pair.stripSigns.sign[from], pair.stripSigns.sign[to]);
             if (crossing.direction != 0) {
+                meetInStrip(pair, pair.strip[from], pair.strip[to], crossing);
                 const int outward = crossing.direction * pair.mesh.parity;
                 count(pair, (swapped ? -outward : outward) < 0,
                       faceNode(pair, edge, ids[from], ids[to], crossing));
             }
+        }
+    }
+
+    /// The same for a triangle with a corner that is seen beside the strip.
+    void meetInStrip(const Pair& pair, const Vec3& p, const Vec3& q, Crossing& crossing) const {
+        const Triangle& ids = mesh_.triangle(pair.m);
+        if (std::ranges::none_of(ids, [&](int v) { return positions_.isAside(v); })) {
+            return;
+        }
+        std::array<Vec3, 3> at;
+        for (int i = 0; i < 3; ++i) {
+            at[i] = positions_.inStrip(ids[pair.mesh.order[i]]);
+        }
+        const Vec3 weights = crossingOf(p, q, at).weights;
+        if (weights.allFinite() && weights.minCoeff() > -kBeside) {
+            crossing.weights = weights.cwiseMax(0.0) / weights.cwiseMax(0.0).sum();
         }
     }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/base/pausing.h"
+#include "sim/cut/plan/flush.h"
 #include "sim/cut/plan/seams.h"
 #include "sim/cut/plan/seeds.h"
 #include "sim/cut/plan/skin_map.h"
@@ -44,7 +45,8 @@ void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPla
     }
 }
 
-/// `ofVertex` and `ofNode` give positions, current or at rest.
+/// `ofVertex` and `ofNode` give positions, current or at rest. Summed about a corner: about a far
+/// origin rounding would be all that is left.
 template <class OfVertex, class OfNode>
 double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVertex& ofVertex,
                     const OfNode& ofNode) {
@@ -52,14 +54,19 @@ double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVerte
         return corner < mesh.vertexCount() ? ofVertex(corner)
                                            : ofNode(plan.curves.nodes[corner - mesh.vertexCount()]);
     };
+    if (plan.triangles.empty()) {
+        return 0;
+    }
+    const Vec3 o = at(plan.triangles.front().corners[0]);
     double added = 0;
     for (const NewTriangle& t : plan.triangles) {
-        added += tetrahedronVolume(at(t.corners[0]), at(t.corners[1]), at(t.corners[2]));
+        added +=
+            tetrahedronVolume(at(t.corners[0]) - o, at(t.corners[1]) - o, at(t.corners[2]) - o);
     }
     double removed = 0;
     for (const int t : plan.subdivision.replaced) {
         const Triangle& c = mesh.triangle(t);
-        removed += tetrahedronVolume(ofVertex(c[0]), ofVertex(c[1]), ofVertex(c[2]));
+        removed += tetrahedronVolume(ofVertex(c[0]) - o, ofVertex(c[1]) - o, ofVertex(c[2]) - o);
     }
     return added - removed;
 }
@@ -118,6 +125,9 @@ Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& 
     pausePoint();
     PredicatePositions positions(in);
     Strip strip = buildStrip(in, positions, skipped);
+    if (in.attempt.staysInPlane) {
+        seeFlushAside(in, strip, positions);
+    }
     plan.endA = airNode(strip, strip.newRung.front(), in.span.from);
     plan.endB = airNode(strip, strip.newRung.back(), in.span.to);
     plan.curves = intersect(in, strip, positions);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "sim/cut/blade.h"
@@ -28,8 +29,9 @@ inline constexpr double kCloseNoise = 1e-4;
 
 /// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
-    int level = 0;           ///< place in the ladder, 0 for the first try
-    double offsetScale = 1;  ///< length of the blade's offset, in units of the setting
+    int level = 0;              ///< place in the ladder, 0 for the first try
+    bool staysInPlane = false;  ///< the blade's offset leads it on, not aside
+    double offsetScale = 1;     ///< length of the blade's offset, in units of the setting
     /// Predicates see copies that lie within this of their mean there (commonPosition).
     double closing = kCloseNoise;
     SeenAt seenAt = SeenAt::ownPlace;  ///< place at which vertices that slipped are seen
@@ -65,6 +67,9 @@ struct StepInput {
     Attempt attempt;               ///< the level of the retry ladder
     Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
     bool atRest = false;  ///< every vertex lies still where it rests
+    /// The sides on which vertices in the blade's plane are seen, across it; zero for those that
+    /// stay. Found when the strip first comes near, and kept for the transit (seeFlushAside).
+    std::map<int, Vec3>& flushSides;
 };
 
 }  // namespace kerf::cut

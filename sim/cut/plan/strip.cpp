@@ -16,6 +16,8 @@ namespace {
 constexpr double kNewRungSpacing = 0.45;
 constexpr double kPinnedDistance = 0.05;
 constexpr double kLeastSpacing = 1e-7;
+// A blade that has not gone on by this share tells no plane.
+constexpr double kLeastWay = 0.01;
 constexpr double kOffsetTurn = 0.3;  // of the offset: how much it differs between A and B
 // At rest, a vertex nearer to the skin lies on it; and around the front's ends, vertices within the
 // reach are seen on the surface with them.
@@ -284,6 +286,36 @@ bool isPinned(const StepInput& in, const Strip& strip, const Vec3& bladeEnd, int
            kPinnedDistance * std::min(in.h, strip.height);
 }
 
+/// Where the old rung is at a parameter of the blade.
+Vec3 oldRungAt(const Strip& strip, double s) {
+    int i = 1;
+    while (i + 1 < strip.oldCount && strip.nodes[i].s < s) {
+        ++i;
+    }
+    const StripNode& p = strip.nodes[i - 1];
+    const StripNode& q = strip.nodes[i];
+    const double share = q.s > p.s ? std::clamp((s - p.s) / (q.s - p.s), 0.0, 1.0) : 0;
+    return p.position + (q.position - p.position) * share;
+}
+
+/// The displacement of the blade at parameter s, which is one for a whole transit [m]. One that
+/// stays in its plane goes so far on, and hardly aside: nobody can measure that. Not back: what it
+/// swept in the air was swept as far as the blade is.
+Vec3 offsetAt(const StepInput& in, const Strip& strip, double s) {
+    const Vec3 offset =
+        bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.transit, s);
+    if (!in.attempt.staysInPlane) {
+        return offset;
+    }
+    const Vec3 along = (in.blade.b - in.blade.a).normalized();
+    const Vec3 way = bladePoint(in, s) - oldRungAt(strip, s);
+    const Vec3 ahead = way - along * along.dot(way);
+    const Vec3 aside = offset * std::min(1.0, kLeastOffset * in.h / offset.norm());
+    return ahead.norm() < kLeastWay * in.h
+               ? aside
+               : Vec3(aside + ahead * (std::fabs(ahead.dot(offset)) / ahead.squaredNorm()));
+}
+
 void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip& strip) {
     const std::vector<double> parameters = newRungParameters(in, strip, skipped);
     const int last = sizeOf(parameters) - 1;
@@ -296,7 +328,7 @@ void placeNewRung(const StepInput& in, const std::vector<double>& skipped, Strip
             continue;
         }
         StripNode node;
-        node.position = onBlade + bladeOffset(in, parameters[j]);
+        node.position = onBlade + offsetAt(in, strip, parameters[j]);
         node.s = parameters[j];
         node.layout = {node.s * bladeLength(in), strip.height};
         strip.newRung.push_back(sizeOf(strip.nodes));
@@ -375,6 +407,17 @@ Vec3 PredicatePositions::at(int v) const {
     return withoutPins(v);
 }
 
+void PredicatePositions::pinAside(int v, const Vec3& way) {
+    asideFrom_[v] = at(v);
+    pin(v, at(v) + way);
+    asideReach_ = std::max(asideReach_, way.norm());
+}
+
+Vec3 PredicatePositions::inStrip(int v) const {
+    const auto from = asideFrom_.find(v);
+    return from == asideFrom_.end() ? at(v) : from->second;
+}
+
 Vec3 PredicatePositions::withoutPins(int v) const {
     const Vec3 position = commonPosition(mesh_, v, closeDistance_);
     return opening_ == nullptr ? position : Vec3(position + opening_->displacement(v));
@@ -431,10 +474,6 @@ Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
 
 Vec3 bladePoint(const StepInput& in, double s) {
     return in.blade.a + (in.blade.b - in.blade.a) * s;
-}
-
-Vec3 bladeOffset(const StepInput& in, double s) {
-    return bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.transit, s);
 }
 
 Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int transit, double s) {

@@ -21,12 +21,22 @@ class PredicatePositions {
     Vec3 withoutPins(int v) const;
     /// Lets v be seen at p from now on.
     void pin(int v, const Vec3& p) { pins_[v] = p; }
+    /// Lets v, which lies in the strip, be seen beside it from now on, by `way` [m].
+    void pinAside(int v, const Vec3& way);
+    /// Whether v is seen beside the strip in which it lies.
+    bool isAside(int v) const { return asideFrom_.count(v) > 0; }
+    /// The position of v, with the pins but for those aside [m].
+    Vec3 inStrip(int v) const;
+    /// The farthest that any vertex was pinned aside [m].
+    double asideReach() const { return asideReach_; }
 
   private:
     const SurfaceMesh& mesh_;
     const SlitOpening* opening_;  ///< null where there is none to see
     double closeDistance_;
     std::map<int, Vec3> pins_;
+    std::map<int, Vec3> asideFrom_;  ///< where vertices lie that are pinned aside
+    double asideReach_ = 0;
 };
 
 /// A corner of the strip. Layout coordinates: x = s |AB|, the old rung at y = 0.
@@ -90,8 +100,9 @@ struct Strip {
     bool isRail(int edge) const;
 };
 
-/// The fixed displacement of the blade at parameter s, which is one for a whole transit [m].
-Vec3 bladeOffset(const StepInput& in, double s);
+/// How far, as a share of h, a blade that stays in its plane is led aside: exact predicates need no
+/// more, so that it meets nothing exactly.
+inline constexpr double kLeastOffset = 1e-9;
 /// The fixed displacement [m] of a blade at parameter s for an offset of `length` [m] at scale 1.
 Vec3 bladeOffset(double length, double scale, std::uint64_t seed, int transit, double s);
 /// The point of the blade at parameter s, without the offset [m].

@@ -17,20 +17,24 @@ void GroupRung::startTransit() {
     group_.past.start(group_.firstVertexOfTransit);
     group_.onSeams.clear();
     group_.sides.clear();
+    group_.flushSides.clear();
+    group_.leftPlane = false;
     group_.opensSlits = true;
 }
 
-// The rung carries the offset of the transit from the start: otherwise a blade that is put down
-// exactly on a vertex would stay there in every retry.
+Vec3 GroupRung::leastOffsetAt(double s) const {
+    const double length = std::min(body_.settings.offset, kLeastOffset) * body_.h();
+    return bladeOffset(length, 1, body_.settings.seed, group_.transit, s);
+}
+
+Vec3 GroupRung::placeOnBlade(const Blade& at, double s) const {
+    return at.a + (at.b - at.a) * s + leastOffsetAt(s);
+}
+
 void GroupRung::place(const Blade& at) {
     startTransit();
-    const CutSettings& settings = body_.settings;
-    const auto end = [&](const Vec3& p, double s) {
-        const Vec3 offset =
-            bladeOffset(settings.offset * body_.h(), 1, settings.seed, group_.transit, s);
-        return RungNode{p + offset, s, -1, false};
-    };
-    set({end(at.a, 0), end(at.b, 1)});
+    const auto end = [&](double s) { return RungNode{placeOnBlade(at, s), s, -1, false}; };
+    set({end(0), end(1)});
     group_.blade = at;
     group_.lastAdvance = Vec3::Zero();
 }

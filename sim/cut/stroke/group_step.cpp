@@ -45,6 +45,7 @@ constexpr double kMostVolumeChange = 5e-10;
 // has divided of them.
 constexpr double kOpening = 0.1;
 constexpr double kFartherOpening = 0.2;
+constexpr int kFirstLevels = 2;  // of the ladder: with the body as it is
 const SlitOpening kNoOpening;
 
 CutResult resultOf(const PlannedStep& step, CommitResult committed) {
@@ -248,7 +249,7 @@ class GroupStep {
                 return result;
             }
             const std::map<int, Vec3> sides = group_.sides;
-            result = tryLevels(part, candidates, opened(kFartherOpening, true), 1);
+            result = tryLevels(part, candidates, opened(kFartherOpening, true), kFirstLevels);
             if (result) {
                 return result;
             }
@@ -271,7 +272,7 @@ class GroupStep {
             },
             clear.rung);
         std::optional<CutResult> result;
-        for (int i = 0; i < levels && !result; ++i) {
+        for (int i = group_.leftPlane ? 1 : 0; i < levels && !result; ++i) {
             result = attempt({.to = to_,
                               .part = clear,
                               .candidates = candidates,
@@ -303,10 +304,13 @@ class GroupStep {
             GroupStroke before = group_;
             rung_.startTransit();
             RungPart start{way.rung, {}, 0, sizeOf(group_.rung)};
+            for (RungNode& node : start.rung) {
+                node.position += rung_.leastOffsetAt(node.s);
+            }
             reparametrize(way.blade, body_.h(), start.rung);
             const BroadPhase candidates = findCandidates(way.blade, start.rung);
             if (auto result =
-                    attempt({way.blade, start, candidates, kNoOpening, Level::asIs, mustCross})) {
+                    attempt({way.blade, start, candidates, kNoOpening, Level::beside, mustCross})) {
                 group_.opensSlits = false;
                 result->statistics.resumed = 1;
                 return result;
@@ -337,6 +341,7 @@ class GroupStep {
             const PlannedStep step = planStep(inputOf(one));
             require(one, step);
             CutResult result = accept(one, step);
+            group_.leftPlane |= one.level != Level::asIs;
             result.statistics.tries = tries_.count;
             result.reason = tries_.reason;
             return result;
@@ -372,6 +377,7 @@ class GroupStep {
             .attempt = attemptAt(one.level, settings.tolerance * scale),
             .body = bodyBox,
             .atRest = body_.atRest,
+            .flushSides = group_.flushSides,
         };
     }
 
@@ -379,7 +385,11 @@ class GroupStep {
     CutResult accept(const Try& one, const PlannedStep& step) {
         group_.refusedInARow = 0;
         if (step.air) {
-            rung_.set(replaced(group_.rung, one.part, {step.air->endA, step.air->endB}));
+            std::vector<RungNode> ends{step.air->endA, step.air->endB};
+            for (RungNode& end : ends) {
+                end.position = rung_.placeOnBlade(one.to, end.s);
+            }
+            rung_.set(replaced(group_.rung, one.part, ends));
             return outcome(CutOutcome::air);
         }
         if (body_.settings.cleanUp && !stroke_.cleanup) {

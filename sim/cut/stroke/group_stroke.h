@@ -23,10 +23,12 @@ struct GroupStroke {
     std::set<int> onSeams;         ///< vertices of the transit on walls of older ones
     bool opensSlits = true;        ///< whether older slits along the way are seen open
     std::map<int, Vec3> sides;     ///< ways in which older slits open (OpeningInput::sides)
-    int refusedInARow = 0;         ///< steps refused since the last one that was not
-    std::vector<RungNode> rung;    ///< the group's rung, from A to B
-    double edgeLength = 0;         ///< edge length about the rung [m]
-    AirTies airTies;               ///< hold the rung in the air to the skin
+    std::map<int, Vec3> flushSides;  ///< StepInput::flushSides
+    bool leftPlane = false;          ///< the blade runs beside its plane, where a step first had to
+    int refusedInARow = 0;           ///< steps refused since the last one that was not
+    std::vector<RungNode> rung;      ///< the group's rung, from A to B
+    double edgeLength = 0;           ///< edge length about the rung [m]
+    AirTies airTies;                 ///< hold the rung in the air to the skin
     bool tiesWait = false;  ///< they are made once they are needed: nothing has moved from rest
     Blade blade;            ///< the blade when the rung was made
     Vec3 lastAdvance = Vec3::Zero();  ///< way of the blade's middle in the last step that cut [m]

@@ -11,10 +11,13 @@ namespace {
 // Of an edge: what lies so near to the front where slits meet is one node with it.
 constexpr double kNear = 0.03;
 
-// The first levels leave the blade where it is: a wider offset may lead the rung into a wall that
-// faces the front, and what lies behind it stays as a bridge. docs/notes/ladder.md tells what each
-// level is for and what was measured.
+// The first levels leave the blade where it is, or close beside: a wider offset may lead the rung
+// into a wall that faces the front, and what lies behind it stays as a bridge. docs/notes/ladder.md
+// tells what each level is for and what was measured.
 constexpr std::array<Attempt, kLevels> kAttempts{{
+    {.staysInPlane = true},
+    // The blade meets the end of an older slit or a line in which older slits meet: it passes
+    // beside it.
     {},
     // Nearly all refusals of a moving body: the light vertex where the front leaves the skin slid
     // over the next triangle, and the front's last edge pierces that.

@@ -5,17 +5,18 @@
 namespace kerf::cut {
 
 /// The levels of the retry ladder, each by what it sees otherwise than the one before. None is
-/// drawn at random; each has a stroke that fails without it (tests/sim/cut/ladder_test.cpp).
+/// drawn at random; docs/notes/ladder.md tells the strokes that fail without each.
 enum class Level {
     asIs,             ///< the blade and the body as they are
+    beside,           ///< the blade beside its plane
     frontOnSurface,   ///< the vertices of the front on the skin that they slid over
     aroundOnSurface,  ///< the skin around its ends too
     touching,         ///< vertices that touch the front as its own; the blade farther aside
-    crumpled,         ///< near nodes as one, with older slits closed
+    crumpled,         ///< near nodes of the curves as one, with older slits closed
     wide,             ///< the same, with the blade farthest aside
 };
 /// The number of levels.
-inline constexpr int kLevels = 6;
+inline constexpr int kLevels = 7;
 
 /// The largest Attempt::offsetScale of all levels.
 double largestOffsetScale();

@@ -15,16 +15,13 @@ namespace kerf {
 namespace {
 
 using test::CutCheck;
+using test::piecesOf;
 using test::Stroke;
 
 const Vec3 kCenter(0.013, 0.021, 0.034);
 
 Stroke down(int steps = 60) {
     return test::straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, steps);
-}
-
-int piecesOf(const SurfaceMesh& mesh) {
-    return static_cast<int>(findPieces(mesh).pieces.size());
 }
 
 void expectParted(const SurfaceMesh& mesh, const CutCheck& check) {

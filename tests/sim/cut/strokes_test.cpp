@@ -14,13 +14,10 @@ namespace kerf {
 namespace {
 
 using test::CutCheck;
+using test::piecesOf;
 using test::Stroke;
 
 const Vec3 kCenter(0.013, 0.021, 0.034);
-
-int piecesOf(const SurfaceMesh& mesh) {
-    return static_cast<int>(findPieces(mesh).pieces.size());
-}
 
 Stroke through(const Vec3& along, const Vec3& travel, int steps = 60) {
     return test::straightStroke(kCenter, along, travel, 3.0, 2.4, steps);
