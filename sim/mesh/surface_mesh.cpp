@@ -41,6 +41,7 @@ SurfaceMesh SurfaceMesh::fromTriangles(const std::vector<Vec3>& positions,
     SurfaceMesh mesh;
     mesh.reserve(withGrowthRoom(positions.size()), withGrowthRoom(triangles.size()));
     mesh.positions_ = positions;
+    mesh.originalVertices_ = static_cast<int>(positions.size());
     mesh.restPositions_ = mesh.positions_;
     mesh.velocities_.assign(mesh.positions_.size(), Vec3::Zero());
     mesh.old_.assign(mesh.positions_.size(), 0);

@@ -45,6 +45,8 @@ class SurfaceMesh {
     int vertexCount() const { return static_cast<int>(positions_.size()); }
     int triangleSlots() const { return static_cast<int>(triangles_.size()); }
     int aliveTriangles() const { return aliveTriangles_; }
+    /// Whether a vertex is one of those that fromTriangles was given, not made by a cut.
+    bool isOriginal(int v) const { return v < originalVertices_; }
 
     // Per vertex.
     /// The current position [m].
@@ -193,6 +195,7 @@ class SurfaceMesh {
     std::vector<int> wallLabels_;
     std::vector<int> copyGroup_;
     std::vector<std::vector<int>> copyMembers_;
+    int originalVertices_ = 0;
     int aliveTriangles_ = 0;
     int openStroke_ = -1;
 };

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "sim/body/rest_geometry.h"
+#include "sim/cut/wall_edge.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
@@ -23,11 +25,12 @@ struct Before {
     double restVolume;
     std::size_t pieces;
     std::string bytes;
+    std::vector<Vec3> restPositions;
 };
 
 Before remember(const SurfaceMesh& mesh) {
     return {meshVolume(mesh), meshRestVolume(mesh), findPieces(mesh).pieces.size(),
-            fingerprint(mesh)};
+            fingerprint(mesh), mesh.restPositions()};
 }
 
 double relativeChange(double now, double before) {
@@ -93,6 +96,32 @@ std::string checkChange(const SurfaceMesh& mesh, const Cutter& cutter, const Cut
           checkFront(mesh, cutter.rung()), checkDelta(mesh, result.delta)}) {
         if (!problem.empty()) {
             return problem;
+        }
+    }
+    return "";
+}
+
+/// Vertices of the uncut skin that a step moved at rest or took away must lie beside a wall. How
+/// near depends on the edge length there (Workspace::isKept), of which `h` is the mean.
+std::string checkSkinBesideTheCut(const SurfaceMesh& mesh, const Before& before, double h) {
+    constexpr double kBeside = 0.3;
+    const std::vector<int> living = livingTriangles(mesh);
+    for (int v = 0; mesh.isOriginal(v); ++v) {
+        const Vec3& was = before.restPositions[v];
+        if (mesh.outgoing(v) >= 0 && mesh.restPosition(v) == was) {
+            continue;
+        }
+        const bool isBesideCut = std::ranges::any_of(living, [&](int t) {
+            const Triangle& c = mesh.triangle(t);
+            const Vec3& p = mesh.restPosition(c[0]);
+            const Vec3& q = mesh.restPosition(c[1]);
+            const Vec3& r = mesh.restPosition(c[2]);
+            const Vec3 w = closestWeights(was, p, q, r);
+            return mesh.kind(t) == SurfaceKind::wall &&
+                   (w[0] * p + w[1] * q + w[2] * r - was).norm() < kBeside * h;
+        });
+        if (!isBesideCut) {
+            return "the skin changed far from the cut, at vertex " + std::to_string(v);
         }
     }
     return "";
@@ -254,6 +283,7 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
                    const BetweenSteps& between) {
     CutCheck check;
     std::set<int> made;
+    const double h = wallEdgeFor(meanRestEdgeLength(mesh), meshBounds(mesh).diagonal());
     cutter.begin(stroke.front());
     for (std::size_t i = 1; i <= stroke.size() && check.problem.empty(); ++i) {
         if (between) {
@@ -266,6 +296,9 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
         trace(result, static_cast<int>(i), mesh);
         check.problem =
             checkStep(mesh, cutter, result, before, check.cleanup.volumeSpent - spentBefore);
+        if (check.problem.empty()) {
+            check.problem = checkSkinBesideTheCut(mesh, before, h);
+        }
         check.volumeChange += std::max(relativeChange(meshVolume(mesh), before.volume),
                                        relativeChange(meshRestVolume(mesh), before.restVolume));
         made.insert(result.delta.addedTriangles.begin(), result.delta.addedTriangles.end());

@@ -19,7 +19,8 @@ class Collapse {
         : workspace_(workspace), mesh_(workspace.mesh), from_(from), to_(to), target_(target) {}
 
     std::optional<CollapsePlan> run() {
-        if (!keepsFeatures() || !keepsSharedComplex(from_, to_)) {
+        if (workspace_.isKept(from_.copies) || !keepsFeatures() ||
+            !keepsSharedComplex(from_, to_)) {
             return std::nullopt;
         }
         std::optional<CopyPairing> pairing = pairCopies(mesh_, from_, to_);
@@ -64,8 +65,8 @@ class Collapse {
 
     bool mayMeetInTheMiddle(const CopyPairing& pairing) const {
         return target_ == CollapseTarget::end ||
-               (!to_.isCorner() && from_.featureCount() == to_.featureCount() &&
-                pairing.isOneToOne(from_, to_));
+               (!workspace_.isKept(to_.copies) && !to_.isCorner() &&
+                from_.featureCount() == to_.featureCount() && pairing.isOneToOne(from_, to_));
     }
 
     void makePatches(const CopyPairing& pairing) {
@@ -136,7 +137,8 @@ class Collapse {
     }
 
     bool place() {
-        plan_.defect = placeByVolume(workspace_, plan_.rings);
+        plan_.defect = workspace_.isKept(to_.copies) ? volumeDefect(mesh_, plan_.rings)
+                                                     : placeByVolume(workspace_, plan_.rings);
         return workspace_.allows(plan_.defect, isWallOnly(mesh_, plan_.rings));
     }
 

@@ -1,6 +1,7 @@
 #include "sim/cut/cleanup/flip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/cut/cleanup/acceptance.h"
@@ -117,7 +118,14 @@ class Flip {
                 }
             });
         }
-        return quads_.size() == (onWalls_ ? 2 : 1) && isInOneSheet() && isBehindFront();
+        return quads_.size() == (onWalls_ ? 2 : 1) && isInOneSheet() && isBehindFront() &&
+               !isUntouched();
+    }
+
+    bool isUntouched() const {
+        const Quad& q = quads_.front();
+        return std::ranges::all_of(std::array{q.a, q.b, q.c, q.d},
+                                   [&](int v) { return workspace_.isKept({v}); });
     }
 
     bool isBehindFront() const {

@@ -37,6 +37,9 @@ class Slide {
 
     /// Moves all copies by `length` along `direction` (a unit vector), as far as volumes let it.
     bool push(const Vec3& direction, double length, double leastShare) {
+        if (workspace_.isKept(star_.copies)) {
+            return false;
+        }
         const Vec3 way = projectOnConstantVolume(gradients_, direction);
         const double share = way.dot(direction);
         return share >= leastShare &&

@@ -50,6 +50,25 @@ Workspace::Workspace(SurfaceMesh& m, const EdgeLengthField& edgeLengths)
     followMesh();
 }
 
+bool Workspace::isKept(const std::vector<int>& copies) const {
+    return !judgesAtRest_ && std::ranges::any_of(copies, [&](int v) {
+        return mesh.isOriginal(v) && !isBesideCut(v);
+    });
+}
+
+bool Workspace::isBesideCut(int v) const {
+    const Vec3& p = mesh.position(v);
+    bool isBeside = false;
+    mesh.forEachOutgoing(v, [&](int h) {
+        const int a = mesh.target(h);
+        const int b = mesh.isOriginal(mesh.apex(h)) ? a : mesh.apex(h);
+        isBeside |=
+            !mesh.isOriginal(a) &&
+            distanceToSegment(p, mesh.position(a), mesh.position(b)) <= kGoodEdge * edgeLength_;
+    });
+    return isBeside;
+}
+
 double Workspace::edgeLengthAt(int triangle) const {
     const Triangle& c = mesh.triangle(triangle);
     const auto atRest = [&](int v) -> const Vec3& {

@@ -31,6 +31,9 @@ class Workspace {
     void exchangeShapes();
     /// Whether current and rest positions are exchanged.
     bool judgesAtRest() const { return judgesAtRest_; }
+    /// Whether one of these copies is a vertex of the uncut skin to which no cut comes near. It
+    /// neither moves nor goes.
+    bool isKept(const std::vector<int>& copies) const;
     /// The edge length wanted about a triangle [m].
     double edgeLengthAt(int triangle) const;
     /// Makes the edge length about a triangle the unit of all lengths from now on.
@@ -89,6 +92,7 @@ class Workspace {
     void followMesh();
 
   private:
+    bool isBesideCut(int v) const;
     VolumeDefect most(double share) const;
     /// The shortest edge of a good triangle, as a share of edgeLength().
     double goodEdge() const { return judgesAtRest_ ? kGoodEdgeOfFold : kGoodEdge; }

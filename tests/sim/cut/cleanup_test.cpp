@@ -430,5 +430,59 @@ TEST(Cleanup, LeavesWhatLiesAtRestAtRestToTheLastBit) {
     }
 }
 
+/// A square plate of side 4 and height 0.2 with a round bore of radius 1, as CAD programs make
+/// them: short edges around the bore, long triangles beside it.
+TriangleSoup platedBore(int sides) {
+    TriangleSoup soup;
+    const auto angle = [&](int i) { return 2 * M_PI * i / sides; };
+    for (const double z : {-0.1, 0.1}) {
+        for (int i = 0; i < sides; ++i) {
+            soup.positions.emplace_back(std::cos(angle(i)), std::sin(angle(i)), z);
+        }
+        for (const double x : {-2.0, 2.0}) {
+            for (const double y : {-2.0, 2.0}) {
+                soup.positions.emplace_back(x, y, z);
+            }
+        }
+    }
+    const int upper = sides + 4;
+    const auto corner = [&](int i) {  // nearest to the side of the bore from i
+        const double middle = angle(i) + M_PI / sides;
+        return sides + (std::cos(middle) > 0 ? 2 : 0) + (std::sin(middle) > 0 ? 1 : 0);
+    };
+    const auto addBoth = [&](int a, int b, int c) {
+        soup.triangles.push_back({a + upper, b + upper, c + upper});
+        soup.triangles.push_back({a, c, b});
+    };
+    const auto addWall = [&](int a, int b) {
+        soup.triangles.push_back({a, b, b + upper});
+        soup.triangles.push_back({a, b + upper, a + upper});
+    };
+    for (int i = 0; i < sides; ++i) {
+        const int next = (i + 1) % sides;
+        addBoth(next, i, corner(i));
+        if (corner(i) != corner(next)) {
+            addBoth(next, corner(i), corner(next));
+            addWall(corner(i), corner(next));
+        }
+        addWall(next, i);
+    }
+    return soup;
+}
+
+TEST(Cleanup, SkinFarFromTheCutKeepsItsVertices) {
+    SurfaceMesh mesh = test::meshOf(platedBore(128));
+    const std::vector<Vec3> before = mesh.restPositions();
+    const CutCheck check =
+        test::runStroke(mesh, CutSettings{},
+                        test::straightStroke({1.4, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), 3, 5, 30));
+    EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(test::piecesOf(mesh), 2);
+    for (int v = 0; v < static_cast<int>(before.size()); ++v) {
+        EXPECT_GE(mesh.outgoing(v), 0) << "vertex " << v;
+        EXPECT_EQ(mesh.restPosition(v), before[v]) << "vertex " << v;
+    }
+}
+
 }  // namespace
 }  // namespace kerf
