@@ -7,9 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/text.h"
+#include "sim/body/rest_geometry.h"
+#include "sim/cut/wall_edge.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/crossings.h"
+#include "sim/repair/surface_contact.h"
 
 namespace kerf::app {
 
@@ -18,6 +21,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostPairs = 1'000'000;
+// Of the largest coordinate, which floats round by as much.
+constexpr double kRounding = 0x1p-22;
+// Of an edge, by which the two sides of a wall differ where a later stroke has divided them
+// differently.
+constexpr double kOtherwiseDivided = 1e-3;
 
 /// Adds up the triangles of a body, for each stroke that made some.
 class CutMeasure {
@@ -118,13 +126,33 @@ struct RestSoup {
     }
 };
 
+/// The depth of a crossing that is none [m]: of triangles of the model, and where a cut made one.
+struct LeastDepths {
+    double ofModel = 0;
+    double ofCuts = 0;
+};
+
+LeastDepths leastDepths(const SurfaceMesh& uncut) {
+    const Bounds box = meshBounds(uncut);
+    const double largest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+    const double edge = wallEdgeFor(meanRestEdgeLength(uncut), box.diagonal());
+    const double rounding = kRounding * largest;
+    return {rounding, std::max(rounding, kOtherwiseDivided * edge)};
+}
+
 CrossingPairs countCrossings(const CutBodyView& body) {
     const RestSoup rest(body.mesh);
+    const TriangleSoup soup = weldExactly(rest.soup);
+    const LeastDepths least = leastDepths(body.uncut);
     const auto isMade = [&](int t) { return rest.slots[t] >= body.uncut.triangleSlots(); };
     CrossingPairs count;
-    for (const auto& [a, b] : repair::findCrossings(weldExactly(rest.soup), kMostPairs)) {
-        ++count.all;
-        count.ofCuts += isMade(a) || isMade(b) ? 1 : 0;
+    for (const auto& [a, b] : repair::findCrossings(soup, kMostPairs)) {
+        const bool ofCuts = isMade(a) || isMade(b);
+        if (repair::crossingDepth(repair::cornersOf(soup, a), repair::cornersOf(soup, b)) >
+            (ofCuts ? least.ofCuts : least.ofModel)) {
+            ++count.all;
+            count.ofCuts += ofCuts ? 1 : 0;
+        }
     }
     return count;
 }

@@ -30,7 +30,8 @@ struct CutFigures {
     std::optional<double> woundToSwept() const;
 };
 
-/// Pairs of triangles that pass through each other, up to a million.
+/// Pairs of triangles that pass through each other, deeper than floats round coordinates; those of
+/// cuts deeper than a thousandth of an edge, as the sides of a wall may be divided differently.
 struct CrossingPairs {
     int all = 0;
     int ofCuts = 0;  ///< of these: a cut has made one of the two, at least

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "sim/base/predicates.h"
 #include "sim/cut/exact/wedge.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::repair {
 
@@ -127,12 +129,73 @@ bool insidesMeet(const Corners& a, const Signs& ofA, const Corners& b, const Sig
     return orientSign3d(p1, q1, p2, q2) < 0 && orientSign3d(p1, r1, r2, p2) < 0;
 }
 
+/// The length over which two triangles cover the same part of an axis [m]; infinite without one.
+double overlapAlong(const Vec3& axis, const Corners& a, const Corners& b) {
+    std::array<double, 3> ofA{};
+    std::array<double, 3> ofB{};
+    for (int i = 0; i < 3; ++i) {
+        ofA[i] = (a[i] - a[0]).dot(axis);
+        ofB[i] = (b[i] - a[0]).dot(axis);
+    }
+    const auto [lowA, highA] = std::ranges::minmax(ofA);
+    const auto [lowB, highB] = std::ranges::minmax(ofB);
+    const double length = axis.norm();
+    return length > 0 ? std::min(highA - lowB, highB - lowA) / length
+                      : std::numeric_limits<double>::infinity();
+}
+
+/// The part of a polygon on the positive side of a plane.
+std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& origin, const Vec3& normal) {
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3& p = polygon[i];
+        const Vec3& q = polygon[(i + 1) % polygon.size()];
+        const double ofP = normal.dot(p - origin);
+        const double ofQ = normal.dot(q - origin);
+        if (ofP >= 0) {
+            kept.push_back(p);
+        }
+        if ((ofP < 0) != (ofQ < 0)) {
+            kept.push_back(p + (q - p) * (ofP / (ofP - ofQ)));
+        }
+    }
+    return kept;
+}
+
+/// How far the part of a triangle that lies over or under another one reaches through its plane on
+/// the side where it reaches less far [m].
+double depthOver(const Corners& plane, const Corners& triangle) {
+    const Vec3 normal = areaNormal(plane).stableNormalized();
+    std::vector<Vec3> part(triangle.begin(), triangle.end());
+    for (int i = 0; i < 3; ++i) {
+        part = clip(part, plane[i], normal.cross(plane[(i + 1) % 3] - plane[i]));
+    }
+    double above = 0;
+    double below = 0;
+    for (const Vec3& p : part) {
+        above = std::max(above, normal.dot(p - plane[0]));
+        below = std::max(below, normal.dot(plane[0] - p));
+    }
+    return std::min(above, below);
+}
+
 }  // namespace
 
 bool passThrough(const Corners& a, const Corners& b) {
     const Signs ofA = signsOf(a, b);
     const Signs ofB = onBothSides(ofA) ? signsOf(b, a) : Signs{};
     return onBothSides(ofB) && insidesMeet(a, ofA, b, ofB);
+}
+
+double crossingDepth(const Corners& a, const Corners& b) {
+    double depth = std::min(depthOver(a, b), depthOver(b, a));
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            depth = std::min(
+                depth, overlapAlong((a[(i + 1) % 3] - a[i]).cross(b[(j + 1) % 3] - b[j]), a, b));
+        }
+    }
+    return std::max(0.0, depth);
 }
 
 SurfaceContact::SurfaceContact(const TriangleSoup& soup)

@@ -12,6 +12,11 @@ namespace kerf::repair {
 /// other one's plane, and they have more than a point in common. Exact.
 bool passThrough(const Corners& a, const Corners& b);
 
+/// How deep two triangles that pass through each other do so [m]: how far what lies over one of
+/// them reaches through it, or how little of an axis along which they could be apart both cover,
+/// whatever is less. 0 where both lie in one plane.
+double crossingDepth(const Corners& a, const Corners& b);
+
 /// Where the surface of a soup meets itself, with material behind each triangle: by the signs of
 /// determinants alone, which are exact.
 class SurfaceContact {

@@ -138,6 +138,29 @@ TEST(CutReport, WhatTheModelCrossesByItselfIsNotOfTheCuts) {
     EXPECT_EQ(report.crossings.ofCuts, 0);
 }
 
+// The halves have moved along a bent wall, whose sides the second stroke divides along other lines.
+TEST(CutReport, SidesOfAWallThatAreDividedDifferentlyDoNotCross) {
+    CutBody body(test::icosphere(3));
+    test::Stroke bent;
+    for (int i = 0; i <= 40; ++i) {
+        const double y = 1.2 - 2.4 * i / 40;
+        bent.push_back({{-1.5, y, 0.1 * y * y}, {1.5, y, 0.1 * y * y}});
+    }
+    body.cut(bent);
+    SurfaceMesh& mesh = body.mesh();
+    const auto pieces = findPieces(mesh);
+    ASSERT_EQ(pieces.pieces.size(), 2U);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.outgoing(v) >= 0 && pieces.ofVertex[v] == 1) {
+            mesh.setPosition(v, mesh.position(v) + Vec3(0.05, 0, 0));
+        }
+    }
+    body.cut(test::straightStroke({0.01, 0, 0.02}, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 40));
+    const CutReport report = body.report().value();
+    EXPECT_EQ(report.all.steps.refusedSteps, 0);
+    EXPECT_EQ(report.crossings.all, 0);
+}
+
 /// A vertex that has no skin around it.
 int vertexOfWalls(const SurfaceMesh& mesh) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
