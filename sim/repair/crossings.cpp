@@ -1,5 +1,6 @@
 #include "sim/repair/crossings.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numeric>
 
@@ -15,9 +16,42 @@ namespace {
 
 // Beyond so many pairs a model is called crossing through and through.
 constexpr std::size_t kMostCounted = 1'000'000;
+// Of the squared edges: a surface is stretched as if it were no flatter.
+constexpr double kFlat = 1e-12;
+constexpr double kStretchedRounding = 1e-9;  // of the largest coordinate
 
 bool haveEdgeInCommon(const Triangle& a, const Triangle& b) {
     return std::ranges::count_if(a, [&](int v) { return std::ranges::find(b, v) != b.end(); }) >= 2;
+}
+
+/// The soup stretched so that its edges are as long in all directions, on average: the tree's boxes
+/// are cubes, and those of long needles would all meet.
+TriangleSoup evenlyStretched(TriangleSoup soup) {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Triangle& t : soup.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 edge = soup.positions[t[(i + 1) % 3]] - soup.positions[t[i]];
+            spread += edge * edge.transpose();
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    const Vec3 lengths = axes.eigenvalues().cwiseMax(kFlat * axes.eigenvalues()[2]).cwiseSqrt();
+    if (lengths.allFinite() && lengths[2] > 0) {
+        const Eigen::Matrix3d stretch =
+            lengths.cwiseInverse().asDiagonal() * axes.eigenvectors().transpose() * lengths[2];
+        const Vec3 origin = soup.positions.front();
+        for (Vec3& position : soup.positions) {
+            position = stretch * (position - origin);
+        }
+    }
+    return soup;
+}
+
+/// What rounding may add to or take from the box of a stretched triangle.
+Bounds withRounding(Bounds box) {
+    box.widen(kStretchedRounding *
+              std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()));
+    return box;
 }
 
 }  // namespace
@@ -26,7 +60,8 @@ std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::
                                                const std::vector<int>* parts) {
     std::vector<int> all(welded.triangles.size());
     std::iota(all.begin(), all.end(), 0);
-    const BoxTree::BoundsOf bounds = [&](int t) { return boundsOf(welded, t); };
+    const TriangleSoup stretched = evenlyStretched(welded);
+    const BoxTree::BoundsOf bounds = [&](int t) { return withRounding(boundsOf(stretched, t)); };
     BoxTree tree(all, bounds);
     const SurfaceContact contact(welded);
     const auto cross = [&](int a, int b) {
@@ -36,7 +71,8 @@ std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::
     std::vector<std::pair<int, int>> pairs;
     for (const int t : all) {
         const Bounds own = boundsOf(welded, t);
-        const auto overlaps = [&](const Bounds& box) { return box.overlaps(own); };
+        const Bounds ownStretched = bounds(t);
+        const auto overlaps = [&](const Bounds& box) { return box.overlaps(ownStretched); };
         tree.find(bounds, overlaps, [&](int other) {
             if (other > t && own.overlaps(boundsOf(welded, other)) && cross(t, other)) {
                 pairs.emplace_back(t, other);
