@@ -11,6 +11,7 @@ namespace kerf::app {
 namespace {
 
 constexpr double kDebris = 1e-4;  // of the body: smaller pieces have no volume constraint either
+constexpr double kFlat = 0.02;    // of its volume at rest: the body has no thickness to speak of
 
 /// The least ratio of volume to that at rest; debris left out.
 double leastRatio(const std::vector<Piece>& pieces) {
@@ -30,11 +31,15 @@ double leastRatio(const std::vector<Piece>& pieces) {
 
 bool VolumeWatch::add(int step, const std::vector<Piece>& pieces) {
     const double least = leastRatio(pieces);
-    if (least >= 0) {
+    if (least >= kFlat) {
         return false;
     }
-    first_ = first_.value_or(Turned{step, static_cast<int>(pieces.size()), least});
-    return ++turnedSteps_ == 1;
+    ++lostSteps_;
+    const bool isNew = !first_ || (first_->ratio >= 0 && least < 0);
+    if (isNew) {
+        first_ = Lost{step, static_cast<int>(pieces.size()), least};
+    }
+    return isNew;
 }
 
 std::string VolumeWatch::sentence() const {
@@ -42,12 +47,12 @@ std::string VolumeWatch::sentence() const {
         return "";
     }
     const std::string more =
-        turnedSteps_ > 1 ? fmt::format(" In {} steps a volume was negative.", turnedSteps_) : "";
+        lostSteps_ > 1 ? fmt::format(" It was so in {} steps.", lostSteps_) : "";
     return fmt::format(
-        "Step {}: {} turned inside out, with {:.1f} % of its volume at rest. Its shape and all "
-        "volumes from here on mean little; a higher ispc_stiffness or more iterations hold it "
-        "up.{}",
-        first_->step, first_->pieces == 1 ? "the body" : "a piece", 100 * first_->ratio, more);
+        "Step {}: {} {}, with {:.1f} % of its volume at rest. Its shape and all volumes from here "
+        "on mean little; a higher ispc_stiffness or more iterations hold it up.{}",
+        first_->step, first_->pieces == 1 ? "the body" : "a piece",
+        first_->ratio < 0 ? "turned inside out" : "was pressed flat", 100 * first_->ratio, more);
 }
 
 }  // namespace kerf::app
