@@ -57,7 +57,7 @@ double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVerte
     if (plan.triangles.empty()) {
         return 0;
     }
-    const Vec3 o = at(plan.triangles.front().corners[0]);
+    const Vec3& o = at(plan.triangles.front().corners[0]);
     double added = 0;
     for (const NewTriangle& t : plan.triangles) {
         added +=

@@ -302,8 +302,7 @@ Vec3 oldRungAt(const Strip& strip, double s) {
 /// stays in its plane goes so far on, and hardly aside: nobody can measure that. Not back: what it
 /// swept in the air was swept as far as the blade is.
 Vec3 offsetAt(const StepInput& in, const Strip& strip, double s) {
-    const Vec3 offset =
-        bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.transit, s);
+    Vec3 offset = bladeOffset(in.offset * in.h, in.attempt.offsetScale, in.seed, in.transit, s);
     if (!in.attempt.staysInPlane) {
         return offset;
     }

@@ -203,13 +203,10 @@ TEST(Flush, EighthsAreEqual) {
 }
 
 TEST(Flush, FinsComeOffAtTheirRoots) {
-    Cells comb{{11, 2, 4}, std::vector<char>(88, 0)};
-    for (int x = 0; x < 11; ++x) {
-        for (int z = 0; z < 4; ++z) {
-            comb.filled[static_cast<std::size_t>((x * 2 + 0) * 4 + z)] = 1;
-            comb.filled[static_cast<std::size_t>((x * 2 + 1) * 4 + z)] = x % 2 == 0 ? 1 : 0;
-        }
-    }
+    Cells comb{{11, 2, 4}, {}};
+    comb.forEachPlace([&](const std::array<int, 3>& at) {
+        comb.filled.push_back(at[1] == 0 || at[0] % 2 == 0 ? 1 : 0);
+    });
     for (const bool back : {false, true}) {
         std::mt19937_64 dice(1);
         SurfaceMesh mesh = test::meshOf(surfaceOf(comb, dice));
