@@ -92,6 +92,7 @@ class Workspace {
     void followMesh();
 
   private:
+    /// Whether what a cut made lies within the shortest good edge of v.
     bool isBesideCut(int v) const;
     VolumeDefect most(double share) const;
     /// The shortest edge of a good triangle, as a share of edgeLength().

@@ -89,6 +89,9 @@ TEST(Ladder, OnlyTheFirstLevelSeesAllAsItIs) {
         const Attempt level = attemptAt(static_cast<Level>(i), 1e-5);
         EXPECT_EQ(level.level, i);
         EXPECT_FALSE(level.staysInPlane);
+        EXPECT_TRUE(static_cast<Level>(i) == Level::beside || level.seenAt != SeenAt::ownPlace ||
+                    level.touching)
+            << "level " << i;
         EXPECT_LE(level.offsetScale, largestOffsetScale());
         EXPECT_GE(level.tolerance, 1e-5);
     }
