@@ -10,6 +10,7 @@
 #include "app/files/memory_means.h"
 #include "app/files/output_folder.h"
 #include "app/scene/saved_session.h"
+#include "app/session/scene_origin.h"
 #include "app/session/session_action.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/triangle_strain.h"
@@ -68,6 +69,8 @@ ScriptedRun::ScriptedRun(app::Session session, const RunOptions& options)
     gpu::enableDebugOutput();
     app::ModelMesh model = load(session_);
     warnAbout(model.remarks);
+    session_ = app::countedFrom(std::move(session_), model.origin);
+    player_.emplace(session_);
     app::requireMemoryFor(session_, model.mesh, options.undoBudget);
     running_ = std::make_unique<app::RunningSession>(
         session_, std::move(model), options.undoBudget,
@@ -95,7 +98,8 @@ void ScriptedRun::tellMessages() {
 
 void ScriptedRun::apply(const std::string& action) {
     std::vector<std::string> warnings;
-    const std::optional<Command> command = app::commandOf(app::parseAction(action, warnings));
+    const std::optional<Command> command =
+        app::commandOf(app::countedFrom(app::parseAction(action, warnings), session_.origin));
     warnAbout(warnings);
     if (!command) {
         throw InputError("type: this event is no command.");
@@ -123,7 +127,7 @@ void ScriptedRun::take(const app::CheckEvent& check) {
 
 const app::MetricsRow& ScriptedRun::step() {
     const Stopwatch watch;
-    running_->runner().applyActions(player_, *this);
+    running_->runner().applyActions(*player_, *this);
     const StepReport& report = running_->step();
     row_ = {report, 0, watch.milliseconds(),
             app::namesToughness(session_, running_->simulation().params())};
@@ -132,7 +136,7 @@ const app::MetricsRow& ScriptedRun::step() {
 }
 
 void ScriptedRun::finish() {
-    running_->runner().applyActions(player_, *this);
+    running_->runner().applyActions(*player_, *this);
 }
 
 std::shared_ptr<const ScriptedRun::Snapshot> ScriptedRun::snapshot() {
@@ -149,7 +153,19 @@ void ScriptedRun::restore(const Snapshot& snapshot) {
 // --- What it is like ----------------------------------------------------------------------------
 
 ParamValue ScriptedRun::param(const std::string& name) const {
-    return getParam(simulation().params(), name);
+    return getParam(app::countedFrom(simulation().params(), -session_.origin), name);
+}
+
+std::optional<Blade> ScriptedRun::blade() const {
+    std::optional<Blade> blade = simulation().comingBlade();
+    if (blade) {
+        blade = Blade{inScene(blade->a), inScene(blade->b)};
+    }
+    return blade;
+}
+
+std::vector<StaticBox> ScriptedRun::boxes() const {
+    return app::countedFrom(simulation().boxes(), -session_.origin);
 }
 
 std::string ScriptedRun::stateHash() {
@@ -160,7 +176,8 @@ SharedArray<double> ScriptedRun::positions() {
     const int now = simulation().bodyRevision();
     if (std::exchange(positionsRevision_, now) != now) {
         const SurfaceMesh& mesh = simulation().mesh();
-        positions_ = threeEach(mesh.vertexCount(), [&](int v) { return mesh.position(v); });
+        positions_ =
+            threeEach(mesh.vertexCount(), [&](int v) { return inScene(mesh.position(v)); });
     }
     return positions_;
 }
@@ -198,8 +215,9 @@ const TriangleArrays& ScriptedRun::triangles() {
         isWall.push_back(mesh.kind(t) == SurfaceKind::wall ? 1 : 0);
         piece.push_back(pieceOfVertex[triangle[0]]);
     }
-    triangles_ = {shared(std::move(corners)), shared(std::move(isWall)), shared(std::move(piece)),
-                  threeEach(mesh.vertexCount(), [&](int v) { return mesh.restPosition(v); })};
+    triangles_ = {
+        shared(std::move(corners)), shared(std::move(isWall)), shared(std::move(piece)),
+        threeEach(mesh.vertexCount(), [&](int v) { return inScene(mesh.restPosition(v)); })};
     return triangles_;
 }
 
@@ -216,8 +234,8 @@ PieceArrays ScriptedRun::pieces() const {
         model.push_back(simulation().bodyModel().pieces[i].member);
         volume.push_back(pieces[i].volume);
         restVolume.push_back(pieces[i].restVolume);
-        append(low, simulation().pieceBounds()[i].low);
-        append(high, simulation().pieceBounds()[i].high);
+        append(low, inScene(simulation().pieceBounds()[i].low));
+        append(high, inScene(simulation().pieceBounds()[i].high));
     }
     return {shared(std::move(triangles)),  shared(std::move(model)), shared(std::move(volume)),
             shared(std::move(restVolume)), shared(std::move(low)),   shared(std::move(high))};
@@ -238,7 +256,8 @@ render::Image ScriptedRun::picture(const std::string& size, const std::string& v
     std::vector<std::string> warnings;
     const auto event = only<app::ScreenshotEvent>(app::parseAction(size, warnings));
     const render::Camera camera =
-        view.empty() ? running_->camera() : app::parseCamera(view, warnings);
+        view.empty() ? running_->camera()
+                     : app::countedFrom(app::parseCamera(view, warnings), session_.origin);
     warnAbout(warnings);
     return running_->draw(camera, event.width, event.height);
 }

@@ -89,7 +89,8 @@ class ScriptedRun {
     int stepCount() const { return simulation().stepCount(); }
     int steps() const { return session_.steps; }
     ParamValue param(const std::string& name) const;
-    std::optional<Blade> blade() const { return simulation().comingBlade(); }
+    /// The pose of the blade after the coming step; none where it is lifted then.
+    std::optional<Blade> blade() const;
     std::string stateHash();
     /// Three numbers for each vertex [m].
     SharedArray<double> positions();
@@ -100,7 +101,7 @@ class ScriptedRun {
     const TriangleArrays& triangles();
     PieceArrays pieces() const;
     SharedArray<std::uint32_t> pinnedVertices() const;
-    std::vector<StaticBox> boxes() const { return simulation().boxes(); }
+    std::vector<StaticBox> boxes() const;
     /// `cut_report` of summary.json as JSON; "null" without a cut.
     std::string cutReport() const;
     /// Sentences about what went wrong in steps, from the start.
@@ -127,12 +128,14 @@ class ScriptedRun {
     Simulation& simulation() { return running_->simulation(); }
     const Simulation& simulation() const { return running_->simulation(); }
 
+    /// A point of the simulation, in the coordinates of the session's file.
+    Vec3 inScene(const Vec3& point) const { return point + session_.origin; }
     void tellMessages();
     void warnAbout(const std::vector<std::string>& warnings) const;
 
     app::Session session_;
     RunOptions options_;
-    app::SessionPlayer player_{session_};
+    std::optional<app::SessionPlayer> player_;
     gpu::EglContext context_;
     std::unique_ptr<app::RunningSession> running_;
     app::SessionJournal journal_;

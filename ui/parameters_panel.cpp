@@ -95,8 +95,17 @@ SlideText textOf(const ParamInfo& info) {
     return {std::string(info.label), tooltipOf(info), "param." + std::string(info.name)};
 }
 
+/// A floor is slid about the origin; sessions may have it farther away.
+constexpr double kHighestSlide = 1000;
+constexpr double kLowestSlide = -1000;
+
 Slide slideOf(const ParamInfo& info, double& value) {
-    return {ImGuiDataType_Double, &value, &info.low, &info.high, sliderFormat(info),
+    const bool far = info.high > kHighestSlide && info.type == ParamType::optionalReal;
+    return {ImGuiDataType_Double,
+            &value,
+            far ? &kLowestSlide : &info.low,
+            far ? &kHighestSlide : &info.high,
+            sliderFormat(info),
             isLogarithmic(info)};
 }
 

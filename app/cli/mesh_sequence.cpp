@@ -51,10 +51,10 @@ bool MeshSequence::wants(int step, int last) const {
 }
 
 void MeshSequence::write(int step, double time, const SurfaceMesh& mesh, const PieceMap& pieces,
-                         const ExportLooks& looks) {
+                         const ExportLooks& looks, const Vec3& from) {
     const std::string file =
         fmt::format("{}{:06}{}", kStep, step, infoOf(options_.format).extension);
-    folder_.write(inFolder(file), encodeMeasured(mesh, pieces, options_.format, looks));
+    folder_.write(inFolder(file), encodeMeasured(mesh, pieces, options_.format, looks, from));
     entries_.push_back({file, time});
 }
 

@@ -28,9 +28,10 @@ class MeshSequence {
 
     /// Whether the state before a step is one of the sequence; `last` is the step behind the run.
     bool wants(int step, int last) const;
-    /// Writes the state before a step, `time` into the simulation [s].
+    /// Writes the state before a step, `time` into the simulation [s], its positions counted from
+    /// `from`.
     void write(int step, double time, const SurfaceMesh& mesh, const PieceMap& pieces,
-               const ExportLooks& looks);
+               const ExportLooks& looks, const Vec3& from);
     /// Writes the lists: sequence.EXTENSION.series, and sequence.pvd of .vtp files.
     void finish();
 

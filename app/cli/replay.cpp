@@ -206,7 +206,7 @@ class Replay {
         if (sequence_ && sequence_->wants(step_, ends ? step_ : steps_)) {
             outside_.measure([&] {
                 sequence_->write(step_, simulation_.report().time, simulation_.mesh(),
-                                 simulation_.pieces(), {{}, lookOf(session_)});
+                                 simulation_.pieces(), {{}, lookOf(session_)}, session_.origin);
             });
         }
     }
@@ -252,7 +252,8 @@ class Replay {
             volumes_.add(step_, simulation_.measuredPieces());
         }
         if (files_.wantsPieces()) {
-            files_.write(step_, simulation_.measuredPieces(), simulation_.pieceBounds());
+            files_.write(step_, simulation_.measuredPieces(), simulation_.pieceBounds(),
+                         session_.origin);
         }
         if (files_.wantsHashes() || expected_ != nullptr) {
             publish(simulation_.stateHashes());
@@ -344,8 +345,8 @@ class Replay {
     }
 
     void writeResults() {
-        folder_.write(kMeshFile,
-                      encodeMesh(simulation_.mesh(), simulation_.pieces(), MeshFormat::ply));
+        folder_.write(kMeshFile, encodeMesh(simulation_.mesh(), simulation_.pieces(),
+                                            MeshFormat::ply, {}, session_.origin));
         files_.commit();
         finishFilms();
         summary_.after = countBody();

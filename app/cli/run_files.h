@@ -21,8 +21,9 @@ class RunFiles {
     bool wantsPieces() const { return pieces_.has_value(); }
     void write(const MetricsRow& row) { metrics_.write(formatMetrics(row)); }
     void write(int step, const StateHashes& hashes) { hashes_->write(formatHashes(step, hashes)); }
-    void write(int step, const std::vector<Piece>& pieces, const std::vector<Bounds>& boxes) {
-        pieces_->write(formatPieces(step, pieces, boxes));
+    void write(int step, const std::vector<Piece>& pieces, const std::vector<Bounds>& boxes,
+               const Vec3& from) {
+        pieces_->write(formatPieces(step, pieces, boxes, from));
     }
     /// Lets them appear.
     void commit();

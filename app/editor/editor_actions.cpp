@@ -4,6 +4,7 @@
 #include "app/editor/plot_export.h"
 #include "app/files/file_io.h"
 #include "app/files/free_file.h"
+#include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
 #include "gpu/data_path.h"
 #include "ui/action_table.h"
@@ -16,7 +17,8 @@ namespace {
 using State = Editor::State;
 
 const Vec3 kEarthGravity{0, -9.81, 0};
-constexpr double kApart = 0.5;  // of DisplaySettings::apart, by its key
+constexpr double kApart = 0.5;       // of DisplaySettings::apart, by its key
+constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is held [m]
 
 // --- What the keys, the menus and the buttons ask for ------------------------------------------
 
@@ -109,8 +111,8 @@ void freePins(State& s) {
         return;
     }
     Bounds everywhere;
-    everywhere.add(Vec3::Constant(-kMaxSessionCoordinate));
-    everywhere.add(Vec3::Constant(kMaxSessionCoordinate));
+    everywhere.add(Vec3::Constant(-kEverywhere));
+    everywhere.add(Vec3::Constant(kEverywhere));
     s.execute(Pin{everywhere, false});
 }
 
@@ -452,7 +454,9 @@ struct Answer {
     }
 
     // What needs an open document.
-    void onBody(const Command& command) const { s.execute(command); }
+    void onBody(const Command& command) const {
+        s.execute(countedFrom(command, s.scene->document().session.origin));
+    }
     void onBody(const ui::PlaceModel& wanted) const {
         s.view.cancelTools(*s.scene);
         s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));

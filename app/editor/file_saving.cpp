@@ -17,7 +17,7 @@ struct ExportInput {
     OwnLooks own;  ///< of it
     render::BodyLook look;
     SurfaceMesh mesh;
-    Placement placement;
+    BodyPlace place;
 };
 
 std::string exportBody(const ExportInput& input, WorkProgress& progress) {
@@ -27,7 +27,7 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
     const ExportLooks looks{carried(input.own, input.uncut, input.mesh), input.look};
     progress.enter("Encoding");
     const std::vector<ExportedFile> files =
-        encodeExport(input.target, input.mesh, pieces, looks, input.placement);
+        encodeExport(input.target, input.mesh, pieces, looks, input.place);
     progress.enter("Writing");
     for (const ExportedFile& file : files) {
         writeOutputFile(file.file, file.bytes);
@@ -45,8 +45,12 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
     const bool hasLooks = !document.looks.skin.empty();
     const std::string title = "Exporting " + target.file.filename().string();
     auto input = std::make_shared<const ExportInput>(
-        ExportInput{std::move(target), hasLooks ? simulation.uncut()->mesh : SurfaceMesh{},
-                    document.looks, look, simulation.mesh(), simulation.placement()});
+        ExportInput{std::move(target),
+                    hasLooks ? simulation.uncut()->mesh : SurfaceMesh{},
+                    document.looks,
+                    look,
+                    simulation.mesh(),
+                    {simulation.placement(), document.session.origin}});
     return std::make_unique<FileSaving>(
         title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
 }

@@ -27,8 +27,9 @@ void append(std::string& bytes, const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-void append(std::string& bytes, const Vec3f& v) {
-    bytes.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(float));
+template <class Number>
+void append(std::string& bytes, const Eigen::Matrix<Number, 3, 1>& v) {
+    bytes.append(reinterpret_cast<const char*>(v.data()), 3 * sizeof(Number));
 }
 
 bool hasSkinUvs(const ExportMesh& mesh) {
@@ -65,10 +66,12 @@ struct PlyLooks {
 };
 
 std::string plyHeader(const ExportMesh& mesh, const PlyLooks& looks) {
+    const std::string number = mesh.farPositions.empty() ? "float" : "double";
     return "ply\nformat binary_little_endian 1.0\ncomment Kerf, " + mesh.coordinates + "\n" +
            (looks.image.empty() ? "" : "comment TextureFile " + looks.image + "\n") +
-           "element vertex " + std::to_string(mesh.positions.size()) +
-           "\nproperty float x\nproperty float y\nproperty float z\n"
+           "element vertex " + std::to_string(mesh.positions.size()) + "\nproperty " + number +
+           " x\nproperty " + number + " y\nproperty " + number +
+           " z\n"
            "property float nx\nproperty float ny\nproperty float nz\n" +
            (mesh.tellsQuantities ? "property float vx\nproperty float vy\nproperty float vz\n"
                                  : "") +
@@ -84,7 +87,11 @@ std::string plyHeader(const ExportMesh& mesh, const PlyLooks& looks) {
 std::string encodePly(const ExportMesh& mesh, const PlyLooks& looks = {}) {
     std::string bytes = plyHeader(mesh, looks);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        append(bytes, mesh.positions[v]);
+        if (mesh.farPositions.empty()) {
+            append(bytes, mesh.positions[v]);
+        } else {
+            append(bytes, mesh.farPositions[v]);
+        }
         append(bytes, mesh.normals[v]);
         if (mesh.tellsQuantities) {
             append(bytes, mesh.velocities[v]);
@@ -112,27 +119,33 @@ std::string encodePly(const ExportMesh& mesh, const PlyLooks& looks = {}) {
     return bytes;
 }
 
+/// Each behind a blank.
+template <class Vector>
+std::string objNumbers(const Vector& v) {
+    std::string text;
+    for (const auto number : v) {
+        text.append(" ").append(formatNumber(number));
+    }
+    return text;
+}
+
 template <class Vector>
 void appendObjVector(std::string& text, const char* keyword, const Vector& v) {
-    text += keyword;
-    for (const float number : v) {
-        text += ' ';
-        text += formatNumber(number);
-    }
-    text += '\n';
+    text.append(keyword).append(objNumbers(v)).append("\n");
 }
 
 /// Positions, with the colours of displays behind them where there are some.
 void appendObjPositions(std::string& text, const ExportMesh& mesh) {
-    if (mesh.colors.empty()) {
-        for (const Vec3f& p : mesh.positions) appendObjVector(text, "v", p);
-        return;
-    }
-    const std::vector<Eigen::Vector4f> colors = vertexColors(mesh, false);
+    const std::vector<Eigen::Vector4f> colors =
+        mesh.colors.empty() ? std::vector<Eigen::Vector4f>{} : vertexColors(mesh, false);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        const Vec3f& p = mesh.positions[v];
-        const Vec3f c = render::toDisplay(colors[v].head<3>()).cast<float>();
-        appendObjVector(text, "v", std::array{p.x(), p.y(), p.z(), c.x(), c.y(), c.z()});
+        const std::string line = mesh.farPositions.empty() ? objNumbers(mesh.positions[v])
+                                                           : objNumbers(mesh.farPositions[v]);
+        const std::string color =
+            colors.empty()
+                ? ""
+                : objNumbers(Vec3f(render::toDisplay(colors[v].head<3>()).cast<float>()));
+        text.append("v").append(line).append(color).append("\n");
     }
 }
 
@@ -200,11 +213,11 @@ std::string encodeStl(const ExportMesh& mesh) {
     append(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
     for (const ExportFace& face : mesh.faces) {
         const auto [a, b, c] = face.corners;
-        const Vec3f& origin = mesh.positions[a];
-        append(bytes, unitNormal(origin, mesh.positions[b], mesh.positions[c]));
-        append(bytes, origin);
-        append(bytes, mesh.positions[b]);
-        append(bytes, mesh.positions[c]);
+        append(bytes, unitNormal(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+        for (const int v : face.corners) {
+            append(bytes, mesh.farPositions.empty() ? mesh.positions[v]
+                                                    : Vec3f(mesh.farPositions[v].cast<float>()));
+        }
         append(bytes, static_cast<std::uint16_t>(face.piece));
     }
     return bytes;
@@ -229,22 +242,39 @@ std::string encode(const ExportMesh& mesh, MeshFormat format) {
 }
 
 /// Where a vertex was not moved, its place at rest has no rounding to float yet.
+Vec3 exactPosition(const SurfaceMesh& mesh, int v) {
+    const Vec3& now = mesh.position(v);
+    const Vec3& rest = mesh.restPosition(v);
+    return now.cast<float>() == rest.cast<float>() ? rest : now;
+}
+
 SurfaceMesh inModel(SurfaceMesh mesh, const Placement& placement) {
     const PlacementMap map(placement);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        const Vec3& now = mesh.position(v);
-        const Vec3& rest = mesh.restPosition(v);
-        const bool rests = now.cast<float>() == rest.cast<float>();
         const Vec3 velocity = map.toModel(mesh.velocity(v)) - map.toModel(Vec3::Zero());
-        mesh.setState(v, map.toModel(rests ? rest : now), velocity);
+        mesh.setState(v, map.toModel(exactPosition(mesh, v)), velocity);
     }
     return mesh;
+}
+
+/// Floats hold no more than is there, but far from the origin doubles are written.
+ExportMesh gatherInScene(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
+                         const Vec3& from) {
+    if (from == Vec3::Zero()) {
+        return gatherMesh(mesh, pieces, looks);
+    }
+    SurfaceMesh exact = mesh;
+    for (int v = 0; v < exact.vertexCount(); ++v) {
+        exact.setPosition(v, exactPosition(mesh, v));
+    }
+    return gatherMesh(exact, pieces, looks, from);
 }
 
 ExportMesh gatherInModel(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
                          const Placement& placement) {
     const double unitsPerMetre = 1 / (placement.metresPerUnit() * placement.scale);
-    ExportMesh gathered = gatherMesh(inModel(mesh, placement), pieces, looks, unitsPerMetre);
+    ExportMesh gathered =
+        gatherMesh(inModel(mesh, placement), pieces, looks, Vec3::Zero(), unitsPerMetre);
     gathered.coordinates = "coordinates of the model";
     if (placement.unit) {
         gathered.coordinates.append(", ").append(nameOf(*placement.unit));
@@ -385,23 +415,24 @@ class ExportWriter {
 }  // namespace
 
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                       const ExportLooks& looks) {
-    return encode(gatherMesh(mesh, pieces, looks), format);
+                       const ExportLooks& looks, const Vec3& from) {
+    return encode(gatherInScene(mesh, pieces, looks, from), format);
 }
 
 std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                           const ExportLooks& looks) {
-    ExportMesh gathered = gatherMesh(mesh, pieces, looks);
+                           const ExportLooks& looks, const Vec3& from) {
+    ExportMesh gathered = gatherInScene(mesh, pieces, looks, from);
     gathered.tellsQuantities = true;
     return encode(gathered, format);
 }
 
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const ExportLooks& looks,
-                                       const Placement& placement) {
-    const ExportMesh whole = withoutUnused(target.coordinates == Coordinates::scene
-                                               ? gatherMesh(mesh, pieces, looks)
-                                               : gatherInModel(mesh, pieces, looks, placement));
+                                       const BodyPlace& place) {
+    const ExportMesh whole =
+        withoutUnused(target.coordinates == Coordinates::scene
+                          ? gatherInScene(mesh, pieces, looks, place.origin)
+                          : gatherInModel(mesh, pieces, looks, place.placement));
     ExportWriter writer(target, whole);
     if (!target.filePerPiece) {
         writer.add(target.file, whole);

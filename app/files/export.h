@@ -26,13 +26,15 @@ namespace kerf::app {
 /// - vtp: VTK XML PolyData with the arrays `piece`, `cut`, `strain` and `piece_volume` of the
 /// cells,
 ///   `Normals` and `velocity` of the points; no looks at all.
+/// Positions are counted from `from`. Far from the origin ply, obj and vtp hold doubles, and nodes
+/// of glTF are moved there; stl rounds to floats.
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                       const ExportLooks& looks = {});
+                       const ExportLooks& looks = {}, const Vec3& from = Vec3::Zero());
 /// The same, with strain, velocity and volume in further formats: ply as `vx vy vz` of a vertex and
 /// `strain` and `piece_volume` of a face, glb and gltf as attributes `_VELOCITY` and `_STRAIN`, and
 /// the volume as an extra of a node.
 std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
-                           const ExportLooks& looks = {});
+                           const ExportLooks& looks = {}, const Vec3& from = Vec3::Zero());
 
 /// The coordinates that a mesh is written in.
 enum class Coordinates {
@@ -54,14 +56,19 @@ struct ExportedFile {
     std::filesystem::path file;
     std::string bytes;
 };
+/// How a body lies: how the numbers of the model's file became its metres, and the point of the
+/// scene from which these are counted.
+struct BodyPlace {
+    Placement placement{};
+    Vec3 origin = Vec3::Zero();
+};
 /// encodeMesh() of the whole body or of each piece, and behind these the files that they refer to,
 /// as far as those are not there yet: an .mtl and images beside an .obj, a .bin and images beside a
 /// .gltf, the image beside a .ply that has one. A .ply has the colours of its vertices (see
-/// vertexColors). `placement` is how the numbers of the model's file became the metres of `mesh`;
-/// what has not moved at all has exactly its own again.
+/// vertexColors). What has not moved at all from its `place` has exactly its own numbers again.
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const ExportLooks& looks,
-                                       const Placement& placement = {});
+                                       const BodyPlace& place = {});
 
 /// The looks of an uncut body, carried along to what was cut out of it.
 OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceMesh& cut);

@@ -150,6 +150,10 @@ class GltfFile {
         const std::size_t index = json_["meshes"].size();
         json_["meshes"].push_back({{"name", name}, {"primitives", primitives}});
         json_["nodes"].push_back({{"name", name}, {"mesh", index}});
+        if (mesh.origin != Vec3::Zero()) {
+            json_["nodes"].back()["translation"] = {mesh.origin.x(), mesh.origin.y(),
+                                                    mesh.origin.z()};
+        }
         if (mesh.tellsQuantities) {
             json_["nodes"].back()["extras"] = {{"volume", mesh.pieceVolumes[piece]}};
         }

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/files/cut_planes.h"
+#include "sim/base/boxes.h"
+#include "sim/base/placement.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_strain.h"
@@ -89,18 +91,20 @@ class Gathering {
         addMaterials();
     }
 
-    ExportMesh gather() {
+    ExportMesh gather(const Vec3& from) {
         for (const Piece& piece : pieces_.pieces) {
             out_.pieceVolumes.push_back(piece.volume * scale_ * scale_ * scale_);
         }
         const std::vector<int> numbers = numberUsedVertices(mesh_);
+        std::vector<Vec3> places;
         for (int v = 0; v < mesh_.vertexCount(); ++v) {
             if (numbers[v] >= 0) {
-                out_.positions.push_back(mesh_.position(v).cast<float>());
+                places.emplace_back(mesh_.position(v) + from);
                 out_.normals.push_back(vertexNormal(mesh_, v));
                 out_.velocities.push_back(mesh_.velocity(v).cast<float>());
             }
         }
+        put(std::move(places));
         for (int t = 0; t < mesh_.triangleSlots(); ++t) {
             if (mesh_.present(t)) {
                 out_.faces.push_back(faceOf(t, numbers));
@@ -110,6 +114,16 @@ class Gathering {
     }
 
   private:
+    void put(std::vector<Vec3> places) {
+        out_.origin = places.empty() ? Vec3(Vec3::Zero()) : originOf(boxOf(places));
+        for (const Vec3& place : places) {
+            out_.positions.emplace_back((place - out_.origin).cast<float>());
+        }
+        if (out_.origin != Vec3::Zero()) {
+            out_.farPositions = std::move(places);
+        }
+    }
+
     void addMaterials() {
         for (int i = 0; out_.appearance && i < int(out_.appearance->materials.size()); ++i) {
             render::Material material = out_.appearance->materials[i];
@@ -196,8 +210,8 @@ Eigen::Vector4f cornerColor(const ExportMesh& mesh, const ExportFace& face, int 
 }  // namespace
 
 ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
-                      double unitsPerMetre) {
-    return Gathering(mesh, pieces, looks, unitsPerMetre).gather();
+                      const Vec3& from, double unitsPerMetre) {
+    return Gathering(mesh, pieces, looks, unitsPerMetre).gather(from);
 }
 
 std::vector<Eigen::Vector4f> vertexColors(const ExportMesh& mesh, bool withMaterials) {

@@ -31,7 +31,9 @@ struct ExportFace {
 
 /// A mesh without dead slots and unused vertices, in float as it is written.
 struct ExportMesh {
-    std::vector<Vec3f> positions;
+    std::vector<Vec3f> positions;         ///< counted from `origin`
+    Vec3 origin = Vec3::Zero();           ///< see originOf()
+    std::vector<Vec3> farPositions;       ///< counted from 0, where the origin is not there
     std::vector<Vec3f> normals;           ///< unit, area-weighted, one per position
     std::vector<Vec3f> velocities;        ///< one per position [1/s, in the unit of positions]
     std::vector<Eigen::Vector2f> uvs;     ///< each once, in the order of their first use
@@ -47,10 +49,11 @@ struct ExportMesh {
     std::string coordinates = "metres, +y up";  ///< what they are, for a comment in the file
 };
 
-/// The living triangles of `mesh`. Faces of cuts get the material "cut" and texture coordinates in
-/// the plane of their cut, in the body's rest shape, `unitsPerMetre` to a metre.
+/// The living triangles of `mesh`, whose positions are counted from `from`. Faces of cuts get the
+/// material "cut" and texture coordinates in the plane of their cut, in the body's rest shape,
+/// `unitsPerMetre` to a metre.
 ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
-                      double unitsPerMetre = 1);
+                      const Vec3& from = Vec3::Zero(), double unitsPerMetre = 1);
 
 /// The colour of each position, in linear light: the mean of what the corners of the skin have
 /// there, of faces of cuts where it touches no skin. Materials count where `withMaterials`.
@@ -60,6 +63,7 @@ std::vector<Eigen::Vector4f> vertexColors(const ExportMesh& mesh, bool withMater
 template <class Belongs>
 ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
     ExportMesh part;
+    part.origin = mesh.origin;
     part.coordinates = mesh.coordinates;
     part.pieceVolumes = mesh.pieceVolumes;
     part.tellsQuantities = mesh.tellsQuantities;
@@ -84,6 +88,9 @@ ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
             if (vertex[v] < 0) {
                 part.normals.push_back(mesh.normals[v]);
                 part.velocities.push_back(mesh.velocities[v]);
+                if (!mesh.farPositions.empty()) {
+                    part.farPositions.push_back(mesh.farPositions[v]);
+                }
             }
             take(vertex, mesh.positions, part.positions, v);
         }

@@ -37,10 +37,12 @@ std::string arrayOf(const std::vector<T>& values, std::string_view name, int com
         kTypeName<T>, name, components, base64(bytes));
 }
 
-std::string arrayOf(const std::vector<Vec3f>& vectors, std::string_view name) {
-    std::vector<float> numbers;
+template <class Number>
+std::string arrayOf(const std::vector<Eigen::Matrix<Number, 3, 1>>& vectors,
+                    std::string_view name) {
+    std::vector<Number> numbers;
     numbers.reserve(3 * vectors.size());
-    for (const Vec3f& vector : vectors) {
+    for (const auto& vector : vectors) {
         numbers.insert(numbers.end(), vector.begin(), vector.end());
     }
     return arrayOf(numbers, name, 3);
@@ -90,7 +92,9 @@ std::string encodeVtp(const ExportMesh& mesh) {
         "<Points>\n{}</Points>\n<Polys>\n{}</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n",
         mesh.coordinates, mesh.positions.size(), mesh.faces.size(),
         arrayOf(mesh.normals, "Normals"), arrayOf(mesh.velocities, "velocity"), cellData(mesh),
-        arrayOf(mesh.positions, "Points"), cells(mesh));
+        mesh.farPositions.empty() ? arrayOf(mesh.positions, "Points")
+                                  : arrayOf(mesh.farPositions, "Points"),
+        cells(mesh));
 }
 
 }  // namespace kerf::app

@@ -313,9 +313,9 @@ void checkImportedPositions(const TriangleSoup& soup) {
         std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
     if (extent < kMinImportExtent || farthest > kMaxImportExtent) {
         std::ostringstream message;
-        message << "the model is " << extent << " m long and reaches " << farthest
-                << " m from the origin, but must be longer than " << kMinImportExtent
-                << " m and stay within " << kMaxImportExtent << " m; scale or move it";
+        message << "the model is " << extent << " long and reaches " << farthest
+                << " from the origin, but must be longer than " << kMinImportExtent
+                << " and stay within " << kMaxImportExtent << "; scale or move it";
         throw InputError(message.str());
     }
 }

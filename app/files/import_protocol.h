@@ -13,9 +13,9 @@ namespace kerf::app {
 /// Most vertices and triangles that a model file may hold.
 inline constexpr std::uint64_t kMaxImportVertices = 60'000'000;
 inline constexpr std::uint64_t kMaxImportTriangles = 20'000'000;
-/// A model's longest side [m] must lie between these.
+/// A model must be longer than that and stay within that, in the unit of its numbers.
 inline constexpr double kMinImportExtent = 1e-6;
-inline constexpr double kMaxImportExtent = 1e6;
+inline constexpr double kMaxImportExtent = 1e10;
 
 /// Most bytes of the images of a model together.
 inline constexpr std::uint64_t kMaxImportImages = 500'000'000;

@@ -2,6 +2,7 @@
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
 #include "render/scene/body_look.h"
+#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -164,6 +166,23 @@ std::string plainReason(const std::string& message) {
     return message;
 }
 
+/// assimp reads floats: far from the origin another shape would come of them.
+void requireFineFloats(const TriangleSoup& soup) {
+    constexpr double kStep = 0x1p-24;       // of a float, as a share of it
+    constexpr double kMostOfLength = 1e-3;  // that a step may be
+    const Bounds bounds = boxOf(soup.positions);
+    const double reach =
+        std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
+    const double length = (bounds.high - bounds.low).maxCoeff();
+    if (length > 0 && kStep * reach > kMostOfLength * length) {
+        throw InputError(fmt::format(
+            "it is {:.3g} long and reaches {:.3g} from the origin, where the 32-bit numbers in "
+            "which this format is read are {:.1g} apart; export it as PLY with doubles, or nearer "
+            "to the origin",
+            length, reach, 2 * kStep * reach));
+    }
+}
+
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readByAssimp(const std::filesystem::path& file) {
     requireReadable(file);
@@ -191,6 +210,7 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
         triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
     }
     addAppearance(*scene, file, triangles, model);
+    requireFineFloats(model.soup);
     return model;
 }
 

@@ -110,6 +110,7 @@ ModelMesh joined(std::vector<ModelMesh> models) {
         std::ranges::move(model.remarks, std::back_inserter(all.remarks));
     }
     all.placed = joinedPlaces(models);
+    all.origin = models.front().origin;
     all.faults = joinedFaults(models);
     return all;
 }

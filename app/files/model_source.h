@@ -68,6 +68,7 @@ struct ModelMesh {
     OwnLooks looks;
     std::vector<std::string> remarks;        ///< sentences about what was left out of them
     std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
+    Vec3 origin = Vec3::Zero();  ///< the point of the scene from which places are counted [m]
     /// What is poor about its triangles though it can be cut, by slot; empty unless
     /// ReadOptions::findFaults.
     repair::Faults faults;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/scene/keyframes.h"
+#include "app/session/scene_origin.h"
 #include "app/session/session.h"
 #include "gpu/data_path.h"
 #include "sim/base/size_params.h"
@@ -91,6 +92,7 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
         further.model.repair |= options.repair;
     }
     ModelMesh model = loadSessionModel(session, options);
+    session = countedFrom(std::move(session), model.origin);
     std::string note = joined(session.warnings, "; ");
     return finish(shortName(file), std::move(session), std::move(model), std::move(note));
 }
@@ -120,6 +122,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
     ModelMesh models = loadSessionModel(scene, options);
+    scene = countedFrom(std::move(scene), models.origin);
     Document document = finish(name, std::move(scene), std::move(models), "");
     document.inFile = false;
     return document;
@@ -147,7 +150,9 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     added.model.repair = options.repair;
     added.color = kColors[(others - 1) % kColors.size()];
     const Placement stands = standing(guess, own.restPositions());
-    const Bounds before = meshBounds(loadSessionModel(scene, {}).mesh);
+    const ModelMesh there = loadSessionModel(scene, {});
+    scene = countedFrom(std::move(scene), there.origin);
+    const Bounds before = meshBounds(there.mesh);
     added.placement = beside(before, stands, own.restPositions());
     scene.moreModels.push_back(std::move(added));
     ReadOptions all;

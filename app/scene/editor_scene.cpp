@@ -6,6 +6,7 @@
 #include "app/scene/session_marks.h"
 #include "app/scene/size_effect.h"
 #include "app/scene/triangle_text.h"
+#include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
 #include "sim/mesh/piece_figures.h"
 #include "ui/unit_text.h"
@@ -119,7 +120,8 @@ void EditorScene::beginPlayback() {
 // --- What is done to the body ------------------------------------------------------------------
 
 /// The one way in which anything that a person does reaches the simulation.
-std::string EditorScene::perform(const Command& command) {
+std::string EditorScene::perform(const Command& wanted) {
+    const Command command = asReplayed(wanted, document_.session.origin);
     std::string problem = simulation_.execute(command);
     if (problem.empty()) {
         const int step = simulation_.stepCount();
@@ -156,6 +158,7 @@ Place EditorScene::placeCommand(const Placement& wanted, bool continues, int mod
 
 Session EditorScene::startOfScene() const {
     Session start;
+    start.origin = document_.session.origin;
     start.model = document_.session.model;
     start.placement = simulation_.placement();
     start.moreModels = document_.session.moreModels;
@@ -642,6 +645,7 @@ Session EditorScene::sessionWithoutEvents(const render::Camera& camera,
                                           const render::ChosenColors& colors) const {
     const Session& opened = document_.session;
     Session session;
+    session.origin = opened.origin;
     session.model = opened.model;
     session.placement = opened.placement;
     session.moreModels = opened.moreModels;
@@ -659,6 +663,9 @@ SessionChange EditorScene::takeChange(bool whole) {
     change.added.reserve(splice.added);
     for (std::size_t i = splice.at; i < splice.at + splice.added; ++i) {
         change.added.push_back(eventAsSaved(journal_.entries()[i], hasChanged()));
+        if (std::optional<SessionEvent>& event = change.added.back()) {
+            event->action = countedFrom(event->action, -document_.session.origin);
+        }
     }
     return change;
 }
@@ -840,9 +847,10 @@ void EditorScene::describe(ui::PanelModel& model) {
     const StepReport& report = simulation_.report();
     model.name = document_.name;
     describeModels(model);
-    model.params = simulation_.params();
-    model.startParams = document_.session.params;
-    model.boxes = simulation_.boxes();
+    const Vec3 toScene = -document_.session.origin;
+    model.params = countedFrom(simulation_.params(), toScene);
+    model.startParams = countedFrom(document_.session.params, toScene);
+    model.boxes = countedFrom(simulation_.boxes(), toScene);
     model.pinned = simulation_.pinnedVertices().size();
     model.hooks = hooks().size();
     model.bodySize = rest_.bounds.diagonal();

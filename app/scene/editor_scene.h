@@ -216,7 +216,7 @@ class EditorScene {
   private:
     static constexpr int kPersonsHand = 0;  ///< its number among the hands
 
-    std::string perform(const Command& command);
+    std::string perform(const Command& wanted);
     void followUndo(const Params& before);
     void followPlacement();
     void moveHands();

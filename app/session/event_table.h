@@ -58,6 +58,9 @@ struct Words {
 inline constexpr const char* kTypeKey = "type";
 
 inline constexpr Limits kCoordinates = within(kMaxSessionCoordinate);  // [m]
+/// A place in the scene, which lies elsewhere about another origin.
+struct Positions : Limits {};
+inline constexpr Positions kPositions{kCoordinates};
 inline constexpr Limits kScales{1e-6, 1e6};
 inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  // [m]
 inline constexpr Limits kHands{0, 99};                                        // their numbers
@@ -100,13 +103,13 @@ struct NoFields {
 };
 
 void describe(auto& fields, Ball& ball) {
-    fields.required({"center", "The middle of the ball [m]."}, ball.center, kCoordinates);
+    fields.required({"center", "The middle of the ball [m]."}, ball.center, kPositions);
     fields.required({"radius", "The radius of the ball [m]."}, ball.radius, kRadii);
 }
 
 void describe(auto& fields, Bounds& box) {
-    fields.required({"low", "The lowest corner of the box [m]."}, box.low, kCoordinates);
-    fields.required({"high", "The highest corner of the box [m]."}, box.high, kCoordinates);
+    fields.required({"low", "The lowest corner of the box [m]."}, box.low, kPositions);
+    fields.required({"high", "The highest corner of the box [m]."}, box.high, kPositions);
     fields.check((box.low.array() <= box.high.array()).all(), "low",
                  "a box needs low to be no higher than high, in each direction.");
 }
@@ -117,7 +120,7 @@ void describe(auto& fields, Region& region) {
 }
 
 void describe(auto& fields, StaticBox& box) {
-    fields.required({"center", "The middle of the box [m]."}, box.center, within(kFarthestBox));
+    fields.required({"center", "The middle of the box [m]."}, box.center, kPositions);
     fields.required({"size", "Lengths of the sides along the box's own axes [m]."}, box.size,
                     kBoxSizes);
     fields.optional(kRotate, box.rotate, kTurns);
@@ -135,13 +138,12 @@ void describe(auto& fields, Placement& placement) {
                     placement.up, Words{kUpAxisNames});
     fields.optional({"scale", "Scales the model, before it is turned."}, placement.scale, kScales);
     fields.optional(kRotate, placement.rotate, kTurns);
-    fields.optional({"translate", "Moves the model at last [m]."}, placement.translate,
-                    kCoordinates);
+    fields.optional({"translate", "Moves the model at last [m]."}, placement.translate, kPositions);
 }
 
 void describe(auto& fields, render::Camera& camera) {
-    fields.required({"eye", "Where the camera is [m]."}, camera.eye, kCoordinates);
-    fields.required({"target", "The point that it looks at [m]."}, camera.target, kCoordinates);
+    fields.required({"eye", "Where the camera is [m]."}, camera.eye, kPositions);
+    fields.required({"target", "The point that it looks at [m]."}, camera.target, kPositions);
     fields.optional({"up", "The direction that is up in the picture."}, camera.up, kCoordinates);
     fields.optional({"fov_y", "The vertical field of view, in degrees."}, camera.fovY,
                     kFieldsOfView);
@@ -162,8 +164,8 @@ void describe(auto& fields, MoveBlade& move) {
     fields.type({"blade",
                  "A key pose of the blade. The first one places it; on the way to each further one "
                  "it cuts."});
-    fields.required({"a", "One end of the blade [m]."}, move.blade.a, kCoordinates);
-    fields.required({"b", "The other end of the blade [m]."}, move.blade.b, kCoordinates);
+    fields.required({"a", "One end of the blade [m]."}, move.blade.a, kPositions);
+    fields.required({"b", "The other end of the blade [m]."}, move.blade.b, kPositions);
     fields.check(move.blade.a != move.blade.b, "a",
                  "a and b are the same point; a blade needs a length.");
 }
@@ -186,7 +188,7 @@ void describe(auto& fields, SetParam& set) {
 void describe(auto& fields, Grab& grab) {
     fields.type({"grab", "A hand takes hold of what lies about a point."});
     fields.optional(kHand, grab.hand, kHands);
-    fields.required({"at", "The point [m]."}, grab.at, kCoordinates);
+    fields.required({"at", "The point [m]."}, grab.at, kPositions);
     fields.required({"radius", "How far about the point the hand reaches [m]."}, grab.radius,
                     kRadii);
     fields.optional({"surface", "How far along the surface, and of one side of a cut alone."},
@@ -197,7 +199,7 @@ void describe(auto& fields, Grab& grab) {
 void describe(auto& fields, Drag& drag) {
     fields.type({"drag", "A key pose of a hand, to which it moves with what it holds."});
     fields.optional(kHand, drag.hand, kHands);
-    fields.required({"to", "Where the hand is then [m]."}, drag.to, kCoordinates);
+    fields.required({"to", "Where the hand is then [m]."}, drag.to, kPositions);
 }
 
 void describe(auto& fields, Release& release) {

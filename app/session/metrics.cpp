@@ -195,14 +195,18 @@ std::string piecesHeader() {
 }
 
 std::string formatPieces(int step, const std::vector<Piece>& pieces,
-                         const std::vector<Bounds>& boxes) {
+                         const std::vector<Bounds>& boxes, const Vec3& from) {
+    const auto number = [&](const Vec3& corner, int axis) {
+        const auto own = static_cast<float>(corner[axis]);
+        return from[axis] == 0 ? formatNumber(own) : formatNumber(own + from[axis]);
+    };
     std::string lines;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         lines += std::to_string(step) + "," + std::to_string(p) + "," +
                  std::to_string(pieces[p].triangles) + "," + formatNumber(pieces[p].volume);
         for (const Vec3& corner : {boxes[p].low, boxes[p].high}) {
             for (int i = 0; i < 3; ++i) {
-                lines += "," + formatNumber(static_cast<float>(corner[i]));
+                lines += "," + number(corner, i);
             }
         }
         lines += "\n";

@@ -49,9 +49,10 @@ std::string formatJsonLine(const MetricsRow& row);
 
 /// First line of pieces.csv.
 std::string piecesHeader();
-/// Its rows after a step, one for each piece, from 0, with the boxes around them.
+/// Its rows after a step, one for each piece, from 0, with the boxes around them, which
+/// are counted from `from`.
 std::string formatPieces(int step, const std::vector<Piece>& pieces,
-                         const std::vector<Bounds>& boxes);
+                         const std::vector<Bounds>& boxes, const Vec3& from);
 
 /// The numbers that are counted before and after a run.
 struct Counts {

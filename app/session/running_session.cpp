@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files/memory_means.h"
+#include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
@@ -18,15 +19,15 @@ void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size
 
 RunningSession::RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                                render::Quality quality)
-    : session_(session),
+    : session_(countedFrom(session, model.origin)),
       quality_(quality),
       looks_(std::move(model.looks)),
-      simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)), session.params,
-                  session.boxes),
+      simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),
+                  session_.params, session_.boxes),
       uncut_(simulation_.uncut()),
       restBounds_(meshBounds(simulation_.mesh())),
       runner_(simulation_),
-      camera_(sessionCamera(session, restBounds_)) {
+      camera_(sessionCamera(session_, restBounds_)) {
     simulation_.setUndoBudget(undoBudget);
 }
 
@@ -82,7 +83,7 @@ std::vector<ExportedFile> RunningSession::encode(const ExportTarget& target) {
     const SurfaceMesh& mesh = simulation_.mesh();
     return encodeExport(target, mesh, simulation_.pieces(),
                         {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
-                        simulation_.placement());
+                        {simulation_.placement(), session_.origin});
 }
 
 std::vector<std::string> RunningSession::problemsWith(const CheckEvent& check,

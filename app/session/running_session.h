@@ -24,8 +24,8 @@ void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size
 class RunningSession {
   public:
     /// Uploads `model`, which is loadSessionModel(session), to the OpenGL context that is current,
-    /// where all else is called too. The session must outlive it. Pictures are of `quality`. Throws
-    /// gpu::ShaderError, gpu::OutOfMemory.
+    /// where all else is called too. Pictures are of `quality`. Throws gpu::ShaderError,
+    /// gpu::OutOfMemory.
     RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                    render::Quality quality);
     RunningSession(const RunningSession&) = delete;  // parts of it refer to one another
@@ -65,6 +65,7 @@ class RunningSession {
     /// "first-cut.kerf.json: "; "" for a session that lies in no file.
     std::string filePrefix() const;
 
+    /// The session, counted from the origin of the simulation.
     const Session& session() const { return session_; }
     Simulation& simulation() { return simulation_; }
     const Simulation& simulation() const { return simulation_; }
@@ -75,7 +76,7 @@ class RunningSession {
   private:
     void followPlacement();
 
-    const Session& session_;
+    const Session session_;
     const render::Quality quality_;
     const OwnLooks looks_;  ///< of the uncut body
     SkinFollower skin_{looks_};

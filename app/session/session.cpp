@@ -1,5 +1,7 @@
 #include "app/session/session.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -50,37 +52,79 @@ std::string ModelReference::name() const {
 
 namespace {
 
-/// `key`: of its placement in the session.
-ModelMesh loadPlaced(const ModelReference& reference, const Placement& placement,
-                     const std::string& key, const ReadOptions& options) {
+/// A model of a session, in the numbers of its file.
+ModelMesh load(const ModelReference& reference, const ReadOptions& options) {
     const std::filesystem::path file = reference.file();
     requireDigest(file, reference.sha256);
     ReadOptions ours = options;
     ours.fillHoles |= reference.fillHoles;
     ours.repair |= reference.repair;
     ours.remesh = reference.remesh;
-    ModelMesh model = readModel(file, ours);
-    place(model.mesh, placement);
-    if (const std::string problem = checkRoom(meshBounds(model.mesh)); !problem.empty()) {
-        throw InputError(key + ": " + problem);
+    return readModel(file, ours);
+}
+
+/// Where a model lies in the scene.
+Bounds boundsOf(const ModelMesh& model, const Placement& placement) {
+    const PlacementMap map(placement);
+    Bounds bounds;
+    for (const Vec3& own : model.mesh.restPositions()) {
+        bounds.add(map.toScene(own));
     }
-    model.placed = {{placement, 0}};
-    return model;
+    return bounds;
+}
+
+/// What people should know of models that floats can't hold where they lie.
+std::string remarkOnOrigin(const Bounds& all, const Vec3& origin) {
+    if (checkRoom(all).empty()) {
+        return "";
+    }
+    return fmt::format(
+        "The scene lies {:.7g} m from the origin, too far for the floats of a simulation: it runs "
+        "about ({:.10g}, {:.10g}, {:.10g}), and files keep their coordinates, STL as floats.",
+        all.center().norm(), origin.x(), origin.y(), origin.z());
+}
+
+/// Puts models where the scene has them, counted from an origin beside them.
+void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& placements) {
+    std::vector<Bounds> bounds;
+    Bounds all;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        bounds.push_back(boundsOf(models[m], placements[m]));
+        all.add(bounds.back());
+    }
+    const Vec3 origin = originOf(all);
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        if (const std::string problem = checkRoom(bounds[m], origin); !problem.empty()) {
+            const std::string key = m == 0 ? "" : "more_models[" + std::to_string(m - 1) + "].";
+            throw InputError(key + "placement: " + problem);
+        }
+        Placement placement = placements[m];
+        placement.translate -= origin;
+        place(models[m].mesh, placement);
+        models[m].placed = {{placement, 0}};
+        models[m].origin = origin;
+    }
+    if (std::string remark = remarkOnOrigin(all, origin); !remark.empty()) {
+        models.front().remarks.push_back(std::move(remark));
+    }
 }
 
 }  // namespace
 
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
-    std::vector<ModelMesh> models;
-    models.reserve(session.moreModels.size() + 1);
-    models.push_back(loadPlaced(session.model, session.placement, "placement", options));
+    std::vector<ModelMesh> models{load(session.model, options)};
+    std::vector<Placement> placements{session.placement};
     for (const FurtherModel& further : session.moreModels) {
-        const std::string key = "more_models[" + std::to_string(models.size() - 1) + "].placement";
-        models.push_back(loadPlaced(further.model, further.placement, key, options));
+        models.push_back(load(further.model, options));
+        placements.push_back(further.placement);
         if (further.color) {
             paint(models.back(), further.model.name(), *further.color);
         }
     }
+    for (Placement& placement : placements) {
+        placement.translate += session.origin;
+    }
+    placeAll(models, placements);
     return joined(std::move(models));
 }
 

@@ -22,7 +22,7 @@ namespace kerf::app {
 inline constexpr std::uintmax_t kMaxSessionBytes = 64u << 20;
 inline constexpr int kMaxSteps = 1'000'000;
 inline constexpr int kMaxPictureSize = 8192;          ///< [pixels], each way
-inline constexpr double kMaxSessionCoordinate = 1e6;  ///< [m]
+inline constexpr double kMaxSessionCoordinate = 1e8;  ///< [m]
 
 /// Files that every replay writes into its output folder; a session's own ones have other names.
 inline constexpr const char* kMetricsFile = "metrics.csv";
@@ -115,6 +115,8 @@ inline constexpr std::string_view kSessionEnding = ".kerf.json";
 /// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
 struct Session {
     std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
+    /// From where its places are counted [m]; 0 as it is read and written: see countedFrom().
+    Vec3 origin = Vec3::Zero();
     ModelReference model;
     Placement placement;
     std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
@@ -171,8 +173,9 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
 /// formatSession().
 std::string formatEvent(const SessionEvent& event);
 
-/// The models of a session, placed in the world, as one. Throws InputError, also where a sha256
-/// differs or where a model would be too small or too far from the origin for floats.
+/// The models of a session, placed in the scene, as one, about ModelMesh::origin. Throws
+/// InputError, also where a sha256 differs or where a model would be too small, or too far from the
+/// others, for floats.
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});
 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and

@@ -8,7 +8,7 @@
 
 namespace kerf::app {
 
-/// What has become of the events of a session that is being made.
+/// What has become of the events of a session that is being made, with places as in its file.
 struct SessionChange {
     std::size_t at = 0;       ///< so many events before stay
     std::size_t dropped = 0;  ///< so many behind these are gone

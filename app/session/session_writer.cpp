@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/session/material_table.h"
+#include "app/session/scene_origin.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {
@@ -230,7 +231,7 @@ std::string textOf(Session& session) {
 }  // namespace
 
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder) {
-    Session written = session;
+    Session written = countedFrom(session, Vec3::Zero());
     written.model = inFolder(session.model, baseFolder);
     for (FurtherModel& further : written.moreModels) {
         further.model = inFolder(further.model, baseFolder);

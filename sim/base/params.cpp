@@ -56,7 +56,7 @@ const std::array kRows = {
          ParamType::vector, -100, 100, false},
         &Params::gravity},
     Row{{"floor", "Floor", "m", "Height of the floor; none without a value.",
-         ParamType::optionalReal, -1000, 1000, false},
+         ParamType::optionalReal, -1e7, 1e7, false},
         &Params::floor},
     Row{{"youngs_modulus", "Young's modulus", "Pa",
          "Stiffness of the material: 1e5 is a soft sponge, 1e7 rubber. Not used by pbd.",

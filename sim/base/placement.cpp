@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "sim/base/turn.h"
@@ -11,8 +12,9 @@ namespace {
 
 // Of a model in the scene.
 constexpr double kLeastLength = 1e-6;          // [m]
-constexpr double kFarthestReach = 1e6;         // [m]
+constexpr double kFarthestReach = 1e7;         // [m]; maps have such numbers
 constexpr double kMostReachInLengths = 20000;  // of its longest side
+constexpr double kNearInLengths = 8;           // floats are as good there as at the origin
 
 constexpr std::array kUnits{
     LengthUnitInfo{"metres", 1},         LengthUnitInfo{"centimetres", 1e-2},
@@ -83,19 +85,31 @@ Vec3 PlacementMap::toModel(const Vec3& placed) const {
     return upright(metric / metres_, inverseOf(up_));
 }
 
-std::string checkRoom(const Bounds& placed) {
+Vec3 originOf(const Bounds& placed) {
     const double length = (placed.high - placed.low).maxCoeff();
-    const double reach =
-        std::max(placed.high.cwiseAbs().maxCoeff(), placed.low.cwiseAbs().maxCoeff());
+    const double step = std::exp2(std::ceil(std::log2(length)));
+    const Vec3 round = (placed.center() / step).array().round() * step;
+    const Vec3 reach = placed.high.cwiseAbs().cwiseMax(placed.low.cwiseAbs());
+    return (reach.array() > kNearInLengths * length).select(round, Vec3::Zero());
+}
+
+std::string checkRoom(const Bounds& placed, const Vec3& origin) {
+    const auto reachFrom = [&](const Vec3& zero) {
+        return std::max((placed.high - zero).cwiseAbs().maxCoeff(),
+                        (placed.low - zero).cwiseAbs().maxCoeff());
+    };
+    const double length = (placed.high - placed.low).maxCoeff();
+    const double reach = reachFrom(Vec3::Zero());
     if (length >= kLeastLength && reach <= kFarthestReach &&
-        reach <= kMostReachInLengths * length) {
+        reachFrom(origin) <= kMostReachInLengths * length) {
         return "";
     }
     std::ostringstream message;
     message << "the model would be " << length << " m long and reach " << reach
             << " m from the origin, but must be at least " << kLeastLength
-            << " m long and reach at most " << kFarthestReach << " m and " << kMostReachInLengths
-            << " times its length; scale or move it.";
+            << " m long and reach at most " << kFarthestReach << " m, and " << kMostReachInLengths
+            << " times its length from the middle of the scene; scale or "
+            << "move it.";
     return message.str();
 }
 

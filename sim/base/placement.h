@@ -62,8 +62,13 @@ class PlacementMap {
     Eigen::Matrix3d turn_;
 };
 
-/// "", or one sentence, where a model that lies so in the scene is too small, or too far from the
-/// origin, for floats: their steps grow with that distance.
-std::string checkRoom(const Bounds& placed);
+/// Where the simulation has its zero, so that floats suffice where the models lie in `placed` [m]:
+/// 0 along each axis along which that is near, else a round number in their midst, from which
+/// coordinates differ without any rounding.
+Vec3 originOf(const Bounds& placed);
+
+/// "", or one sentence, where a model that lies so about `origin` is too small, or too far from it,
+/// for floats: their steps grow with that distance.
+std::string checkRoom(const Bounds& placed, const Vec3& origin = Vec3::Zero());
 
 }  // namespace kerf

@@ -27,7 +27,7 @@ Bounds StaticBox::bounds() const {
 
 std::string checkBox(const StaticBox& box) {
     if (!within(box.center, -kFarthestBox, kFarthestBox)) {
-        return "The centre of a box needs three numbers from -1e6 to 1e6 m.";
+        return "The centre of a box needs three numbers from -1e8 to 1e8 m.";
     }
     if (!within(box.size, kLeastBoxSize, kLargestBoxSize)) {
         return "The size of a box needs three numbers from 1e-6 to 1e6 m.";

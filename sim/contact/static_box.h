@@ -27,7 +27,7 @@ struct StaticBox {
 /// Limits of what checkBox() lets pass.
 inline constexpr double kLeastBoxSize = 1e-6;     ///< [m]
 inline constexpr double kLargestBoxSize = 1e6;    ///< [m]
-inline constexpr double kFarthestBox = 1e6;       ///< of each coordinate [m]
+inline constexpr double kFarthestBox = 1e8;       ///< of each coordinate [m]
 inline constexpr double kLargestBoxTurn = 36000;  ///< of each angle [degrees]
 inline constexpr std::size_t kMostBoxes = 10'000;
 

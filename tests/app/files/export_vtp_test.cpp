@@ -26,7 +26,7 @@ struct MovingBox {
     Json exported(const Placement& placement, Coordinates coordinates) const {
         const test::TemporaryFolder folder;
         const std::filesystem::path file = folder / "box.vtp";
-        const auto files = encodeExport({file, false, coordinates}, mesh, pieces, {}, placement);
+        const auto files = encodeExport({file, false, coordinates}, mesh, pieces, {}, {placement});
         EXPECT_EQ(files.size(), 1U);
         test::writeText(file, files.front().bytes);
         return Json::parse(test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR

@@ -81,13 +81,19 @@ int countIn(const std::string& header, const std::string& element) {
     return std::stoi(header.substr(header.find("element " + element) + 9 + element.size()));
 }
 
+Point inFloats(const std::array<double, 3>& place) {
+    return {static_cast<float>(place[0]), static_cast<float>(place[1]),
+            static_cast<float>(place[2])};
+}
+
 Soup readPly(const std::string& bytes) {
     std::size_t at = bytes.find("end_header\n") + 11;
     const std::string header = bytes.substr(0, at);
     const bool colored = header.find("uchar red") != std::string::npos;
+    const bool far = header.find("double x") != std::string::npos;
     std::vector<Point> points(countIn(header, "vertex"));
     for (Point& point : points) {
-        point = take<Point>(bytes, at);
+        point = far ? inFloats(take<std::array<double, 3>>(bytes, at)) : take<Point>(bytes, at);
         take<Point>(bytes, at);  // normal
         at += colored ? 4 : 0;
     }
@@ -111,7 +117,7 @@ Soup readStl(const std::string& bytes) {
     return soup;
 }
 
-/// Of one mesh with one primitive, without a transform.
+/// Of one mesh with one primitive, without a transform but for a translation.
 Soup readGlb(const std::string& bytes) {
     std::size_t at = 12;
     const auto size = take<std::uint32_t>(bytes, at);
@@ -127,7 +133,11 @@ Soup readGlb(const std::string& bytes) {
     const auto& indices = json["accessors"][primitive["indices"].get<int>()];
     std::vector<Point> points(positions["count"].get<std::size_t>());
     at = startOf(positions);
-    for (Point& point : points) point = take<Point>(bytes, at);
+    const auto moved = json["nodes"][0].value("translation", std::array<double, 3>{});
+    for (Point& point : points) {
+        const auto own = take<Point>(bytes, at);
+        point = inFloats({own[0] + moved[0], own[1] + moved[1], own[2] + moved[2]});
+    }
     std::vector<std::array<int, 3>> triangles(indices["count"].get<std::size_t>() / 3);
     at = startOf(indices);
     for (auto& triangle : triangles) triangle = take<std::array<int, 3>>(bytes, at);
@@ -180,7 +190,7 @@ class OwnCoordinates : public ::testing::TestWithParam<const char*> {
     std::string exported(const Document& document, const std::string& ending) {
         const ExportTarget target{"out" + ending, false, Coordinates::model};
         return encodeExport(target, document.mesh, findPieces(document.mesh), {},
-                            document.session.placement)
+                            {document.session.placement})
             .front()
             .bytes;
     }

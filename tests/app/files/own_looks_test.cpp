@@ -66,7 +66,7 @@ void exportTo(const fs::path& folder, const Document& document, const SurfaceMes
         const ExportTarget target{folder / (std::string("out") + ending), false,
                                   Coordinates::model};
         for (const ExportedFile& file :
-             encodeExport(target, mesh, findPieces(mesh), looks, document.session.placement)) {
+             encodeExport(target, mesh, findPieces(mesh), looks, {document.session.placement})) {
             writeOutputFile(file.file, file.bytes);
         }
     }

@@ -59,11 +59,31 @@ Bounds cubeBetween(double low, double high) {
 TEST(Placement, ABodyMayReachTheLimitsOfTheRoomAndNotBeyond) {
     EXPECT_EQ(checkRoom(cubeBetween(0, 1e-6)), "");
     EXPECT_NE(checkRoom(cubeBetween(0, 0.99e-6)), "") << "too small";
-    EXPECT_EQ(checkRoom(cubeBetween(-1e6, 1e6)), "");
-    EXPECT_NE(checkRoom(cubeBetween(-1e6, 1.01e6)), "") << "too far above";
-    EXPECT_NE(checkRoom(cubeBetween(-1.01e6, 1e6)), "") << "too far below";
+    EXPECT_EQ(checkRoom(cubeBetween(-1e7, 1e7)), "");
+    EXPECT_NE(checkRoom(cubeBetween(-1e7, 1.01e7)), "") << "too far above";
+    EXPECT_NE(checkRoom(cubeBetween(-1.01e7, 1e7)), "") << "too far below";
     EXPECT_EQ(checkRoom(cubeBetween(19999, 20000)), "");
     EXPECT_NE(checkRoom(cubeBetween(20000, 20001)), "") << "too far for its length";
+    const Vec3 beside = Vec3::Constant(20000);
+    EXPECT_EQ(checkRoom(cubeBetween(20000, 20001), beside), "");
+    EXPECT_NE(checkRoom(cubeBetween(40000, 40001), beside), "") << "too far from the origin";
+}
+
+TEST(Placement, TheOriginLiesAtZeroOrBesideTheModels) {
+    EXPECT_EQ(originOf(cubeBetween(-0.5, 0.5)), Vec3::Zero());
+    EXPECT_EQ(originOf(cubeBetween(7, 8)), Vec3::Zero()) << "near enough";
+    EXPECT_EQ(originOf(cubeBetween(99.8, 100.3)), Vec3::Constant(100));
+    EXPECT_EQ(originOf(cubeBetween(-5000123.3, -5000120.3)), Vec3::Constant(-5000120));
+    Bounds slab = cubeBetween(0, 1);
+    slab.low.x() += 1000;
+    slab.high.x() += 1000;
+    EXPECT_EQ(originOf(slab).y(), 0) << "each axis for itself";
+    for (const double place : {0.1, 12.34, 4321.09, 5000456.7, 9.9e6}) {
+        const Bounds bounds = cubeBetween(place, place + 0.37);
+        const Vec3 origin = originOf(bounds);
+        EXPECT_EQ((bounds.low - origin) + origin, bounds.low) << "not rounded";
+        EXPECT_LE((bounds.center() - origin).cwiseAbs().maxCoeff(), 8.5 * 0.37);
+    }
 }
 
 TEST(SizeParams, AreTheDefaultsForWhatIsAsLargeAsAPerson) {
