@@ -186,10 +186,10 @@ TEST(SessionReader, FilesAboveTheCapAreRefusedUnread) {
     EXPECT_THROW(readSession(folder / "big.kerf.json"), InputError);
 }
 
-/// The sentence with which the model of a session is refused; empty where it is not.
-std::string refusalOfModel(const std::string& placement) {
+/// The sentence with which the model of a session is refused; empty where it is not. `more`: keys.
+std::string refusalOfModel(const std::string& placement, const std::string& more = "") {
     try {
-        loadSessionModel(parseSession(sessionWith("\"placement\": " + placement), "."));
+        loadSessionModel(parseSession(sessionWith("\"placement\": " + placement + more), "."));
         return "";
     } catch (const InputError& error) {
         return error.what();
@@ -199,12 +199,16 @@ std::string refusalOfModel(const std::string& placement) {
 TEST(SessionModel, MustBeWhereFloatsAreFineEnough) {
     EXPECT_EQ(refusalOfModel(R"({"translate": [10000, 0, 0]})"), "");
     EXPECT_EQ(refusalOfModel(R"({"scale": 100000, "translate": [500000, 0, 0]})"), "");
-    for (const char* placement :
-         {R"({"translate": [1e6, 0, 0]})", R"({"scale": 1e-4, "translate": [0, -10, 0]})",
-          R"({"scale": 1e6, "translate": [1e6, 0, 0]})", R"({"scale": 1e-6})"}) {
+    EXPECT_EQ(refusalOfModel(R"({"translate": [500000, 100, -5000000]})"), "");
+    EXPECT_EQ(refusalOfModel(R"({"scale": 1e-4, "translate": [0, -10, 0]})"), "");
+    for (const char* placement : {R"({"translate": [2e7, 0, 0]})", R"({"scale": 1e-6})",
+                                  R"({"scale": 1e6, "translate": [1e7, 0, 0]})"}) {
         const std::string sentence = refusalOfModel(placement);
         EXPECT_EQ(sentence.find("placement: the model would be"), 0) << placement << sentence;
     }
+    const std::string apart = refusalOfModel("{}", R"(, "more_models": [{"builtin": "sphere20",
+        "placement": {"translate": [1e5, 0, 0]}}])");
+    EXPECT_NE(apart.find("from the middle of the scene"), std::string::npos) << apart;
 }
 
 TEST(SessionWriter, RoundTripKeepsEveryBit) {

@@ -255,7 +255,7 @@ TEST_F(BoxContactTest, CommandsAreCheckedAndUndone) {
     EXPECT_EQ(simulation.execute(AddBox{{{0, 0, 0}, {1, 0, 1}}}),
               "The size of a box needs three numbers from 1e-6 to 1e6 m.");
     EXPECT_EQ(simulation.execute(ChangeBox{0, {{NAN, 0, 0}, {1, 1, 1}}}),
-              "The centre of a box needs three numbers from -1e6 to 1e6 m.");
+              "The centre of a box needs three numbers from -1e8 to 1e8 m.");
     EXPECT_EQ(simulation.history().entries().size(), 0U);
 
     const std::string before = simulation.stateHash();
