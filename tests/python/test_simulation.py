@@ -74,6 +74,31 @@ class Body(TestCase):
         used = sim.positions[np.unique(sim.mesh.triangles)].astype("f4")
         self.assertEqual({tuple(p) for p in written}, {tuple(p) for p in used})
 
+    def test_far_from_the_origin_all_speaks_of_the_scene(self):
+        at = np.array([500000.0, 300.0, -5000000.0])
+        sim = kerf.Simulation("sphere20", params={"gravity": [0, 0, 0], "floor": 250},
+                              placement={"translate": list(at)})
+        sim.move_blade(at + [-0.8, 0.7, 0.02], at + [0.8, 0.7, 0.05])
+        sim.sweep(at + [-0.8, -0.75, 0.02], at + [0.8, -0.75, 0.05], steps=20)
+        np.testing.assert_array_equal(sim.blade[0], at + [-0.8, -0.75, 0.02])
+        sim.lift_blade()
+        sim.add_box(at - [0, 2, 0], [1, 1, 1])
+        np.testing.assert_array_equal(sim.boxes[0]["center"], at - [0, 2, 0])
+        self.assertEqual(sim.params["floor"], 250)
+        self.assertEqual(sim.step().pieces, 2)
+        near, end = halved()
+        near.sweep(*end, steps=20)
+        near.lift_blade()
+        near.step()
+        corners = slice(12)  # the sphere's own; walls are divided as rounding has it
+        for mine, other in ((sim.positions[corners], near.positions[corners]),
+                            (sim.mesh.rest_positions[corners], near.mesh.rest_positions[corners]),
+                            (sim.pieces.low, near.pieces.low)):
+            np.testing.assert_allclose(mine - at, other, atol=1e-4)
+        sim.save_session(self.folder / "far.kerf.json")
+        summary = replayed(self.folder / "far.kerf.json", self.folder / "out")
+        self.assertEqual(summary["state_hash"], sim.state_hash)
+
     def test_measures_are_the_columns_of_a_replay(self):
         replayed(SPHERE, self.folder, "--until", 30)
         sim = kerf.Simulation.from_session(SPHERE)
