@@ -7,9 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <optional>
 #include <string_view>
 
 #include "app/files/file_io.h"
@@ -85,22 +83,10 @@ std::string unescaped(const std::string& uri) {
     return name;
 }
 
-/// The file beside the model that a name means: written with either slash, or with a folder of
-/// another machine before it.
-std::optional<fs::path> findBeside(const fs::path& folder, std::string name) {
-    std::ranges::replace(name, '\\', '/');
-    for (const fs::path& way : {fs::path(name), fs::path(name).filename()}) {
-        if (way.is_relative() && isFileBelow(folder, folder / way)) {
-            return folder / way;
-        }
-    }
-    return std::nullopt;
-}
-
 /// Throws InputError where it is missing.
-render::ModelImage imageBeside(const fs::path& folder, const std::string& name,
+render::ModelImage imageBeside(const fs::path& model, const std::string& name,
                                const std::string& material) {
-    const std::optional<fs::path> file = findBeside(folder, name);
+    const std::optional<fs::path> file = fileBeside(model, name);
     if (!file) {
         throw InputError("The image \"" + name + "\" of the material \"" + material +
                          "\" was left out: there is no such file in the model's folder or "
@@ -113,10 +99,7 @@ render::ModelImage imageBeside(const fs::path& folder, const std::string& name,
 class AppearanceReader {
   public:
     AppearanceReader(const aiScene& scene, const fs::path& file, ImportedModel& model)
-        : scene_(scene),
-          folder_(fs::canonical(file).parent_path()),
-          gltf_(isGltf(file)),
-          model_(model) {}
+        : scene_(scene), file_(file), gltf_(isGltf(file)), model_(model), images_(file, model) {}
 
     /// Number of a material among those of the model; -1 where a file named none.
     int numberOf(unsigned index) {
@@ -139,38 +122,19 @@ class AppearanceReader {
         if (isMadeUpName(material.name) && image.empty() && plain) {
             return -1;
         }
-        material.image = image.empty() ? -1 : imageNumber(image, material.name);
+        if (!image.empty()) {
+            material.image =
+                images_.numberOf(image, [&] { return readImage(image, material.name); });
+        }
         model_.appearance.materials.push_back(std::move(material));
         return static_cast<int>(model_.appearance.materials.size()) - 1;
-    }
-
-    int imageNumber(const std::string& name, const std::string& material) {
-        const auto [place, isNew] = images_.try_emplace(name, -1);
-        if (isNew) {
-            try {
-                place->second = take(readImage(name, material));
-            } catch (const InputError& error) {
-                model_.remarks.emplace_back(error.what());
-            }
-        }
-        return place->second;
-    }
-
-    int take(render::ModelImage image) {
-        bytes_ += image.bytes.size();
-        if (bytes_ > kMaxImportImages) {
-            throw InputError("The image \"" + image.name +
-                             "\" was left out: the images of a model may have 500 MB together.");
-        }
-        model_.appearance.images.push_back(std::move(image));
-        return static_cast<int>(model_.appearance.images.size()) - 1;
     }
 
     render::ModelImage readImage(const std::string& name, const std::string& material) const {
         if (const aiTexture* within = scene_.GetEmbeddedTexture(name.c_str())) {
             return embedded(*within, material);
         }
-        return imageBeside(folder_, gltf_ ? unescaped(name) : name, material);
+        return imageBeside(file_, gltf_ ? unescaped(name) : name, material);
     }
 
     static render::ModelImage embedded(const aiTexture& texture, const std::string& material) {
@@ -185,33 +149,12 @@ class AppearanceReader {
     }
 
     const aiScene& scene_;
-    fs::path folder_;
+    const fs::path& file_;
     bool gltf_;
     ImportedModel& model_;
+    ModelImages images_;
     std::map<unsigned, int> numbers_;
-    std::map<std::string, int> images_;
-    std::uint64_t bytes_ = 0;
 };
-
-/// The files of materials that an OBJ file names at its beginning, and that are missing.
-std::vector<std::string> missingLibraries(const fs::path& file) {
-    constexpr int kLines = 1000;
-    const fs::path folder = fs::canonical(file).parent_path();
-    std::ifstream stream(file);
-    std::vector<std::string> missing;
-    std::string line;
-    for (int i = 0; i < kLines && std::getline(stream, line); ++i) {
-        if (line.starts_with("mtllib ")) {
-            const std::size_t first = line.find_first_not_of(' ', 7);
-            const std::size_t last = line.find_last_not_of(" \r");
-            const std::string name = first <= last ? line.substr(first, last - first + 1) : "";
-            if (!findBeside(folder, name)) {
-                missing.push_back(name);
-            }
-        }
-    }
-    return missing;
-}
 
 }  // namespace
 
@@ -226,29 +169,59 @@ bool isFileBelow(const fs::path& folder, const fs::path& file) {
            fs::file_size(file, error) <= kMaxModelBytes && !error;
 }
 
+ModelImages::ModelImages(const fs::path& file, ImportedModel& model) : file_(file), model_(model) {}
+
+int ModelImages::add(render::Material material, const std::string& image) {
+    if (!image.empty()) {
+        material.image = numberOf(image, [&] { return imageBeside(file_, image, material.name); });
+    }
+    model_.appearance.materials.push_back(std::move(material));
+    return static_cast<int>(model_.appearance.materials.size()) - 1;
+}
+
+int ModelImages::numberOf(const std::string& name,
+                          const std::function<render::ModelImage()>& read) {
+    const auto [place, isNew] = images_.try_emplace(name, -1);
+    if (isNew) {
+        try {
+            place->second = take(read());
+        } catch (const InputError& error) {
+            model_.remarks.emplace_back(error.what());
+        }
+    }
+    return place->second;
+}
+
+int ModelImages::take(render::ModelImage image) {
+    bytes_ += image.bytes.size();
+    if (bytes_ > kMaxImportImages) {
+        throw InputError("The image \"" + image.name +
+                         "\" was left out: the images of a model may have 500 MB together.");
+    }
+    model_.appearance.images.push_back(std::move(image));
+    return static_cast<int>(model_.appearance.images.size()) - 1;
+}
+
+std::optional<fs::path> fileBeside(const fs::path& model, std::string name) {
+    const fs::path folder = fs::canonical(model).parent_path();
+    std::ranges::replace(name, '\\', '/');
+    for (const fs::path& way : {fs::path(name), fs::path(name).filename()}) {
+        if (way.is_relative() && isFileBelow(folder, folder / way)) {
+            return folder / way;
+        }
+    }
+    return std::nullopt;
+}
+
 void addImageMaterial(const fs::path& file, const std::string& image, ImportedModel& model) {
     render::Material material;
     material.name = "image";
-    try {
-        model.appearance.images.push_back(
-            imageBeside(fs::canonical(file).parent_path(), image, material.name));
-        material.image = 0;
-    } catch (const InputError& error) {
-        model.remarks.emplace_back(error.what());
-    }
-    model.appearance.materials.push_back(std::move(material));
+    ModelImages(file, model).add(std::move(material), image);
     model.soup.skin.materials.assign(model.soup.triangles.size(), 0);
 }
 
 void addAppearance(const aiScene& scene, const fs::path& file, const std::vector<int>& triangles,
                    ImportedModel& model) {
-    if (lowerCase(file.extension().string()) == ".obj") {
-        for (const std::string& name : missingLibraries(file)) {
-            model.remarks.push_back("The materials of \"" + name +
-                                    "\" were left out: there is no such file in the model's folder "
-                                    "or below; put it there and open the model again.");
-        }
-    }
     AppearanceReader reader(scene, file, model);
     std::vector<int>& materials = model.soup.skin.materials;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +21,36 @@ namespace kerf::app {
 void addAppearance(const aiScene& scene, const std::filesystem::path& file,
                    const std::vector<int>& triangles, ImportedModel& model);
 
+/// Takes materials and the bytes of their images into a model, each image once.
+class ModelImages {
+  public:
+    /// `file`: that of the model.
+    ModelImages(const std::filesystem::path& file, ImportedModel& model);
+
+    /// Adds a material with the image of that name beside the model's file; "" for none. One that
+    /// is missing is a remark of the model. Returns the number of the material.
+    int add(render::Material material, const std::string& image);
+    /// The number of an image that `read` gets; -1, with a remark, where that throws InputError.
+    int numberOf(const std::string& name, const std::function<render::ModelImage()>& read);
+
+  private:
+    int take(render::ModelImage image);
+
+    const std::filesystem::path& file_;
+    ImportedModel& model_;
+    std::map<std::string, int> images_;
+    std::uint64_t bytes_ = 0;
+};
+
 /// Gives all triangles of a model in `file` one material with the picture of that name. One that is
 /// missing is a sentence of the answer.
 void addImageMaterial(const std::filesystem::path& file, const std::string& image,
                       ImportedModel& model);
+
+/// The file beside a model that a name in it means: written with either slash, or with a folder of
+/// another machine before it. None where there is none in the model's folder or below.
+std::optional<std::filesystem::path> fileBeside(const std::filesystem::path& model,
+                                                std::string name);
 
 /// Whether a file is of the kinds that give colours in linear light.
 bool isGltf(const std::filesystem::path& file);

@@ -20,6 +20,7 @@
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "app/files/obj_reader.h"
 #include "app/files/off_faces.h"
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
@@ -177,8 +178,8 @@ void requireFineFloats(const TriangleSoup& soup) {
     if (length > 0 && kStep * reach > kMostOfLength * length) {
         throw InputError(fmt::format(
             "it is {:.3g} long and reaches {:.3g} from the origin, where the 32-bit numbers in "
-            "which this format is read are {:.1g} apart; export it as PLY with doubles, or nearer "
-            "to the origin",
+            "which this format is read are {:.1g} apart; export it as PLY or OBJ with all its "
+            "digits, or nearer to the origin",
             length, reach, 2 * kStep * reach));
     }
 }
@@ -215,7 +216,10 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
 }
 
 ImportedModel readScene(const std::filesystem::path& file) {
-    return lowerCase(file.extension().string()) == ".ply" ? readPly(file) : readByAssimp(file);
+    const std::string extension = lowerCase(file.extension().string());
+    return extension == ".ply"   ? readPly(file)
+           : extension == ".obj" ? readObj(file)
+                                 : readByAssimp(file);
 }
 
 /// The answer's stream, set aside so that nothing that a library prints gets into it.

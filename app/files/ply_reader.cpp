@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -19,9 +17,10 @@
 #include "app/files/file_io.h"
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
+#include "app/files/polygon_faces.h"
+#include "app/files/text_lines.h"
 #include "render/scene/body_look.h"
 #include "sim/base/text.h"
-#include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
 
@@ -194,22 +193,7 @@ class Numbers {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
         const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
         rest_.remove_prefix(word.size());
-        return word.empty() ? std::nullopt : std::optional(valueOf(word));
-    }
-
-    /// One that no double holds is infinite, or 0.
-    static double valueOf(std::string_view word) {
-        double value = 0;
-        const char* last = word.data() + word.size();
-        const auto [end, error] =
-            std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), last, value);
-        if (end != last || error == std::errc::invalid_argument) {
-            fail("\"" + printable(std::string(word.substr(0, 40))) +
-                 "\" stands where a number must");
-        }
-        return error == std::errc::result_out_of_range
-                   ? std::strtod(std::string(word).c_str(), nullptr)
-                   : value;
+        return word.empty() ? std::nullopt : std::optional(numberOf(word));
     }
 
     std::optional<double> number(const Scalar& type) {
@@ -393,27 +377,9 @@ class PlyModel {
 
     bool isInRange(int v) const { return v >= 0 && std::size_t(v) < soup_.positions.size(); }
 
-    /// A polygon that crosses itself, or encloses no area, becomes a fan.
-    std::vector<Triangle> divided(std::span<const int> polygon) const {
-        std::vector<Triangle> triangles;
-        if (polygon.size() > 3 &&
-            std::ranges::all_of(polygon, [&](int v) { return isInRange(v); })) {
-            std::vector<Vec3> corners;
-            for (const int v : polygon) {
-                corners.push_back(soup_.positions[v]);
-            }
-            triangles = repair::triangulatePolygon(corners);
-        }
-        const bool fan = triangles.empty();
-        for (int i = 2; fan && i < static_cast<int>(polygon.size()); ++i) {
-            triangles.push_back({0, i - 1, i});
-        }
-        return triangles;
-    }
-
     void divide(std::size_t face, std::size_t first) {
         const std::span polygon(corners_.data() + first, ends_[face] - first);
-        for (const Triangle& t : divided(polygon)) {
+        for (const Triangle& t : trianglesOfFace(soup_.positions, polygon)) {
             soup_.triangles.push_back({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
             if (!cornerUvs_.empty() || !vertexUvs_.empty()) {
                 const auto uv = [&](int i) { return uvAt(first + t[i]); };

@@ -142,13 +142,13 @@ TEST_F(FarScene, AtMapCoordinatesVerticesKeepTheNumbersOfTheFile) {
 
 TEST_F(FarScene, WhatFloatsWouldMakeAnotherShapeOfIsRefused) {
     const SurfaceMesh ball = test::icosphere(2);
-    const std::filesystem::path file = folder / "far.obj";
-    writeOutputFile(file, encodeMesh(ball, findPieces(ball), MeshFormat::obj, {}, Vec3(5e6, 0, 0)));
+    const std::filesystem::path file = folder / "far.stl";
+    writeOutputFile(file, encodeMesh(ball, findPieces(ball), MeshFormat::stl, {}, Vec3(5e6, 0, 0)));
     try {
         importModel(file);
         FAIL() << "read as floats";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("export it as PLY with doubles"),
+        EXPECT_NE(std::string(error.what()).find("export it as PLY or OBJ"),
                   std::string::npos)
             << error.what();
     }

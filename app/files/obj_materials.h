@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/scene/appearance.h"
+
+namespace kerf::app {
+
+/// A material of an .mtl file.
+struct ObjMaterial {
+    render::Material material;  ///< without its image
+    std::string image;          ///< the name of its file; "" for none
+    std::string leftOut;        ///< what is said of the image and not read, as "-s"; "" for nothing
+};
+
+/// Reads the text of an .mtl file. Throws InputError for what is no number.
+std::vector<ObjMaterial> readObjMaterials(std::string_view text);
+
+}  // namespace kerf::app

@@ -1,0 +1,352 @@
+#include "app/files/obj_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/files/file_io.h"
+#include "app/files/import_appearance.h"
+#include "app/files/model_source.h"
+#include "app/files/obj_materials.h"
+#include "app/files/polygon_faces.h"
+#include "app/files/text_lines.h"
+#include "render/scene/body_look.h"
+#include "sim/base/boxes.h"
+#include "sim/base/float_rounding.h"
+#include "sim/base/placement.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+/// What says nothing about the shape and looks of a surface.
+constexpr std::array<std::string_view, 15> kSaysNothing{
+    "vn",    "l",        "p",        "o",          "g",         "s",      "mg",    "lod",
+    "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
+constexpr std::size_t kMostNamed = 3;  // unknown words in a remark
+
+const Eigen::Vector4f kWhite = Eigen::Vector4f::Ones();
+
+/// Counted from 0; -1 where there is none.
+struct Corner {
+    int vertex = -1;
+    int uv = -1;
+};
+
+/// A number of a list that has `count` so far, which counts from 1, or backwards from its end.
+int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
+    long long number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const long long index = number < 0 ? static_cast<long long>(count) + number : number - 1;
+    if (error != std::errc() || end != text.data() + text.size() || index < 0 ||
+        index > std::numeric_limits<int>::max()) {
+        throw InputError("\"" + printable(std::string(corner.substr(0, 40))) +
+                         "\" stands where a corner must");
+    }
+    return static_cast<int>(index);
+}
+
+/// Collects vertices and faces, and makes triangles of them.
+class ObjModel {
+  public:
+    void readLine(std::string_view line) {
+        line = line.substr(0, line.find(" #"));
+        const std::string_view key = takeWord(line);
+        if (key.empty() || key.starts_with('#')) {
+            return;
+        }
+        if (key == "v") {
+            addVertex(line);
+        } else if (key == "vt") {
+            addUv(line);
+        } else if (key == "f" || key == "fo") {
+            addFace(line);
+        } else if (std::ranges::find(kSaysNothing, key) == kSaysNothing.end()) {
+            unknown.insert(std::string(key));
+        }
+    }
+    /// The faces that follow are of this material.
+    void useMaterial(std::string_view name) {
+        material_ = static_cast<int>(
+            numbers_.try_emplace(std::string(name), numbers_.size()).first->second);
+        names.resize(numbers_.size(), std::string(name));
+    }
+
+    TriangleSoup triangles() {
+        requireCorners();
+        const float most = brightest_ > 1 ? 255.0F : 1.0F;
+        std::size_t first = 0;
+        for (std::size_t face = 0; face < ends_.size(); ++face) {
+            divide(first, face, most);
+            first = ends_[face];
+        }
+        if (soup_.triangles.empty()) {
+            throw InputError("there is no surface in it");
+        }
+        roundNearOrigin();
+        return std::move(soup_);
+    }
+
+    std::set<std::string> unknown;   ///< words at the beginning of lines
+    std::vector<std::string> names;  ///< of materials, by the numbers in the triangles
+
+  private:
+    static std::vector<double> numbersIn(std::string_view line) {
+        std::vector<double> numbers;
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            numbers.push_back(numberOf(word));
+        }
+        return numbers;
+    }
+
+    /// x y z, then nothing, a weight, or a colour.
+    void addVertex(std::string_view line) {
+        const std::vector<double> numbers = numbersIn(line);
+        if (numbers.size() < 3) {
+            throw InputError("a vertex has " + std::to_string(numbers.size()) +
+                             " numbers, and needs three");
+        }
+        const double weight = numbers.size() == 4 && numbers[3] != 0 ? numbers[3] : 1;
+        soup_.positions.emplace_back(Vec3(numbers[0], numbers[1], numbers[2]) / weight);
+        if (numbers.size() >= 6) {
+            const Vec3f color(Vec3(numbers[3], numbers[4], numbers[5]).cast<float>());
+            brightest_ = std::max(brightest_, color.maxCoeff());
+            colors_.resize(soup_.positions.size() - 1, Vec3f::Constant(-1));
+            colors_.push_back(color);
+        }
+    }
+
+    void addUv(std::string_view line) {
+        const std::vector<double> numbers = numbersIn(line);
+        uvs_.emplace_back(!numbers.empty() ? numbers[0] : 0, numbers.size() > 1 ? numbers[1] : 0);
+    }
+
+    /// Those of two corners are lines.
+    void addFace(std::string_view line) {
+        std::vector<Corner> face;
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            face.push_back(cornerOf(word));
+        }
+        if (face.size() > 2) {
+            corners_.insert(corners_.end(), face.begin(), face.end());
+            ends_.push_back(corners_.size());
+            materials_.push_back(material_);
+        }
+    }
+
+    /// v, v/vt, v//vn or v/vt/vn.
+    Corner cornerOf(std::string_view word) const {
+        const std::size_t slash = word.find('/');
+        Corner corner;
+        corner.vertex = indexOf(word.substr(0, slash), soup_.positions.size(), word);
+        if (slash != std::string_view::npos) {
+            const std::string_view behind = word.substr(slash + 1);
+            const std::string_view uv = behind.substr(0, behind.find('/'));
+            corner.uv = uv.empty() ? -1 : indexOf(uv, uvs_.size(), word);
+        }
+        return corner;
+    }
+
+    void requireCorners() const {
+        for (const Corner& corner : corners_) {
+            if (static_cast<std::size_t>(corner.vertex) >= soup_.positions.size()) {
+                throw InputError("a face names vertex " + std::to_string(corner.vertex + 1) +
+                                 ", and there are " + std::to_string(soup_.positions.size()));
+            }
+        }
+    }
+
+    void divide(std::size_t first, std::size_t face, float most) {
+        std::vector<int> vertices;
+        for (std::size_t i = first; i < ends_[face]; ++i) {
+            vertices.push_back(corners_[i].vertex);
+        }
+        for (const Triangle& t : trianglesOfFace(soup_.positions, vertices)) {
+            soup_.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+            if (!uvs_.empty()) {
+                const auto uv = [&](int i) { return uvAt(corners_[first + i].uv); };
+                soup_.skin.uvs.push_back({uv(t[0]), uv(t[1]), uv(t[2])});
+            }
+            if (!colors_.empty()) {
+                const auto color = [&](int i) { return colorAt(vertices[i], most); };
+                soup_.skin.colors.push_back({color(t[0]), color(t[1]), color(t[2])});
+            }
+            if (!names.empty()) {
+                soup_.skin.materials.push_back(materials_[face]);
+            }
+        }
+    }
+
+    Eigen::Vector2f uvAt(int number) const {
+        const bool isThere = number >= 0 && static_cast<std::size_t>(number) < uvs_.size();
+        return isThere ? Eigen::Vector2f(uvs_[number].cast<float>())
+                       : Eigen::Vector2f(Eigen::Vector2f::Zero());
+    }
+
+    /// From what displays take to linear light.
+    Eigen::Vector4f colorAt(int v, float most) const {
+        if (static_cast<std::size_t>(v) >= colors_.size() || colors_[v].minCoeff() < 0) {
+            return kWhite;
+        }
+        const Vec3f linear = render::toLinear(Vec3((colors_[v] / most).cast<double>()));
+        return {linear.x(), linear.y(), linear.z(), 1};
+    }
+
+    /// As other formats hold them; far away floats would make another shape of it.
+    void roundNearOrigin() {
+        if (originOf(boxOf(soup_.positions)) == Vec3::Zero()) {
+            std::ranges::transform(soup_.positions, soup_.positions.begin(), nearestFloats);
+        }
+    }
+
+    TriangleSoup soup_;
+    std::vector<Vec3f> colors_;  ///< by vertex, negative for none; fewer at the end
+    float brightest_ = 0;        ///< number of a colour
+    std::vector<Vec2> uvs_;
+    std::vector<Corner> corners_;    ///< of all faces
+    std::vector<std::size_t> ends_;  ///< where the corners of each face end
+    std::vector<int> materials_;     ///< by face; -1 for none
+    int material_ = -1;
+    std::map<std::string, std::size_t> numbers_;  ///< of materials, by name
+};
+
+/// The materials of the libraries that a file names.
+class Libraries {
+  public:
+    Libraries(const std::filesystem::path& model, std::vector<std::string>& remarks)
+        : model_(model), remarks_(remarks) {}
+
+    /// One name with blanks, or several.
+    void open(std::string_view names) {
+        std::string_view rest = names;
+        bool any = read(std::string(names));
+        std::vector<std::string> missing;
+        for (std::string_view word = takeWord(rest); !any && !word.empty(); word = takeWord(rest)) {
+            missing.emplace_back(word);
+        }
+        const std::size_t words = missing.size();
+        std::erase_if(missing, [&](const std::string& word) { return read(word); });
+        if (!any && missing.size() == words) {
+            missing = {std::string(names)};
+        }
+        for (const std::string& name : missing) {
+            complete_ = false;
+            remarks_.push_back("The materials of \"" + printable(name) +
+                               "\" were left out: there is no such file in the model's folder "
+                               "or below; put it there and open the model again.");
+        }
+    }
+    /// Null where no library has it; that is told where all of them were there.
+    const ObjMaterial* find(const std::string& name) {
+        const auto found = materials_.find(name);
+        if (found != materials_.end()) {
+            return &found->second;
+        }
+        if (complete_) {
+            remarks_.push_back("The material \"" + printable(name) +
+                               "\" was left out: no .mtl file of the model has it.");
+        }
+        return nullptr;
+    }
+
+  private:
+    bool read(const std::string& name) {
+        const std::optional<std::filesystem::path> file = fileBeside(model_, name);
+        if (file) {
+            for (ObjMaterial& material : readObjMaterials(readInputFile(*file, kMaxImportLooks))) {
+                materials_.try_emplace(material.material.name, std::move(material));
+            }
+        }
+        return file.has_value();
+    }
+
+    const std::filesystem::path& model_;
+    std::vector<std::string>& remarks_;
+    std::map<std::string, ObjMaterial> materials_;
+    bool complete_ = true;
+};
+
+void readStatement(std::string_view line, ObjModel& read, Libraries& libraries) {
+    std::string_view rest = line;
+    const std::string_view key = takeWord(rest);
+    if (key == "mtllib") {
+        libraries.open(withoutBlanks(rest));
+    } else if (key == "usemtl") {
+        read.useMaterial(withoutBlanks(rest));
+    } else {
+        read.readLine(line);
+    }
+}
+
+void readLines(std::string_view text, ObjModel& read, Libraries& libraries) {
+    TextLines lines(text);
+    while (lines.next()) {
+        try {
+            readStatement(lines.line(), read, libraries);
+        } catch (const InputError& error) {
+            throw InputError("line " + std::to_string(lines.number()) + ": " + error.what());
+        }
+    }
+}
+
+/// Numbers the materials that triangles have anew, in the order in which these first use them.
+void addMaterials(const std::vector<std::string>& names, Libraries& libraries,
+                  const std::filesystem::path& file, ImportedModel& model) {
+    constexpr int kNew = -2;
+    std::vector<int> numbers(names.size(), kNew);
+    ModelImages images(file, model);
+    for (int& material : model.soup.skin.materials) {
+        if (material < 0) {
+            continue;
+        }
+        int& number = numbers[material];
+        if (number == kNew) {
+            const ObjMaterial* const found = libraries.find(names[material]);
+            number = found == nullptr ? -1 : images.add(found->material, found->image);
+            if (found != nullptr && !found->leftOut.empty()) {
+                model.remarks.push_back("The image of the material \"" +
+                                        printable(names[material]) +
+                                        "\" is shown as it is: what its .mtl file says by " +
+                                        found->leftOut + " was left out.");
+            }
+        }
+        material = number;
+    }
+    if (model.appearance.materials.empty()) {
+        model.soup.skin.materials.clear();
+    }
+}
+
+void tellUnknown(const std::set<std::string>& words, std::vector<std::string>& remarks) {
+    std::vector<std::string> named;
+    for (const std::string& word : words) {
+        if (named.size() < kMostNamed) {
+            named.push_back("\"" + printable(word.substr(0, 40)) + "\"");
+        }
+    }
+    if (!named.empty()) {
+        remarks.push_back("Lines that begin with " + joined(named, ", ") +
+                          (words.size() > named.size() ? " and other words" : "") +
+                          " were left out: Kerf does not know them.");
+    }
+}
+
+}  // namespace
+
+ImportedModel readObj(const std::filesystem::path& file) {
+    const std::string bytes = readInputFile(file, kMaxModelBytes);
+    ImportedModel model;
+    ObjModel read;
+    Libraries libraries(file, model.remarks);
+    readLines(bytes, read, libraries);
+    model.soup = read.triangles();
+    addMaterials(read.names, libraries, file, model);
+    tellUnknown(read.unknown, model.remarks);
+    return model;
+}
+
+}  // namespace kerf::app

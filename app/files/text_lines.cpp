@@ -1,0 +1,76 @@
+#include "app/files/text_lines.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+#include "app/files/model_source.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr std::string_view kMark = "\xef\xbb\xbf";
+constexpr std::string_view kBlanks = " \t\v\f";
+constexpr std::size_t kShown = 40;  // most letters of a word in a message
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text) : rest_(text) {
+    rest_.remove_prefix(rest_.starts_with(kMark) ? kMark.size() : 0);
+}
+
+std::string_view TextLines::take() {
+    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const std::string_view line = withoutBlanks(rest_.substr(0, end));
+    rest_.remove_prefix(end);
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
+    ++read_;
+    return line;
+}
+
+bool TextLines::next() {
+    if (rest_.empty()) {
+        return false;
+    }
+    line_ = take();
+    number_ = read_;
+    if (!line_.ends_with('\\') || line_.starts_with('#')) {
+        return true;
+    }
+    joined_ = line_;
+    while (joined_.ends_with('\\') && !rest_.empty()) {
+        joined_.back() = ' ';
+        joined_ += take();
+    }
+    line_ = joined_;
+    return true;
+}
+
+std::string_view takeWord(std::string_view& text) {
+    text = withoutBlanks(text);
+    const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+std::string_view withoutBlanks(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    text.remove_suffix(text.size() - (text.find_last_not_of(kBlanks) + 1));
+    return text;
+}
+
+double numberOf(std::string_view word) {
+    double value = 0;
+    const char* last = word.data() + word.size();
+    const auto [end, error] =
+        std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), last, value);
+    if (end != last || error == std::errc::invalid_argument) {
+        throw InputError("\"" + printable(std::string(word.substr(0, kShown))) +
+                         "\" stands where a number must");
+    }
+    return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr)
+                                                   : value;
+}
+
+}  // namespace kerf::app
