@@ -65,7 +65,7 @@ void append(const aiFace& face, const std::vector<Triangle>& triangles,
     }
 }
 
-void dividePolygons(aiMesh& mesh) {
+void divideFacesOf(aiMesh& mesh) {
     std::vector<aiFace> divided;
     for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
         const std::vector<Triangle> triangles = trianglesOf(mesh, face);
@@ -99,7 +99,7 @@ void dividePolygons(const aiScene& scene) {
     for (aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
         const std::span faces(mesh->mFaces, mesh->mNumFaces);
         if (std::ranges::any_of(faces, isPolygon)) {
-            dividePolygons(*mesh);
+            divideFacesOf(*mesh);
         }
         mesh->mPrimitiveTypes = typesOf({mesh->mFaces, mesh->mNumFaces});
     }

@@ -1,19 +1,18 @@
 #include <assimp/DefaultIOSystem.h>
-#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cerrno>
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/files/face_soup.h"
 #include "app/files/gltf_needs.h"
 #include "app/files/import_appearance.h"
 #include "app/files/import_polygons.h"
@@ -21,11 +20,11 @@
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "app/files/obj_reader.h"
-#include "app/files/off_faces.h"
+#include "app/files/off_reader.h"
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
+#include "app/files/stl_reader.h"
 #include "render/scene/body_look.h"
-#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -43,27 +42,11 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     Assimp::IOStream* Open(const char* name, const char* mode) override {
         const bool reads = std::string_view(mode).starts_with('r') &&
                            std::string_view(mode).find('+') == std::string_view::npos;
-        return reads && isAllowed(name) ? open(name, mode) : nullptr;
+        return reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
     }
 
   private:
     bool isAllowed(const std::filesystem::path& name) const { return isFileBelow(folder_, name); }
-
-    Assimp::IOStream* open(const std::filesystem::path& name, const char* mode) {
-        const std::optional<std::string> text = readableForm(name);
-        if (!text) {
-            return DefaultIOSystem::Open(name.c_str(), mode);
-        }
-        auto* bytes = new std::uint8_t[text->size()];  // The stream deletes it.
-        std::ranges::copy(*text, bytes);
-        return new Assimp::MemoryIOStream(bytes, text->size(), true);
-    }
-
-    /// What assimp reads in the place of a file; nothing where it reads that right.
-    static std::optional<std::string> readableForm(const std::filesystem::path& name) {
-        const std::string extension = lowerCase(name.extension().string());
-        return extension == ".off" ? offWithoutComments(name) : std::nullopt;
-    }
 
     std::filesystem::path folder_;
 };
@@ -132,20 +115,12 @@ void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
     }
 }
 
-constexpr int kMostCornersOfOff = 9;
-
 /// Refuses what assimp would read as something else, or in part.
 void requireReadable(const std::filesystem::path& file) {
     const std::string extension = isGltf(file) ? unreadableExtension(file) : "";
     if (!extension.empty()) {
         throw InputError("it needs the glTF extension " + extension +
                          ", which Kerf does not know; export it without");
-    }
-    const bool off = lowerCase(file.extension().string()) == ".off";
-    if (const int corners = off ? mostCornersOfOff(file) : 0; corners > kMostCornersOfOff) {
-        throw InputError(
-            "it has a face of " + std::to_string(corners) +
-            " corners, and of an OFF no more than 9 are read; export it as OBJ or PLY");
     }
 }
 
@@ -157,31 +132,10 @@ std::string plainReason(const std::string& message) {
     if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces")) {
         return "there is no surface in it";
     }
-    if (says("STL storage representation")) {
-        return "it is neither a binary STL as long as its number of triangles says, nor a text "
-               "that begins with \"solid\"";
-    }
     if (says("bad_alloc")) {
         return "it needs more memory than a model may";
     }
     return message;
-}
-
-/// assimp reads floats: far from the origin another shape would come of them.
-void requireFineFloats(const TriangleSoup& soup) {
-    constexpr double kStep = 0x1p-24;       // of a float, as a share of it
-    constexpr double kMostOfLength = 1e-3;  // that a step may be
-    const Bounds bounds = boxOf(soup.positions);
-    const double reach =
-        std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
-    const double length = (bounds.high - bounds.low).maxCoeff();
-    if (length > 0 && kStep * reach > kMostOfLength * length) {
-        throw InputError(fmt::format(
-            "it is {:.3g} long and reaches {:.3g} from the origin, where the 32-bit numbers in "
-            "which this format is read are {:.1g} apart; export it as PLY or OBJ with all its "
-            "digits, or nearer to the origin",
-            length, reach, 2 * kStep * reach));
-    }
 }
 
 /// Node transforms are applied, polygons triangulated, points and lines left out.
@@ -216,10 +170,11 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
 }
 
 ImportedModel readScene(const std::filesystem::path& file) {
-    const std::string extension = lowerCase(file.extension().string());
-    return extension == ".ply"   ? readPly(file)
-           : extension == ".obj" ? readObj(file)
-                                 : readByAssimp(file);
+    using Reader = ImportedModel (*)(const std::filesystem::path&);
+    static const std::map<std::string, Reader> kReaders{
+        {".ply", readPly}, {".obj", readObj}, {".stl", readStl}, {".off", readOff}};
+    const auto own = kReaders.find(lowerCase(file.extension().string()));
+    return own == kReaders.end() ? readByAssimp(file) : own->second(file);
 }
 
 /// The answer's stream, set aside so that nothing that a library prints gets into it.

@@ -8,16 +8,13 @@
 #include <set>
 #include <utility>
 
+#include "app/files/face_soup.h"
 #include "app/files/file_io.h"
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
 #include "app/files/obj_materials.h"
-#include "app/files/polygon_faces.h"
 #include "app/files/text_lines.h"
 #include "render/scene/body_look.h"
-#include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
-#include "sim/base/placement.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -28,14 +25,6 @@ constexpr std::array<std::string_view, 15> kSaysNothing{
     "vn",    "l",        "p",        "o",          "g",         "s",      "mg",    "lod",
     "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
 constexpr std::size_t kMostNamed = 3;  // unknown words in a remark
-
-const Eigen::Vector4f kWhite = Eigen::Vector4f::Ones();
-
-/// Counted from 0; -1 where there is none.
-struct Corner {
-    int vertex = -1;
-    int uv = -1;
-};
 
 /// A number of a list that has `count` so far, which counts from 1, or backwards from its end.
 int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
@@ -50,7 +39,7 @@ int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
     return static_cast<int>(index);
 }
 
-/// Collects vertices and faces, and makes triangles of them.
+/// Collects what the lines of a file say.
 class ObjModel {
   public:
     void readLine(std::string_view line) {
@@ -71,24 +60,19 @@ class ObjModel {
     }
     /// The faces that follow are of this material.
     void useMaterial(std::string_view name) {
-        material_ = static_cast<int>(
-            numbers_.try_emplace(std::string(name), numbers_.size()).first->second);
-        names.resize(numbers_.size(), std::string(name));
+        const auto found = std::ranges::find(names, name);
+        material_ = static_cast<int>(found - names.begin());
+        if (found == names.end()) {
+            names.emplace_back(name);
+        }
     }
 
     TriangleSoup triangles() {
-        requireCorners();
-        const float most = brightest_ > 1 ? 255.0F : 1.0F;
-        std::size_t first = 0;
-        for (std::size_t face = 0; face < ends_.size(); ++face) {
-            divide(first, face, most);
-            first = ends_[face];
+        for (Eigen::Vector4f& color : faces_.vertexColors) {
+            const Vec3f display = color.head<3>() / (brightest_ > 1 ? 255.0F : 1.0F);
+            color.head<3>() = render::toLinear(Vec3(display.cast<double>())).cast<float>();
         }
-        if (soup_.triangles.empty()) {
-            throw InputError("there is no surface in it");
-        }
-        roundNearOrigin();
-        return std::move(soup_);
+        return faces_.triangles();
     }
 
     std::set<std::string> unknown;   ///< words at the beginning of lines
@@ -111,107 +95,41 @@ class ObjModel {
                              " numbers, and needs three");
         }
         const double weight = numbers.size() == 4 && numbers[3] != 0 ? numbers[3] : 1;
-        soup_.positions.emplace_back(Vec3(numbers[0], numbers[1], numbers[2]) / weight);
         if (numbers.size() >= 6) {
-            const Vec3f color(Vec3(numbers[3], numbers[4], numbers[5]).cast<float>());
+            const Vec3f color = Vec3(numbers[3], numbers[4], numbers[5]).cast<float>();
             brightest_ = std::max(brightest_, color.maxCoeff());
-            colors_.resize(soup_.positions.size() - 1, Vec3f::Constant(-1));
-            colors_.push_back(color);
+            const float white = brightest_ > 1 ? 255 : 1;
+            faces_.vertexColors.resize(faces_.positions.size(), {white, white, white, 1});
+            faces_.vertexColors.emplace_back(color.x(), color.y(), color.z(), 1);
         }
+        faces_.positions.emplace_back(Vec3(numbers[0], numbers[1], numbers[2]) / weight);
     }
 
     void addUv(std::string_view line) {
-        const std::vector<double> numbers = numbersIn(line);
-        uvs_.emplace_back(!numbers.empty() ? numbers[0] : 0, numbers.size() > 1 ? numbers[1] : 0);
+        std::vector<double> numbers = numbersIn(line);
+        numbers.resize(2);
+        faces_.uvs.emplace_back(numbers[0], numbers[1]);
     }
 
-    /// Those of two corners are lines.
     void addFace(std::string_view line) {
-        std::vector<Corner> face;
         for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
-            face.push_back(cornerOf(word));
+            addCorner(word);
         }
-        if (face.size() > 2) {
-            corners_.insert(corners_.end(), face.begin(), face.end());
-            ends_.push_back(corners_.size());
-            materials_.push_back(material_);
-        }
+        faces_.endFace(material_);
     }
 
     /// v, v/vt, v//vn or v/vt/vn.
-    Corner cornerOf(std::string_view word) const {
-        const std::size_t slash = word.find('/');
-        Corner corner;
-        corner.vertex = indexOf(word.substr(0, slash), soup_.positions.size(), word);
-        if (slash != std::string_view::npos) {
-            const std::string_view behind = word.substr(slash + 1);
-            const std::string_view uv = behind.substr(0, behind.find('/'));
-            corner.uv = uv.empty() ? -1 : indexOf(uv, uvs_.size(), word);
-        }
-        return corner;
+    void addCorner(std::string_view word) {
+        const std::size_t slash = std::min(word.find('/'), word.size());
+        const std::string_view behind = word.substr(std::min(slash + 1, word.size()));
+        const std::string_view uv = behind.substr(0, behind.find('/'));
+        faces_.addCorner(indexOf(word.substr(0, slash), faces_.positions.size(), word),
+                         uv.empty() ? FaceSoup::kNone : indexOf(uv, faces_.uvs.size(), word));
     }
 
-    void requireCorners() const {
-        for (const Corner& corner : corners_) {
-            if (static_cast<std::size_t>(corner.vertex) >= soup_.positions.size()) {
-                throw InputError("a face names vertex " + std::to_string(corner.vertex + 1) +
-                                 ", and there are " + std::to_string(soup_.positions.size()));
-            }
-        }
-    }
-
-    void divide(std::size_t first, std::size_t face, float most) {
-        std::vector<int> vertices;
-        for (std::size_t i = first; i < ends_[face]; ++i) {
-            vertices.push_back(corners_[i].vertex);
-        }
-        for (const Triangle& t : trianglesOfFace(soup_.positions, vertices)) {
-            soup_.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
-            if (!uvs_.empty()) {
-                const auto uv = [&](int i) { return uvAt(corners_[first + i].uv); };
-                soup_.skin.uvs.push_back({uv(t[0]), uv(t[1]), uv(t[2])});
-            }
-            if (!colors_.empty()) {
-                const auto color = [&](int i) { return colorAt(vertices[i], most); };
-                soup_.skin.colors.push_back({color(t[0]), color(t[1]), color(t[2])});
-            }
-            if (!names.empty()) {
-                soup_.skin.materials.push_back(materials_[face]);
-            }
-        }
-    }
-
-    Eigen::Vector2f uvAt(int number) const {
-        const bool isThere = number >= 0 && static_cast<std::size_t>(number) < uvs_.size();
-        return isThere ? Eigen::Vector2f(uvs_[number].cast<float>())
-                       : Eigen::Vector2f(Eigen::Vector2f::Zero());
-    }
-
-    /// From what displays take to linear light.
-    Eigen::Vector4f colorAt(int v, float most) const {
-        if (static_cast<std::size_t>(v) >= colors_.size() || colors_[v].minCoeff() < 0) {
-            return kWhite;
-        }
-        const Vec3f linear = render::toLinear(Vec3((colors_[v] / most).cast<double>()));
-        return {linear.x(), linear.y(), linear.z(), 1};
-    }
-
-    /// As other formats hold them; far away floats would make another shape of it.
-    void roundNearOrigin() {
-        if (originOf(boxOf(soup_.positions)) == Vec3::Zero()) {
-            std::ranges::transform(soup_.positions, soup_.positions.begin(), nearestFloats);
-        }
-    }
-
-    TriangleSoup soup_;
-    std::vector<Vec3f> colors_;  ///< by vertex, negative for none; fewer at the end
-    float brightest_ = 0;        ///< number of a colour
-    std::vector<Vec2> uvs_;
-    std::vector<Corner> corners_;    ///< of all faces
-    std::vector<std::size_t> ends_;  ///< where the corners of each face end
-    std::vector<int> materials_;     ///< by face; -1 for none
-    int material_ = -1;
-    std::map<std::string, std::size_t> numbers_;  ///< of materials, by name
+    FaceSoup faces_;
+    float brightest_ = 0;  ///< number of a colour
+    int material_ = FaceSoup::kNone;
 };
 
 /// The materials of the libraries that a file names.
@@ -344,6 +262,7 @@ ImportedModel readObj(const std::filesystem::path& file) {
     Libraries libraries(file, model.remarks);
     readLines(bytes, read, libraries);
     model.soup = read.triangles();
+    roundNearOrigin(model.soup);
     addMaterials(read.names, libraries, file, model);
     tellUnknown(read.unknown, model.remarks);
     return model;

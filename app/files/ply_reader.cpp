@@ -14,10 +14,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "app/files/face_soup.h"
 #include "app/files/file_io.h"
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
-#include "app/files/polygon_faces.h"
 #include "app/files/text_lines.h"
 #include "render/scene/body_look.h"
 #include "sim/base/text.h"
@@ -318,45 +318,37 @@ class PlyModel {
         return isVertex || isFace || isStrip;
     }
 
-    TriangleSoup triangles() {
-        std::size_t first = 0;
-        for (std::size_t face = 0; face < ends_.size(); ++face) {
-            divide(face, first);
-            first = ends_[face];
-        }
-        if (soup_.triangles.empty()) {
-            throw InputError("there is no surface in it");
-        }
-        return std::move(soup_);
-    }
+    TriangleSoup triangles() { return faces_.triangles(); }
 
   private:
     void addVertex(const Element& element, const Places& places, const Row& row) {
         const Vec3 at(places.at.of(row, 0), places.at.of(row, 1), places.at.of(row, 2));
-        soup_.positions.push_back(at);
+        faces_.positions.push_back(at);
         if (places.uv.isThere(2)) {
-            vertexUvs_.emplace_back(places.uv.of(row, 0), places.uv.of(row, 1));
+            faces_.vertexUvs.emplace_back(places.uv.of(row, 0), places.uv.of(row, 1));
         }
         if (places.color.isThere(3)) {
-            vertexColors_.push_back(colorOf(element, places.color, row));
+            faces_.vertexColors.push_back(colorOf(element, places.color, row));
         }
     }
 
     void addFace(const Element& element, const Places& places, const Row& row) {
-        for (const double v : row[places.corners]) {
-            corners_.push_back(indexOf(v));
-        }
-        if (places.cornerUvs >= 0) {
-            const std::vector<double>& uvs = row[places.cornerUvs];
-            cornerUvs_.resize(2 * corners_.size());
-            std::copy_n(uvs.begin(), std::min(uvs.size(), 2 * row[places.corners].size()),
-                        cornerUvs_.end() - std::ptrdiff_t(2 * row[places.corners].size()));
+        const std::vector<double> none;
+        const std::vector<double>& uvs = places.cornerUvs < 0 ? none : row[places.cornerUvs];
+        const std::vector<double>& corners = row[places.corners];
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const bool hasUv = 2 * i + 1 < uvs.size();
+            if (hasUv) {
+                faces_.uvs.emplace_back(uvs[2 * i], uvs[2 * i + 1]);
+            }
+            faces_.addCorner(indexOf(corners[i]),
+                             hasUv ? static_cast<int>(faces_.uvs.size()) - 1 : FaceSoup::kNone);
         }
         if (places.color.isThere(3)) {
-            faceColors_.resize(ends_.size(), kWhite);
-            faceColors_.push_back(colorOf(element, places.color, row));
+            faces_.faceColors.resize(faces_.faceCount(), Eigen::Vector4f::Ones());
+            faces_.faceColors.push_back(colorOf(element, places.color, row));
         }
-        ends_.push_back(corners_.size());
+        faces_.endFace();
     }
 
     /// Every other triangle of a strip is turned over; a negative number begins another strip.
@@ -368,56 +360,14 @@ class PlyModel {
             } else if (i >= begin + 2) {
                 const std::size_t turned = (i - begin) % 2;
                 for (const std::size_t k : {i - 2 + turned, i - 1 - turned, i}) {
-                    corners_.push_back(indexOf(numbers[k]));
+                    faces_.addCorner(indexOf(numbers[k]));
                 }
-                ends_.push_back(corners_.size());
+                faces_.endFace();
             }
         }
     }
 
-    bool isInRange(int v) const { return v >= 0 && std::size_t(v) < soup_.positions.size(); }
-
-    void divide(std::size_t face, std::size_t first) {
-        const std::span polygon(corners_.data() + first, ends_[face] - first);
-        for (const Triangle& t : trianglesOfFace(soup_.positions, polygon)) {
-            soup_.triangles.push_back({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
-            if (!cornerUvs_.empty() || !vertexUvs_.empty()) {
-                const auto uv = [&](int i) { return uvAt(first + t[i]); };
-                soup_.skin.uvs.push_back({uv(0), uv(1), uv(2)});
-            }
-            if (!vertexColors_.empty() || !faceColors_.empty()) {
-                const auto color = [&](int i) { return colorAt(face, polygon[t[i]]); };
-                soup_.skin.colors.push_back({color(0), color(1), color(2)});
-            }
-        }
-    }
-
-    Eigen::Vector2f uvAt(std::size_t corner) const {
-        Eigen::Vector2f uv = Eigen::Vector2f::Zero();
-        if (2 * corner + 1 < cornerUvs_.size()) {
-            uv = Vec2(cornerUvs_[2 * corner], cornerUvs_[2 * corner + 1]).cast<float>();
-        } else if (cornerUvs_.empty() && isInRange(corners_[corner])) {
-            uv = vertexUvs_[corners_[corner]].cast<float>();
-        }
-        return uv;
-    }
-
-    Eigen::Vector4f colorAt(std::size_t face, int v) const {
-        if (!vertexColors_.empty()) {
-            return isInRange(v) ? vertexColors_[v] : kWhite;
-        }
-        return face < faceColors_.size() ? faceColors_[face] : kWhite;
-    }
-
-    static inline const Eigen::Vector4f kWhite{1, 1, 1, 1};
-
-    TriangleSoup soup_;
-    std::vector<int> corners_;                   ///< of all faces
-    std::vector<std::size_t> ends_;              ///< where the corners of each face end
-    std::vector<double> cornerUvs_;              ///< two for each corner; fewer at the end, or none
-    std::vector<Vec2> vertexUvs_;                ///< by vertex, or none
-    std::vector<Eigen::Vector4f> vertexColors_;  ///< the same
-    std::vector<Eigen::Vector4f> faceColors_;    ///< by face; fewer at the end, or none
+    FaceSoup faces_;
 };
 
 }  // namespace

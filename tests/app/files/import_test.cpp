@@ -214,11 +214,9 @@ std::string prismOff(int sides) {
            " 0\n" + points + "# its faces\n" + faces + low + "\n" + high + "\n";
 }
 
-TEST_F(Import, FacesThatAnOffMayNotHaveAreToldAndNotLeftOut) {
-    const SurfaceMesh nine = loadModel(write("nine.off", prismOff(9)));
-    EXPECT_EQ(nine.aliveTriangles(), 32);
-    EXPECT_THAT(sentenceOf([&] { loadModel(write("ten.off", prismOff(10))); }),
-                HasSubstr("a face of 10 corners"));
+TEST_F(Import, FacesOfAnOffHaveAsManyCornersAsTheyLike) {
+    EXPECT_EQ(loadModel(write("nine.off", prismOff(9))).aliveTriangles(), 32);
+    EXPECT_EQ(loadModel(write("many.off", prismOff(50))).aliveTriangles(), 196);
 }
 
 TEST_F(Import, AQuadWithACornerOnASideIsWhole) {

@@ -5,18 +5,20 @@
 #include "app/files/model_source.h"
 #include "app/files/obj_materials.h"
 #include "sim/repair/soup_inspection.h"
+#include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
+using test::replaced;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::string kVertices =
+const std::string kObjVertices =
     "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 3\nv 1 0 3\nv 0 2 3\nv 1 2 3\n";
-const std::string kFaces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+const std::string kObjFaces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 class ObjReader : public ::testing::Test {
   protected:
@@ -44,15 +46,8 @@ class ObjReader : public ::testing::Test {
     test::TemporaryFolder folder_;
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
-    }
-    return text;
-}
-
 TEST_F(ObjReader, ABoxIsTheSameHoweverItIsWritten) {
-    const std::string box = kVertices + kFaces;
+    const std::string box = kObjVertices + kObjFaces;
     expectBox(box);
     expectBox("\xef\xbb\xbf" + box);
     expectBox(replaced(box, "\n", "\r\n"));
@@ -63,7 +58,7 @@ TEST_F(ObjReader, ABoxIsTheSameHoweverItIsWritten) {
     expectBox(replaced(box, "v 1 2 3", "v +1. 2.0e0 .3E+1"));
     expectBox(replaced(box, "v 1 2 3", "v 2 4 6 2"));
     expectBox("mg 1 2\no a box\ng side\ns off\nvn 0 0 1\nl 1 2\np 3\n" + box + "f 1 2\n");
-    expectBox(kFaces + kVertices);
+    expectBox(kObjFaces + kObjVertices);
     expectBox(box.substr(0, box.size() - 1));
 }
 
@@ -76,7 +71,7 @@ TEST_F(ObjReader, CornersCountBackwardsFromWhereTheyStand) {
         }
         faces += "\n";
     }
-    expectBox(kVertices + "vn 0 0 1\n" + faces + "v 7 7 7\n");
+    expectBox(kObjVertices + "vn 0 0 1\n" + faces + "v 7 7 7\n");
 }
 
 TEST_F(ObjReader, NumbersAreThoseOfTheTextNearTheOriginAsFloats) {
@@ -90,14 +85,14 @@ TEST_F(ObjReader, NumbersAreThoseOfTheTextNearTheOriginAsFloats) {
 TEST_F(ObjReader, WhatIsWrongIsNamedWithItsLine) {
     EXPECT_THAT(sentence("v 0 0\n"), HasSubstr("line 1: a vertex has 2 numbers, and needs three"));
     EXPECT_THAT(sentence("\nv 0 0 1,5\n"), HasSubstr("line 2: \"1,5\" stands where a number must"));
-    EXPECT_THAT(sentence(kVertices + "f 1 2 x\n"),
+    EXPECT_THAT(sentence(kObjVertices + "f 1 2 x\n"),
                 HasSubstr("line 9: \"x\" stands where a corner must"));
-    EXPECT_THAT(sentence(kVertices + "f 1 2 0\n"), HasSubstr("line 9: \"0\" stands"));
-    EXPECT_THAT(sentence(kVertices + "f 1 2 -9\n"), HasSubstr("line 9: \"-9\" stands"));
-    EXPECT_THAT(sentence(kVertices + "f 1 2 9\n"),
-                HasSubstr("a face names vertex 9, and there are 8"));
+    EXPECT_THAT(sentence(kObjVertices + "f 1 2 0\n"), HasSubstr("line 9: \"0\" stands"));
+    EXPECT_THAT(sentence(kObjVertices + "f 1 2 -9\n"), HasSubstr("line 9: \"-9\" stands"));
+    EXPECT_THAT(sentence(kObjVertices + "f 1 2 9\n"),
+                HasSubstr("a face names vertex 8, counted from 0, and there are 8"));
     EXPECT_THAT(sentence("Dear diary\n"), HasSubstr("there is no surface in it"));
-    EXPECT_THAT(read(kVertices + kFaces + "curv 0 1 1 2\nsurf 0 1\n").remarks,
+    EXPECT_THAT(read(kObjVertices + kObjFaces + "curv 0 1 1 2\nsurf 0 1\n").remarks,
                 ElementsAre("Lines that begin with \"curv\", \"surf\" were left out: Kerf does not "
                             "know them."));
 }
@@ -118,7 +113,7 @@ TEST_F(ObjReader, ColoursOfVerticesAreSharesOrBytes) {
 TEST_F(ObjReader, MaterialsAreThoseOfTheLibrariesThatItNames) {
     test::writeText(folder_ / "my paints.mtl", "\xef\xbb\xbfnewmtl red\nKd 1 0 0\nd 0.5\nPm 1\n");
     test::writeText(folder_ / "b.mtl", "newmtl grey\nKd 0.5\nPr 0.25\nNs 900\nTr 0.25\n");
-    const std::string start = "mtllib my paints.mtl\nmtllib b.mtl\n" + kVertices;
+    const std::string start = "mtllib my paints.mtl\nmtllib b.mtl\n" + kObjVertices;
     const ImportedModel model = read(start + "usemtl grey\nf 1 3 4\nusemtl red\nf 1 4 2\n" +
                                      "usemtl none\nf 5 6 8\nusemtl grey\nf 5 8 7\n");
     EXPECT_THAT(model.soup.skin.materials, ElementsAre(0, 1, -1, 0));

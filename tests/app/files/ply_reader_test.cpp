@@ -10,11 +10,13 @@
 
 #include "app/files/model_source.h"
 #include "sim/repair/soup_inspection.h"
+#include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
+using test::replaced;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -51,13 +53,6 @@ class PlyReader : public ::testing::Test {
     }
     test::TemporaryFolder folder_;
 };
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-        text.replace(at, from.size(), to);
-    }
-    return text;
-}
 
 /// The box in binary, with a property of one byte before each position.
 std::string binaryBox(bool bigEndian, const std::string& lineEnd, char before) {

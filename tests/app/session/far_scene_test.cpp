@@ -148,8 +148,7 @@ TEST_F(FarScene, WhatFloatsWouldMakeAnotherShapeOfIsRefused) {
         importModel(file);
         FAIL() << "read as floats";
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("export it as PLY or OBJ"),
-                  std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("export it as PLY or OBJ"), std::string::npos)
             << error.what();
     }
 }

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/mesh/triangle_soup.h"
+
+namespace kerf::app {
+
+/// Vertices and faces of a file in whatever order they come, until they become triangles.
+class FaceSoup {
+  public:
+    static constexpr int kNone = -1;
+
+    std::vector<Vec3> positions;
+    std::vector<Vec2> uvs;                      ///< that corners name
+    std::vector<Vec2> vertexUvs;                ///< by vertex, for corners that name none
+    std::vector<Eigen::Vector4f> vertexColors;  ///< linear, by vertex; fewer at the end, or none
+    std::vector<Eigen::Vector4f> faceColors;    ///< the same by face, where vertices have none
+
+    /// Adds a corner to the face that is being made; both are indices, `uv` perhaps kNone.
+    void addCorner(int vertex, int uv = kNone);
+    /// Ends the face; one with fewer than three corners is left out. `material`: its index, or
+    /// kNone.
+    void endFace(int material = kNone);
+    std::size_t faceCount() const { return ends_.size(); }
+
+    /// Divides the faces into triangles. One that crosses itself, or encloses no area, becomes a
+    /// fan. Throws InputError where there is no face, or a corner is not there.
+    TriangleSoup triangles();
+
+  private:
+    bool isThere(int vertex) const {
+        return vertex >= 0 && static_cast<std::size_t>(vertex) < positions.size();
+    }
+    void requireCorners() const;
+    std::vector<Triangle> divided(std::size_t first, std::size_t end) const;
+    void addTriangle(std::size_t face, const Triangle& corners);
+    Eigen::Vector2f uvAt(std::size_t corner) const;
+    Eigen::Vector4f colorAt(std::size_t face, int vertex) const;
+
+    TriangleSoup soup_;
+    std::vector<int> corners_;       ///< of all faces: vertices
+    std::vector<int> cornerUvs_;     ///< the same
+    std::vector<std::size_t> ends_;  ///< where the corners of each face end
+    std::vector<int> materials_;     ///< by face
+    bool hasMaterials_ = false;
+};
+
+/// Rounds positions near the origin to floats, for a text that says as much; those far from it
+/// would make another shape.
+void roundNearOrigin(TriangleSoup& soup);
+/// Throws InputError where positions that were read as floats lie so far from the origin that they
+/// are another shape.
+void requireFineFloats(const TriangleSoup& soup);
+
+}  // namespace kerf::app
