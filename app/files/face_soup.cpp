@@ -110,10 +110,10 @@ void roundNearOrigin(TriangleSoup& soup) {
     }
 }
 
-void requireFineFloats(const TriangleSoup& soup) {
+void requireFineFloats(std::span<const Vec3> positions) {
     constexpr double kStep = 0x1p-24;       // of a float, as a share of it
     constexpr double kMostOfLength = 1e-3;  // that a step may be
-    const Bounds bounds = boxOf(soup.positions);
+    const Bounds bounds = boxOf(positions);
     const double reach =
         std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
     const double length = (bounds.high - bounds.low).maxCoeff();

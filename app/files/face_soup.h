@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "sim/mesh/triangle_soup.h"
@@ -53,6 +53,6 @@ class FaceSoup {
 void roundNearOrigin(TriangleSoup& soup);
 /// Throws InputError where positions that were read as floats lie so far from the origin that they
 /// are another shape.
-void requireFineFloats(const TriangleSoup& soup);
+void requireFineFloats(std::span<const Vec3> positions);
 
 }  // namespace kerf::app

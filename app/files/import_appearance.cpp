@@ -1,6 +1,6 @@
 #include "app/files/import_appearance.h"
 
-#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -63,43 +63,11 @@ std::string imageNameOf(const aiMaterial& material) {
     return name.C_Str();
 }
 
-int hexDigit(char c) {
-    const auto digit = std::string_view("0123456789abcdef")
-                           .find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-    return digit == std::string_view::npos ? -1 : static_cast<int>(digit);
-}
-
-/// A URI without its escapes, such as %20.
-std::string unescaped(const std::string& uri) {
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape = uri[i] == '%' && i + 2 < uri.size();
-        const int high = escape ? hexDigit(uri[i + 1]) : -1;
-        const int low = escape ? hexDigit(uri[i + 2]) : -1;
-        const bool valid = high >= 0 && low >= 0;
-        name += valid ? static_cast<char>(16 * high + low) : uri[i];
-        i += valid ? 2 : 0;
-    }
-    return name;
-}
-
-/// Throws InputError where it is missing.
-render::ModelImage imageBeside(const fs::path& model, const std::string& name,
-                               const std::string& material) {
-    const std::optional<fs::path> file = fileBeside(model, name);
-    if (!file) {
-        throw InputError("The image \"" + name + "\" of the material \"" + material +
-                         "\" was left out: there is no such file in the model's folder or "
-                         "below; put it there and open the model again.");
-    }
-    return {file->filename().string(), readInputFile(*file, kMaxImportImages), {}};
-}
-
 /// Takes over the materials of one scene, each once.
 class AppearanceReader {
   public:
     AppearanceReader(const aiScene& scene, const fs::path& file, ImportedModel& model)
-        : scene_(scene), file_(file), gltf_(isGltf(file)), model_(model), images_(file, model) {}
+        : scene_(scene), model_(model), images_(file, model) {}
 
     /// Number of a material among those of the model; -1 where a file named none.
     int numberOf(unsigned index) {
@@ -118,8 +86,7 @@ class AppearanceReader {
         material.roughness = roughnessOf(from);
         material.metallic = metallicOf(from);
         const std::string image = imageNameOf(from);
-        const bool plain = !gltf_ || material.baseColor == Eigen::Vector4f::Ones();
-        if (isMadeUpName(material.name) && image.empty() && plain) {
+        if (isMadeUpName(material.name) && image.empty()) {
             return -1;
         }
         if (!image.empty()) {
@@ -134,7 +101,7 @@ class AppearanceReader {
         if (const aiTexture* within = scene_.GetEmbeddedTexture(name.c_str())) {
             return embedded(*within, material);
         }
-        return imageBeside(file_, gltf_ ? unescaped(name) : name, material);
+        return images_.read(name, material);
     }
 
     static render::ModelImage embedded(const aiTexture& texture, const std::string& material) {
@@ -149,19 +116,12 @@ class AppearanceReader {
     }
 
     const aiScene& scene_;
-    const fs::path& file_;
-    bool gltf_;
     ImportedModel& model_;
     ModelImages images_;
     std::map<unsigned, int> numbers_;
 };
 
 }  // namespace
-
-bool isGltf(const fs::path& file) {
-    const std::string ending = lowerCase(file.extension().string());
-    return ending == ".gltf" || ending == ".glb";
-}
 
 bool isFileBelow(const fs::path& folder, const fs::path& file) {
     std::error_code error;
@@ -173,7 +133,7 @@ ModelImages::ModelImages(const fs::path& file, ImportedModel& model) : file_(fil
 
 int ModelImages::add(render::Material material, const std::string& image) {
     if (!image.empty()) {
-        material.image = numberOf(image, [&] { return imageBeside(file_, image, material.name); });
+        material.image = numberOf(image, [&] { return read(image, material.name); });
     }
     model_.appearance.materials.push_back(std::move(material));
     return static_cast<int>(model_.appearance.materials.size()) - 1;
@@ -190,6 +150,16 @@ int ModelImages::numberOf(const std::string& name,
         }
     }
     return place->second;
+}
+
+render::ModelImage ModelImages::read(const std::string& name, const std::string& material) const {
+    const std::optional<fs::path> file = fileBeside(file_, name);
+    if (!file) {
+        throw InputError("The image \"" + name + "\" of the material \"" + material +
+                         "\" was left out: there is no such file in the model's folder or "
+                         "below; put it there and open the model again.");
+    }
+    return {file->filename().string(), readInputFile(*file, kMaxImportImages), {}};
 }
 
 int ModelImages::take(render::ModelImage image) {

@@ -33,6 +33,9 @@ class ModelImages {
     /// The number of an image that `read` gets; -1, with a remark, where that throws InputError.
     int numberOf(const std::string& name, const std::function<render::ModelImage()>& read);
 
+    /// The image of that name beside the model's file. Throws InputError where it is missing.
+    render::ModelImage read(const std::string& name, const std::string& material) const;
+
   private:
     int take(render::ModelImage image);
 
@@ -51,9 +54,6 @@ void addImageMaterial(const std::filesystem::path& file, const std::string& imag
 /// another machine before it. None where there is none in the model's folder or below.
 std::optional<std::filesystem::path> fileBeside(const std::filesystem::path& model,
                                                 std::string name);
-
-/// Whether a file is of the kinds that give colours in linear light.
-bool isGltf(const std::filesystem::path& file);
 
 /// Whether `file` lies in the folder or below, and is regular and not larger than a model may be.
 /// `folder` must be canonical.

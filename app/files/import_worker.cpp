@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/files/face_soup.h"
-#include "app/files/gltf_needs.h"
+#include "app/files/gltf_reader.h"
 #include "app/files/import_appearance.h"
 #include "app/files/import_polygons.h"
 #include "app/files/import_process.h"
@@ -67,13 +67,12 @@ Eigen::Vector4f linearOf(const aiColor4D& color) {
     return {linear.x(), linear.y(), linear.z(), color.a};
 }
 
-/// Colours at vertices are linear in glTF, and what displays take in all other formats.
-CornerColors colorsOf(const aiMesh& mesh, const aiFace& face, bool linear) {
+CornerColors colorsOf(const aiMesh& mesh, const aiFace& face) {
     CornerColors colors;
     for (unsigned i = 0; i < 3; ++i) {
         const aiColor4D color =
             mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[i]] : aiColor4D(1, 1, 1, 1);
-        colors[i] = linear ? Eigen::Vector4f(color.r, color.g, color.b, color.a) : linearOf(color);
+        colors[i] = linearOf(color);
     }
     return colors;
 }
@@ -82,14 +81,12 @@ CornerColors colorsOf(const aiMesh& mesh, const aiFace& face, bool linear) {
 struct SceneHas {
     bool uvs;
     bool colors;
-    bool linearColors;
 };
 
-SceneHas contentOf(std::span<const aiMesh* const> meshes, const std::filesystem::path& file) {
+SceneHas contentOf(std::span<const aiMesh* const> meshes) {
     return {
         std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); }),
-        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasVertexColors(0); }),
-        isGltf(file)};
+        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasVertexColors(0); })};
 }
 
 void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
@@ -110,17 +107,8 @@ void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
             soup.skin.uvs.push_back(uvsOf(mesh, face));
         }
         if (has.colors) {
-            soup.skin.colors.push_back(colorsOf(mesh, face, has.linearColors));
+            soup.skin.colors.push_back(colorsOf(mesh, face));
         }
-    }
-}
-
-/// Refuses what assimp would read as something else, or in part.
-void requireReadable(const std::filesystem::path& file) {
-    const std::string extension = isGltf(file) ? unreadableExtension(file) : "";
-    if (!extension.empty()) {
-        throw InputError("it needs the glTF extension " + extension +
-                         ", which Kerf does not know; export it without");
     }
 }
 
@@ -140,7 +128,6 @@ std::string plainReason(const std::string& message) {
 
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readByAssimp(const std::filesystem::path& file) {
-    requireReadable(file);
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -156,7 +143,7 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
         throw InputError(plainReason(importer.GetErrorString()));
     }
     const std::span<aiMesh* const> meshes(scene->mMeshes, scene->mNumMeshes);
-    const SceneHas has = contentOf(meshes, file);
+    const SceneHas has = contentOf(meshes);
     ImportedModel model;
     std::vector<int> triangles;  // by mesh
     for (const aiMesh* mesh : meshes) {
@@ -165,14 +152,15 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
         triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
     }
     addAppearance(*scene, file, triangles, model);
-    requireFineFloats(model.soup);
+    requireFineFloats(model.soup.positions);
     return model;
 }
 
 ImportedModel readScene(const std::filesystem::path& file) {
     using Reader = ImportedModel (*)(const std::filesystem::path&);
-    static const std::map<std::string, Reader> kReaders{
-        {".ply", readPly}, {".obj", readObj}, {".stl", readStl}, {".off", readOff}};
+    static const std::map<std::string, Reader> kReaders{{".ply", readPly},   {".obj", readObj},
+                                                        {".stl", readStl},   {".off", readOff},
+                                                        {".gltf", readGltf}, {".glb", readGltf}};
     const auto own = kReaders.find(lowerCase(file.extension().string()));
     return own == kReaders.end() ? readByAssimp(file) : own->second(file);
 }

@@ -139,7 +139,7 @@ ImportedModel readStl(const std::filesystem::path& file) {
     }
     ImportedModel model;
     model.soup = faces.triangles();
-    text ? roundNearOrigin(model.soup) : requireFineFloats(model.soup);
+    text ? roundNearOrigin(model.soup) : requireFineFloats(model.soup.positions);
     return model;
 }
 

@@ -229,7 +229,7 @@ TEST_F(Import, AQuadWithACornerOnASideIsWhole) {
 
 TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
     const std::string needs = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "x"}],)"
-                              R"( "extensionsRequired": ["KHR_mesh_quantization"]})";
+                              R"( "extensionsRequired": ["KHR_draco_mesh_compression"]})";
     std::string glb = "glTF";
     append(glb, std::uint32_t{2});
     append(glb, static_cast<std::uint32_t>(20 + needs.size()));
@@ -238,7 +238,7 @@ TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
     for (const fs::path& file : {write("a.gltf", needs), write("a.glb", glb)}) {
         EXPECT_THAT(
             sentenceOf([&] { loadModel(file); }),
-            HasSubstr(": it needs the glTF extension KHR_mesh_quantization, which Kerf does "
+            HasSubstr(": it needs the glTF extension KHR_draco_mesh_compression, which Kerf does "
                       "not know; export it without"));
     }
 }

@@ -55,7 +55,7 @@ Soup soupOf(const std::vector<Point>& points, const std::vector<std::array<int, 
     return soup;
 }
 
-Soup readObj(const std::string& text) {
+Soup plainObj(const std::string& text) {
     std::vector<Point> points;
     std::vector<std::array<int, 3>> triangles;
     std::istringstream lines(text);
@@ -86,7 +86,7 @@ Point inFloats(const std::array<double, 3>& place) {
             static_cast<float>(place[2])};
 }
 
-Soup readPly(const std::string& bytes) {
+Soup plainPly(const std::string& bytes) {
     std::size_t at = bytes.find("end_header\n") + 11;
     const std::string header = bytes.substr(0, at);
     const bool colored = header.find("uchar red") != std::string::npos;
@@ -106,7 +106,7 @@ Soup readPly(const std::string& bytes) {
     return soupOf(points, triangles);
 }
 
-Soup readStl(const std::string& bytes) {
+Soup plainStl(const std::string& bytes) {
     std::size_t at = 80;
     Soup soup(take<std::uint32_t>(bytes, at));
     for (Corners3& corners : soup) {
@@ -118,7 +118,7 @@ Soup readStl(const std::string& bytes) {
 }
 
 /// Of one mesh with one primitive, without a transform but for a translation.
-Soup readGlb(const std::string& bytes) {
+Soup plainGlb(const std::string& bytes) {
     std::size_t at = 12;
     const auto size = take<std::uint32_t>(bytes, at);
     const auto json = nlohmann::json::parse(bytes.substr(20, size));
@@ -145,10 +145,10 @@ Soup readGlb(const std::string& bytes) {
 }
 
 Soup readPlainly(const std::string& ending, const std::string& bytes) {
-    return ending == ".obj"   ? readObj(bytes)
-           : ending == ".ply" ? readPly(bytes)
-           : ending == ".stl" ? readStl(bytes)
-                              : readGlb(bytes);
+    return ending == ".obj"   ? plainObj(bytes)
+           : ending == ".ply" ? plainPly(bytes)
+           : ending == ".stl" ? plainStl(bytes)
+                              : plainGlb(bytes);
 }
 
 struct Shape {

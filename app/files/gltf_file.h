@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kerf::app {
+
+/// A glTF 2.0 file, as JSON or as GLB, with its buffers. Nothing in it is trusted: all functions
+/// throw InputError for what is not there or not as the format has it.
+class GltfFile {
+  public:
+    using Json = nlohmann::json;
+
+    /// Reads the description, and no buffer yet.
+    explicit GltfFile(const std::filesystem::path& file);
+    /// Before their numbers are read.
+    void openBuffers();
+
+    /// The whole description.
+    const Json& top() const { return top_; }
+    /// The item of a list at the top: item("meshes", 3).
+    const Json& item(const char* list, std::uint64_t index) const;
+    /// The numbers of an accessor, `width` for each of its items; those that are normalized as the
+    /// shares that they stand for.
+    std::vector<double> numbers(std::uint64_t accessor, std::size_t width) const;
+    /// The bytes of a bufferView.
+    std::string_view view(std::uint64_t index) const;
+    /// The bytes behind a URI: those in a data URI, or those of a file beside this one.
+    std::string bytesOf(const std::string& uri) const;
+
+  private:
+    void addNumbers(const Json& from, const Json& type, std::size_t width, std::uint64_t count,
+                    std::vector<double>& numbers) const;
+    void replaceSparse(const Json& accessor, std::size_t width, std::vector<double>& numbers) const;
+
+    std::filesystem::path file_;
+    Json top_;
+    std::string binary_;  ///< of a GLB
+    std::vector<std::string> buffers_;
+};
+
+/// The value of a key; `otherwise` where it is left out. Throws InputError for another type.
+template <class T>
+T valueOf(const nlohmann::json& object, const char* key, T otherwise);
+
+/// A URI without its escapes, such as %20.
+std::string unescaped(std::string_view uri);
+
+}  // namespace kerf::app
