@@ -55,7 +55,15 @@ Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, 
 }
 
 void Film::note(const Command& command) {
+    if (const auto* move = std::get_if<MoveBlade>(&command)) {
+        handSeconds_ = move->seconds;
+    }
     captions_.note(command, filmTime());
+}
+
+void Film::pass(double timeStep, bool timeRuns) {
+    const auto hand = std::exchange(handSeconds_, std::nullopt);
+    clock_.pass(timeRuns ? timeStep : hand.value_or(timeStep));
 }
 
 void Film::show(int step, double time, const render::Camera& camera, const Draw& draw) {

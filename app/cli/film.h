@@ -30,7 +30,7 @@ struct FilmReport {
 };
 
 /// Tells which frames of a film show the state before a step: the first state that is not before
-/// the moment of the frame. Each step counts with its time step, also while time stands.
+/// the moment of the frame.
 class FilmClock {
   public:
     /// `secondsPerFrame`: simulated time from a frame to the next [s].
@@ -69,8 +69,8 @@ class Film {
     /// Films the state before a step, `time` into the simulation [s], as often as it is seen. By
     /// `camera`, where there is no path.
     void show(int step, double time, const render::Camera& camera, const Draw& draw);
-    /// A step is done that lasts so long [s].
-    void pass(double seconds) { clock_.pass(seconds); }
+    /// A step is done. It lasts its time step [s]; where time stands, what the hand took for it.
+    void pass(double timeStep, bool timeRuns);
     /// Lets the film appear.
     FilmReport finish();
 
@@ -85,6 +85,7 @@ class Film {
     int steps_;
     render::CameraPath path_;
     FilmClock clock_;
+    std::optional<double> handSeconds_;  ///< of the coming step
     FilmEncoder encoder_;
     FilmCaptions captions_;
     std::optional<ui::PicturePainter> painter_;

@@ -236,7 +236,7 @@ class Replay {
         iterations_.add(step_, simulation_.bodyModel(), simulation_.params());
         const StepReport& report = running_.step();
         if (film_) {
-            film_->pass(simulation_.params().timeStep);
+            film_->pass(simulation_.params().timeStep, simulation_.timeRuns());
         }
         const double outsideMs = outside_.take();
         const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,

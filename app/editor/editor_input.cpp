@@ -19,6 +19,9 @@ bool pressesKey(const std::vector<ui::InputEvent>& batch) {
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
+    if (EditorScene* const now = scene.meanwhile(); now != nullptr && !now->playing) {
+        now->stroke().elapse(elapsedSeconds);
+    }
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
         const std::vector<ui::InputEvent> batch = queue.takeBatch();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kerf::app {
 namespace {
@@ -57,6 +58,7 @@ Blade StrokeSpace::bladeAt(const Vec2& ndc) const {
 void BladeStroke::begin(const Blade& first, const StrokeScale& scale) {
     space_.reset();
     scale_ = scale;
+    elapsed_ = 0;
     queued_.reset();
     first_ = latest_ = first;
 }
@@ -92,9 +94,11 @@ void BladeStroke::queueUpTo(const Blade& target) {
     const Blade from = *queued_;
     const double length = scale_->distance(from, target);
     const int steps = std::max(1, static_cast<int>(std::ceil(length / scale_->maxStep)));
+    const double each = std::exchange(elapsed_, 0) / steps;
+    const auto seconds = each > 0 ? std::optional(each) : std::nullopt;
     for (int k = 1; k <= steps; ++k) {
         queue_.emplace_back(
-            MoveBlade{k == steps ? target : interpolate(from, target, double(k) / steps)});
+            MoveBlade{k == steps ? target : interpolate(from, target, double(k) / steps), seconds});
     }
     queued_ = target;
 }

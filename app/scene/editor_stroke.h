@@ -68,6 +68,8 @@ class BladeStroke {
     /// Begins a stroke, and goes on with it, by points of the view.
     void begin(const StrokeSpace& space, const Vec2& ndc);
     void moveTo(const Vec2& ndc);
+    /// Time goes by for the hand while time of the body stands [s].
+    void elapse(double seconds) { elapsed_ += drawing() ? seconds : 0; }
     /// The pointer went up.
     void end();
     /// Forgets the poses still to come; where the blade already moves it is lifted.
@@ -93,6 +95,7 @@ class BladeStroke {
     Blade first_;                       ///< where the pointer went down
     std::optional<Blade> queued_;       ///< last pose put into the queue
     Blade latest_;                      ///< where the pointer is
+    double elapsed_ = 0;                ///< since the last pose was put there [s]
     std::deque<Command> queue_;
     std::size_t given_ = 0;      ///< poses given out since the queue was last empty
     std::optional<Blade> done_;  ///< the last pose that was given out, until the lift

@@ -141,11 +141,11 @@ void SessionJournal::doubtChecksFrom(std::size_t index) {
 }
 
 void SessionJournal::notePose(int step, const Command& command) {
-    if (std::holds_alternative<MoveBlade>(command)) {
+    if (const auto* move = std::get_if<MoveBlade>(&command)) {
         if (lastPose_) {
             hold(*lastPose_, step);
         }
-        lastPose_ = SessionEvent{step, actionOf(command)};
+        lastPose_ = SessionEvent{step, MoveBlade{move->blade}};
     } else if (takesBladeAway(actionOf(command))) {
         lastPose_.reset();
     }

@@ -166,6 +166,10 @@ void describe(auto& fields, MoveBlade& move) {
                  "it cuts."});
     fields.required({"a", "One end of the blade [m]."}, move.blade.a, kPositions);
     fields.required({"b", "The other end of the blade [m]."}, move.blade.b, kPositions);
+    fields.optional(
+        {"seconds",
+         "How long a hand took for each step to here, which films show where time stands."},
+        move.seconds, Limits{0, 3600});
     fields.check(move.blade.a != move.blade.b, "a",
                  "a and b are the same point; a blade needs a length.");
 }

@@ -229,7 +229,7 @@ void SessionPlayer::collectPoseSegments() {
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
             if (lastKey != nullptr && lastKey->step < event.step) {
                 poseSegments_.push_back({lastKey->step, event.step,
-                                         std::get<MoveBlade>(lastKey->action).blade, move->blade,
+                                         std::get<MoveBlade>(lastKey->action).blade, *move,
                                          event.number});
             }
             lastKey = &event;
@@ -304,7 +304,8 @@ std::optional<PlayedAction> SessionPlayer::poseBetweenKeys(int step) const {
     }
     const double t =
         double(step - segment->firstStep) / double(segment->lastStep - segment->firstStep);
-    return PlayedAction{MoveBlade{interpolate(segment->from, segment->to, t)}, segment->number};
+    const auto& [blade, seconds] = segment->to;
+    return PlayedAction{MoveBlade{interpolate(segment->from, blade, t), seconds}, segment->number};
 }
 
 }  // namespace kerf::app

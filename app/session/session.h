@@ -208,7 +208,7 @@ class SessionPlayer {
         int firstStep = 0;
         int lastStep = 0;
         Blade from;
-        Blade to;
+        MoveBlade to;
         int number = -1;  ///< of the later key pose
     };
     /// A hand moves from one key pose to the next, with steps between.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -18,6 +19,9 @@ namespace kerf {
 /// places it without cutting.
 struct MoveBlade {
     Blade blade;
+    /// How long a hand took for a step of the way there [s], where time stood: so long films show
+    /// it. It changes no simulation.
+    std::optional<double> seconds = std::nullopt;
 };
 /// Takes the blade away.
 struct LiftBlade {};

@@ -166,6 +166,20 @@ TEST_F(FilmTest, EachFormatHasTheFramesTheSizeAndTheRate) {
         << "and nothing that is not finished";
 }
 
+TEST_F(FilmTest, WhatAHandDidWhileTimeStoodLastsAsLongAsItTook) {
+    writeText(path("test.kerf.json"),
+              R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+                  "params": {"gravity": [0, 0, 0], "floor": null}, "steps": 30, "events": [
+                  {"step": 0, "type": "hold"},
+                  {"step": 0, "type": "blade", "a": [-1, 1, 0.1], "b": [1, 1, 0.1]},
+                  {"step": 20, "type": "blade", "a": [-1, -1, 0.1], "b": [1, -1, 0.1],
+                   "seconds": 0.1},
+                  {"step": 20, "type": "run"},
+                  {"step": 21, "type": "lift"}]})");
+    ASSERT_EQ(replay({"--movie", path("a.mp4"), "--size", "96x64", "--fps", "10"}).exitCode, 0);
+    EXPECT_EQ(probed("a.mp4"), "h264,96,64,10/1,20\n") << "1.9 s by hand, 0.055 s of the body";
+}
+
 TEST_F(FilmTest, AFilmChangesNeitherStatesNorScreenshots) {
     ASSERT_EQ(replay({"--hashes"}).exitCode, 0);
     const std::string hashes = readBytes(path("out/hashes.csv"));

@@ -63,6 +63,33 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
         << "0.04 s, ten times slower, 50 pictures a second";
 }
 
+TEST_F(EditorFilmTest, ACutInAPauseLastsAsLongAsTheDrag) {
+    const auto drag = [&](double x) {
+        moveTo(x, kTop.y());
+        press(true);
+        frames(1);
+        for (int i = 1; i <= 60; ++i) {
+            moveTo(x, kTop.y() + (kBottom - kTop).y() * i / 60);
+            frames(1);
+        }
+        press(false);
+        frames(1);
+        settle();
+    };
+    drag(kTop.x());
+    tap(Key::m, {.control = true});
+    frames(2);
+    type("cut.mp4");
+    click("file.size");
+    click("file.size.640 x 360");
+    click("file.accept");
+    waitForWork();
+    const std::string frames = test::outputOf(
+        "ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 '" +
+        (folder / "cut.mp4").string() + "'");
+    EXPECT_NEAR(std::stoi(frames), 30, 3) << "a second";
+}
+
 TEST_F(EditorFilmTest, IsSeenFromWhereThePersonLooksNow) {
     openSession(8);
     const auto film = [&](const std::string& name) {

@@ -103,6 +103,23 @@ TEST(BladeStroke, SmallMovesAreGatheredAndTheLastPointIsReached) {
     EXPECT_NEAR(where.distance(poses.back(), where.bladeAt({0, -0.5})), 0, 1e-9);
 }
 
+TEST(BladeStroke, ThePosesSayHowLongTheHandTook) {
+    BladeStroke stroke;
+    stroke.elapse(7);
+    stroke.begin(space(), {0, 0.5});
+    for (int i = 1; i <= 50; ++i) {
+        stroke.elapse(0.04);
+        stroke.moveTo({0, 0.5 - i * 0.02});
+    }
+    stroke.end();
+    double sum = 0;
+    while (const std::optional<Command> command = stroke.next()) {
+        const auto* move = std::get_if<MoveBlade>(&*command);
+        sum += move == nullptr ? 0 : move->seconds.value_or(0);
+    }
+    EXPECT_NEAR(sum, 2, 1e-9);
+}
+
 TEST(BladeStroke, TheLiftComesAfterTheLastPose) {
     BladeStroke stroke;
     stroke.begin(space(), {0, 0.5});

@@ -69,6 +69,19 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     EXPECT_EQ(std::get<MoveBlade>(player.actionsAt(9).at(0).action).blade.a.y(), 0.8);
 }
 
+TEST(SessionJournal, NoHandTookTimeWhereABladeStoodStill) {
+    SessionJournal journal;
+    MoveBlade led = pose(1);
+    led.seconds = 0.5;
+    journal.note(3, led);
+    journal.note(9, led);
+    std::vector<double> times;
+    for (const SessionEvent& event : eventsOf(journal)) {
+        times.push_back(std::get<MoveBlade>(event.action).seconds.value_or(0));
+    }
+    EXPECT_THAT(times, ElementsAre(0.5, 0, 0.5));
+}
+
 TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
     SessionJournal journal;
     journal.note(3, Grab{0, Vec3(1, 0, 0), 0.1});
