@@ -29,8 +29,10 @@ layout(std430, binding = kBindNormals) writeonly buffer Normals { vec4 normals[]
 // Triangles whose height is a smaller share of their longest edge are slivers.
 const float kSliverQuality = 0.2;
 
-// So many triangles around a vertex are told apart by the edges between them.
+// So many triangles around a vertex are told apart by the edges between them. Of more, as about a
+// corner of a coarse body that was cut, those that faced alike at rest belong together.
 const int kMostFan = 20;
+const int kMostSides = 4;
 
 uniform uint vertexCount;
 uniform uint triangleCount;
@@ -176,6 +178,39 @@ bool writeParts(uint vertex) {
     return hard;
 }
 
+// The first side that faced alike at rest, or a new one.
+int sideOf(vec3 face, inout vec3 faces[kMostSides], inout int count) {
+    int side = 0;
+    while (side < count && side < kMostSides - 1 && dot(face, faces[side]) < hardCosine) {
+        ++side;
+    }
+    if (side == count) {
+        faces[count++] = face;
+    }
+    return side;
+}
+
+// As writeParts(), of any number of triangles.
+bool writeSides(uint vertex) {
+    vec3 faces[kMostSides];
+    vec3 sums[kMostSides] = vec3[](vec3(0), vec3(0), vec3(0), vec3(0));
+    int count = 0;
+    for (int round = 0; round < 2; ++round) {
+        for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
+            uvec4 triangle = triangles[entries[i] / 4u];
+            uint corner = entries[i] % 4u;
+            int side = isSkin(triangle)
+                ? sideOf(unit(normalAtRest(triangle, corner)), faces, count) : 0;
+            if (isSkin(triangle) && round == 0) {
+                sums[side] += normalNow(triangle, corner);
+            } else if (isSkin(triangle)) {
+                skinCorners[3u * (entries[i] / 4u) + corner] = packedNormal(unit(sums[side]));
+            }
+        }
+    }
+    return count > 1;
+}
+
 void writeCorners(uint vertex, vec3 normal) {
     uint word = packedNormal(normal);
     for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
@@ -221,7 +256,9 @@ void main() {
         outside = wholeSkinNormal(vertex, outside);
     }
     writeCorners(vertex, outside);
-    bool hard = isWhole && hasSkin && isBent(vertex) && writeParts(vertex);
+    bool many = ranges[vertex].y - ranges[vertex].x > uint(kMostFan);
+    bool hard = isWhole && hasSkin && isBent(vertex) &&
+        (many ? writeSides(vertex) : writeParts(vertex));
     float bulge = isWhole ? 0.0 : length(cutSkinNormals[vertex].xyz) - 1.0;
     normals[2u * vertex] = vec4(outside, hasSkin && !hard ? 1.0 : 0.0);
     normals[2u * vertex + 1u] = vec4(unit(wall), bulge);
