@@ -68,7 +68,7 @@ void cutThrice(const SurfaceMesh& whole, Outcome& outcome) {
 Outcome outcomeOf(const fs::path& file) {
     Outcome outcome;
     app::ReadOptions options;
-    options.tryMending = true;
+    options.tryFilling = options.tryRepair = true;
     try {
         std::optional<app::ModelMesh> model;
         try {

@@ -110,7 +110,7 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
         ReadOptions options;
         options.report = &inspection.report;
         options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
-        options.tryMending = true;
+        options.tryRepair = true;
         options.findFaults = !arguments.picture.empty();
         const ModelMesh model = readModel(file, options);
         for (const std::string& remark : model.remarks) {
@@ -124,10 +124,6 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
         inspection.refusal = fault.what();
         inspection.mending = fault.repairs();
         inspection.found = fault.found();
-        if (fault.fillableHoles() > 0) {
-            inspection.mending.push_back("filled " +
-                                         counted(fault.fillableHoles(), "hole", "holes"));
-        }
     } catch (const InputError& error) {
         if (inspection.report.triangles == 0) {
             throw;

@@ -162,10 +162,6 @@ MeshReport inspectAndTurn(TriangleSoup& soup, std::vector<std::string> repairs) 
 /// Makes one surface of pieces that cross.
 MeshReport united(TriangleSoup& soup, MeshReport before, WorkProgress* progress) {
     ShellUnion became = uniteCrossingPieces(soup, progress);
-    if (became.done.empty()) {
-        before.left = std::move(became.left);
-        return before;
-    }
     MeshReport found = inspectTriangles(soup);
     found.repairs = std::move(before.repairs);
     std::ranges::move(became.done, std::back_inserter(found.repairs));
@@ -190,7 +186,7 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
         found = united(soup, std::move(found), options.progress);
         // What moves apart may cross then, and what is united may touch itself.
         constexpr int kMostRounds = 4;
-        for (int i = 0; repair::moveApart(soup) > 0 && i < kMostRounds; ++i) {
+        for (int i = 0; i < kMostRounds && repair::moveApart(soup) > 0; ++i) {
             found = united(soup, std::move(found), options.progress);
         }
     }
@@ -207,17 +203,19 @@ int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
 }
 
 /// See ModelFault::repairs.
-std::vector<std::string> repairsThatHelp(TriangleSoup soup) {
-    std::vector<std::string> repairs = repair::repairSoup(soup);
-    return inspectTriangles(soup).cuttable ? repairs : std::vector<std::string>{};
+std::vector<std::string> repairsThatHelp(TriangleSoup soup, WorkProgress* progress) {
+    const MeshReport mended = inspectAndRepair(soup, {.repair = true, .progress = progress});
+    roundToFloats(soup);
+    const bool helps = mended.cuttable && inspectTriangles(soup).cuttable;
+    return helps ? mended.repairs : std::vector<std::string>{};
 }
 
 ModelFault faultOf(const fs::path& file, const TriangleSoup& soup, const MeshReport& found,
                    const ReadOptions& options) {
-    const int holes = options.tryMending ? holesThatHelp(soup, found) : 0;
-    const bool askMore = options.tryMending && holes == 0;
+    const int holes = options.tryFilling ? holesThatHelp(soup, found) : 0;
+    const bool askMore = options.tryRepair && holes == 0;
     return {shownPath(file) + ": " + found.problem, holes,
-            askMore ? repairsThatHelp(soup) : std::vector<std::string>{}};
+            askMore ? repairsThatHelp(soup, options.progress) : std::vector<std::string>{}};
 }
 
 /// A picture that can't be shown is left out of the materials.
@@ -321,13 +319,16 @@ void requireMended(const fs::path& file, const MeshReport& found) {
     }
 }
 
-/// What was sound in doubles may fall together far from the origin.
-void requireSurvivesRounding(const fs::path& file, const MeshReport& found) {
+/// What was sound in doubles may fall together far from the origin, or where edges are short.
+void requireSurvivesRounding(const fs::path& file, const MeshReport& found, bool remeshed) {
     if (!found.cuttable) {
+        const bool far = found.bounds.center().norm() > found.bounds.diagonal();
+        const std::string counts = found.problem.substr(0, found.problem.find(':'));
         throw ModelFault(
-            fmt::format("{}: once mended and rounded to the 32-bit numbers of a file, it has {}; "
-                        "move the model to the origin, or ask for longer edges with --edge",
-                        shownPath(file), found.problem.substr(0, found.problem.find(':'))),
+            fmt::format("{}: once mended and rounded to the 32-bit numbers of a file, it has {}{}",
+                        shownPath(file),
+                        far ? counts + "; move the model to the origin" : found.problem,
+                        remeshed ? ", or ask for longer edges with --edge" : ""),
             0);
     }
 }
@@ -425,7 +426,7 @@ MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
     }
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);
-    requireSurvivesRounding(file, found);
+    requireSurvivesRounding(file, found, order.remesh);
     countCrossings(model.soup, found);
     found.repairs = std::move(repairs);
     found.left = std::move(left);

@@ -106,7 +106,10 @@ struct ReadOptions {
     bool repair = false;      ///< see repair::repairSoup(); named among the repairs
     bool remesh = false;      ///< see repair::remesh(), to evenEdge(); named among the repairs
     bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
-    bool tryMending = false;  ///< to tell in a ModelFault which of both would help
+    bool tryFilling = false;  ///< to tell in a ModelFault whether filling holes would help
+    /// To tell in a ModelFault what a repair would do where filling is not tried or no help. It is
+    /// done for that, as mendModel() does it.
+    bool tryRepair = false;
     /// In models of so many triangles at most, those that pass through others are counted.
     std::size_t findCrossingsUpTo = 0;
     /// The model is read to be cut with these means: of one that is beyond them nothing is taken.

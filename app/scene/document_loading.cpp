@@ -56,7 +56,7 @@ DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
           ReadOptions options = editorReading(means);
           options.fillHoles = mending == Mending::fillHoles;
           options.repair = mending == Mending::repair;
-          options.tryMending = mending == Mending::none;
+          options.tryFilling = options.tryRepair = mending == Mending::none;
           options.progress = &progress;
           return prepareDocument(open(options), &progress, means);
       }) {}

@@ -230,6 +230,13 @@ bool SoupShells::isLarger(int a, int b) const {
     return first != second ? first > second : a < b;
 }
 
+bool SoupShells::isFlat(int shell) const {
+    constexpr double kOfFloats = 1e-7;  // a place is off by at most that share of itself
+    const Bounds& box = bounds[shell];
+    const double far = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+    return std::abs(volumes[shell]) <= kOfFloats * far * areas[shell];
+}
+
 SoupShells measureShells(const TriangleSoup& soup) {
     const Vec3 middle = boundsOf(soup).center();  // where rounding is smallest
     UnionFind vertices(soup.positions.size());

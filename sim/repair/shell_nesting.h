@@ -17,6 +17,8 @@ struct SoupShells {
     int size() const { return static_cast<int>(volumes.size()); }
     /// Whether shell a encloses more than b; of equal ones the first is the larger.
     bool isLarger(int a, int b) const;
+    /// Whether a closed shell encloses no more than rounding to 32-bit floats may add or take away.
+    bool isFlat(int shell) const;
 };
 
 /// Measures all shells. Triangles must be proper. O(n).

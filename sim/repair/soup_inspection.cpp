@@ -128,12 +128,10 @@ Facing facingOf(const TriangleSoup& soup, const SoupShells& shells) {
     return facing;
 }
 
-/// A piece encloses nothing where its volume is within rounding of zero.
 int countFlat(const SoupShells& shells) {
-    constexpr double kFlatRatio = 1e-9;
     int flat = 0;
-    for (std::size_t i = 0; i < shells.volumes.size(); ++i) {
-        flat += std::abs(shells.volumes[i]) <= kFlatRatio * std::pow(shells.areas[i], 1.5);
+    for (int i = 0; i < shells.size(); ++i) {
+        flat += shells.isFlat(i) ? 1 : 0;
     }
     return flat;
 }

@@ -15,6 +15,7 @@
 #include "sim/repair/edge_pairing.h"
 #include "sim/repair/hole_patches.h"
 #include "sim/repair/near_borders.h"
+#include "sim/repair/shell_nesting.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
 
@@ -216,18 +217,14 @@ class Repair {
     /// Sheets that filling has only doubled. False where there is nothing else, so that no repair
     /// will help.
     bool dropFlatParts() {
-        constexpr double kFlatRatio = 1e-9;
-        const std::vector<int> parts = partsOf(soup_);
-        const std::vector<double> volumes = volumesOf(soup_, parts);
-        const std::vector<double> areas = areasOf(soup_, parts);
-        const std::vector<char> open = openParts(parts, areas.size());
-        std::vector<char> flat(volumes.size(), 0);
-        for (std::size_t p = 0; p < volumes.size(); ++p) {
-            flat[p] = open[p] == 0 && std::abs(volumes[p]) <= kFlatRatio * std::pow(areas[p], 1.5);
+        const SoupShells shells = measureShells(soup_);
+        std::vector<char> flat = openParts(shells.ofTriangle, shells.volumes.size());
+        for (int shell = 0; shell < shells.size(); ++shell) {
+            flat[shell] = flat[shell] == 0 && shells.isFlat(shell);
         }
         const bool anyLeft = std::ranges::find(flat, 0) != flat.end();
         if (anyLeft) {
-            dropParts(parts, flat, "dropped # sheet that encloses no volume",
+            dropParts(shells.ofTriangle, flat, "dropped # sheet that encloses no volume",
                       "dropped # sheets that enclose no volume");
         }
         return anyLeft;

@@ -15,6 +15,8 @@ namespace {
 
 // How far vertices move apart, in edges: a float tells them apart, a person does not.
 constexpr double kParting = 1e-3;
+// Nor does a corner pass through a shell that is thinner than so much of an edge.
+constexpr double kThicknesses = 10;
 constexpr int kMostPartings = 6;
 
 /// Groups of vertices that are one place in floats, each ascending.
@@ -45,7 +47,7 @@ std::vector<std::vector<int>> sharedPlaces(const TriangleSoup& soup) {
 struct Around {
     Vec3 outward = Vec3::Zero();  ///< the normal, of any length
     Vec3 ahead = Vec3::Zero();    ///< the sum of the directions of its edges
-    double edge = 0;              ///< the length of the shortest edge [m]
+    double edge = 0;              ///< the shortest edge, of thin shells some thicknesses [m]
     double shell = 0;             ///< the signed volume of its shell [m^3]
 
     /// Whether it is a corner of a hollow rather than of a solid.
@@ -55,15 +57,18 @@ struct Around {
 std::vector<Around> aroundVertices(const TriangleSoup& soup) {
     const std::vector<int> parts = partsOf(soup);
     const std::vector<double> volumes = volumesOf(soup, parts);
+    const std::vector<double> areas = areasOf(soup, parts);
     std::vector<Around> all(soup.positions.size());
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
         const Corners at = cornersOf(soup, t);
+        const double thick = kThicknesses * std::abs(volumes[parts[t]]) / areas[parts[t]];
         for (int i = 0; i < 3; ++i) {
             Around& around = all[soup.triangles[t][i]];
             const Vec3 way = at[(i + 1) % 3] - at[i];
             around.outward += areaNormal(at);
             around.ahead += way.stableNormalized();
-            around.edge = around.edge == 0 ? way.norm() : std::min(around.edge, way.norm());
+            const double length = std::min(way.norm(), thick);
+            around.edge = around.edge == 0 ? length : std::min(around.edge, length);
             around.shell = volumes[parts[t]];
         }
     }

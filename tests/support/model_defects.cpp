@@ -132,6 +132,23 @@ Defects makeDefects() {
                  }
              }
          }},
+        {"sheets that touch it in vertices",
+         [](TriangleSoup& s) {
+             // Tilted, so that rounding gives what fills them a volume.
+             for (const int v : {0, 5, 9}) {
+                 const Vec3 at = s.positions[v];
+                 const auto first = static_cast<int>(s.positions.size());
+                 for (const Vec3& way : {Vec3(0.31, 0.17, 0), Vec3(0.05, 0.27, 0.23)}) {
+                     s.positions.emplace_back(at + way);
+                     s.positions.emplace_back(at - way);
+                 }
+                 s.triangles.push_back({v, first, first + 2});
+                 s.triangles.push_back({v, first + 2, first + 1});
+                 s.triangles.push_back({v, first + 1, first + 3});
+                 s.triangles.push_back({v, first + 3, first});
+             }
+             roundToFloats(s);
+         }},
         {"boxes that share an edge",
          [](TriangleSoup& s) {
              s = joined(s, boxSoup(Vec3::Constant(0.2)), Vec3(2, 0, 0));

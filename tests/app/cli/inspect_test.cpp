@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "render/scene/image.h"
@@ -55,6 +56,31 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("filled 1 hole"), std::string::npos) << run.out;
     EXPECT_EQ(runKerf({"inspect", file("mended.ply")}).exitCode, 0);
+}
+
+TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
+    std::map<std::string, TriangleSoup> models;
+    for (const char* defect : {"sheets that touch it in vertices", "large hole"}) {
+        models[defect] = test::soundBall();
+        test::modelDefects().at(defect)(models[defect]);
+    }
+    // Thinner than what is parted at a vertex moves apart.
+    models["a spike at a corner"] =
+        test::joined(test::boxSoup(),
+                     {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
+                      {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
+                     Vec3::Constant(0.5));
+    models["a sheet"] = {{{0, 0, 0}, {0.9, 0.1, 0.3}, {1.5, 1.1, 0.8}, {0.6, 1, 0.5}},
+                         {{0, 1, 2}, {0, 2, 3}}};
+    models["a sheet"] = test::joined(models["a sheet"], models["a sheet"], Vec3(0, 0, 1));
+    for (const auto& [name, model] : models) {
+        SCOPED_TRACE(name);
+        write("model.obj", model);
+        const bool promised = reportOf(file("model.obj"))["repairable"];
+        EXPECT_EQ(promised, name != "a sheet");
+        const auto run = runKerf({"inspect", file("model.obj"), "--repair", file("mended.ply")});
+        EXPECT_EQ(run.exitCode, promised ? 0 : 3) << run.errors;
+    }
 }
 
 TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {

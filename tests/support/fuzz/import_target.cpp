@@ -57,7 +57,7 @@ FuzzOutcome buildSurface(const app::ImportedModel& model) {
     app::ReadOptions options;
     const bool small = model.soup.triangles.size() <= kMostMended;
     options.findCrossingsUpTo = kMostMended;
-    options.tryMending = small;
+    options.tryFilling = options.tryRepair = small;
     try {
         return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
     } catch (const app::InputError& error) {
