@@ -51,8 +51,9 @@ struct RemoveModel {
     int model = 0;
 };
 /// Exchanges a model of the scene, by number, for one with even triangles.
-struct EvenTriangles {
+struct Remesh {
     int model = 0;
+    double edge = 0;  ///< how long theirs are, in the unit of its file; 0: as proposed
 };
 /// Exchanges a model of the scene, by number, for one whose crossing pieces are one surface.
 struct UnitePieces {
@@ -120,8 +121,8 @@ struct ShowPiece {
 /// All that panels answer with. The editor drains them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, RemoveModel, EvenTriangles, UnitePieces, TakeMaterial, SaveMaterial,
-                 PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
+                 PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial, SaveMaterial, PlaceBox,
+                 ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
                  RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece, ShowPiece,
                  ExportPieces, AnswerQuestion, FileAction>;
 

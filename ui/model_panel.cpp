@@ -1,6 +1,7 @@
 #include "ui/model_panel.h"
 
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <optional>
@@ -185,6 +186,34 @@ void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<
     }
 }
 
+/// With edges as long as proposed, or as typed: that is kept as a share of the proposal.
+void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
+    const ModelState& state = shown.state;
+    float& share = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(state.name.c_str()), 1);
+    double edge = share * state.edge;
+    const bool clicked = ImGui::Button("Remesh");
+    noteItem("model.remesh");
+    itemTooltip(
+        fmt::format("Makes about {:.0f} even triangles with edges of that length, on the same "
+                    "surface. The scene begins anew, texture coordinates and colours of vertices "
+                    "are lost; undo brings all of it back",
+                    state.remeshed / (share * share)));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const LengthUnit unit = state.placement.unit.value_or(LengthUnit::metre);
+    const std::string format = fmt::format("Edges of %.3g {}", nameOf(unit));
+    if (changeNumbers({"", 1, static_cast<float>(state.edge / 200), state.edge / 10,
+                       10 * state.edge, format.c_str()},
+                      true, &edge)) {
+        share = static_cast<float>(edge / state.edge);
+    }
+    noteItem("model.edge");
+    if (clicked) {
+        actions.emplace_back(Remesh{shown.number, edge});
+        share = 1;
+    }
+}
+
 /// How poor the triangles are, and what can be done about it.
 void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
@@ -193,16 +222,8 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
     itemTooltip(
         "A soft body wants even triangles of one size. A needle is lower than a tenth of its "
         "longest edge");
-    ImGui::BeginDisabled(state.evening.empty());
-    if (ImGui::Button("Even triangles")) {
-        actions.emplace_back(EvenTriangles{shown.number});
-    }
-    ImGui::EndDisabled();
-    noteItem("model.even");
-    itemTooltip(state.evening.empty() ? "This model has even triangles; undo takes them back"
-                                      : state.evening);
+    drawRemesh(shown, actions);
     if (state.crosses) {
-        ImGui::SameLine();
         if (ImGui::Button("Unite pieces")) {
             actions.emplace_back(UnitePieces{shown.number});
         }

@@ -33,7 +33,8 @@ struct ModelState {
     std::string guess;         ///< what was taken for its unit and axis, and why; may be empty
     std::string physics;       ///< what physics makes of that size
     std::string triangles;     ///< how many there are, and how poor they are
-    std::string evening;       ///< what even triangles would be; empty where it has them already
+    double edge = 0;           ///< the length to propose for edges, in the unit of its file
+    double remeshed = 0;       ///< about so many triangles it has with these
     bool crosses = false;      ///< pieces of it may pass through each other, and can be united
     int material = -1;         ///< of PanelModel::materials; -1 where it is none of them
 };

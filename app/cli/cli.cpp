@@ -341,7 +341,7 @@ void describeInspect(Parser& parser, Arguments& arguments) {
     parser.inspect
         ->add_option("--edge", arguments.inspect.edge,
                      "Length of their edges in the model's unit; as those of even triangles with "
-                     "the same areas")
+                     "the same areas, of a coarse model a 25th of its diagonal at most")
         ->type_name("LENGTH")
         ->check(refuseNoLength)
         ->needs(remesh);

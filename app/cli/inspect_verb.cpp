@@ -1,5 +1,6 @@
 #include "app/cli/inspect_verb.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -22,10 +23,12 @@
 #include "app/files/shell_union.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/keyframes.h"
+#include "app/scene/triangle_text.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
+#include "sim/mesh/triangle_quality.h"
 #include "ui/piece_row.h"
 
 namespace kerf::app {
@@ -43,6 +46,9 @@ struct Inspection {
     std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
     std::string mended;                        ///< the file that is to be written, if any
+    TriangleFigures triangles;                 ///< none of a model that is refused
+    bool isCoarse() const { return kerf::isCoarse(triangles, report.bounds.diagonal()); }
+    double proposedEdge() const { return kerf::proposedEdge(triangles, report.bounds.diagonal()); }
 };
 
 TriangleSoup soupOf(const SurfaceMesh& mesh) {
@@ -89,7 +95,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
-    const MendedModel mended = mendModel(file, {remesh, arguments.edge});
+    const MendedModel mended = mendModel(file, {.remesh = remesh, .edge = arguments.edge});
     for (const std::string& remark : mended.model.remarks) {
         spdlog::warn("{}: {}", file.string(), remark);
     }
@@ -100,7 +106,8 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
             "",
             {},
             arguments.picture.empty() ? nullptr : faultsOf(mesh),
-            encodeMesh(mesh, findPieces(mesh), *format, looks)};
+            encodeMesh(mesh, findPieces(mesh), *format, looks),
+            figuresOf(soupOf(mesh))};
 }
 
 /// A file that can't be read at all has no report and throws.
@@ -116,6 +123,7 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
         for (const std::string& remark : model.remarks) {
             spdlog::warn("{}: {}", file.string(), remark);
         }
+        inspection.triangles = figuresOf(soupOf(model.mesh));
         inspection.found = options.findFaults ? faultsOf(model.mesh) : nullptr;
         if (inspection.report.crossingTriangles > 0) {
             inspection.mending = unionsToMake(soupOf(model.mesh));
@@ -228,6 +236,13 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     }
     line("memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
     line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
+    if (inspection.isCoarse()) {
+        line("remark") << fmt::format(
+            "{}; --remesh OUT.ply --edge {:.2g} makes it bend and cut well.\n",
+            coarseText(inspection.triangles,
+                       fmt::format("{:.3g}", inspection.triangles.longestEdge)),
+            inspection.proposedEdge());
+    }
     if (!inspection.mending.empty()) {
         line("--repair") << "would help: " << joined(inspection.mending, "; ") << "\n";
     }
@@ -296,6 +311,7 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
     if (arguments.json) {
         Json json = toJson(inspection.report, file);
         json["repairable"] = !inspection.mending.empty();
+        json["proposed_edge"] = inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json();
         out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
     } else {
         printForPeople(inspection, file, out);

@@ -16,7 +16,7 @@ struct InspectArguments {
     std::filesystem::path remeshed;  ///< the same, with even triangles
     std::filesystem::path picture;   ///< where a picture with its faults goes; empty for nowhere
     PictureSize pictureSize;
-    double edge = 0;  ///< of these, in the file's unit; 0: as those of even triangles
+    double edge = 0;  ///< of these, in the file's unit; 0: as proposed
 };
 
 /// Prints on `out` what the model is and whether it can be cut; of one that is repaired or

@@ -281,6 +281,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::redo, Needs::body, [](State& s) { stepThroughHistory(s, Redo{}); }},
     Handler{ActionId::cancel, Needs::nothing, cancel},
     Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
+    Handler{ActionId::remesh, Needs::body, [](State& s) { s.remesh({}); }},
     Handler{ActionId::toolStroke, Needs::scene, take<Tool::stroke>},
     Handler{ActionId::toolScalpel, Needs::scene, take<Tool::scalpel>},
     Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
@@ -462,7 +463,7 @@ struct Answer {
         s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
-    void onBody(const ui::EvenTriangles& wanted) const { s.makeEven(wanted.model); }
+    void onBody(const ui::Remesh& wanted) const { s.remesh(wanted); }
     void onBody(const ui::UnitePieces& wanted) const { s.unitePieces(wanted.model); }
     void onBody(const ui::TakeMaterial& wanted) const { s.takeMaterial(wanted); }
     void onBody(const ui::SaveMaterial&) const { s.browseToSaveMaterial(); }

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/triangle_text.h"
+#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "ui/action_table.h"
 #include "ui/unit_text.h"
@@ -14,7 +16,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr const char* kEven = "Even triangles";
+constexpr const char* kRemesh = "Remesh";
 constexpr const char* kUnite = "Unite pieces";
 constexpr const char* kRepair = "Repair";
 
@@ -140,14 +142,31 @@ void Editor::State::closeScene() {
     redraw.scene();
 }
 
-// --- Even triangles, pieces that cross ---------------------------------------------------------
+// --- Remeshing, pieces that cross --------------------------------------------------------------
 
-void Editor::State::makeEven(int model) {
+void Editor::State::remesh(const ui::Remesh& wanted) {
     Session start = scene->startOfScene();
-    ModelReference& reference = referenceOf(start, model);
+    ModelReference& reference = referenceOf(start, wanted.model);
     reference.remesh = true;
-    exchangeModel(start, reference,
-                  fmt::format("Making the triangles of {} even", reference.name()), kEven);
+    const double edge = wanted.edge > 0 ? wanted.edge : scene->proposedEdge(wanted.model);
+    reference.remeshEdge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
+    exchangeModel(start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
+}
+
+/// A session was made on the triangles that its model has: only models are told to be coarse.
+void Editor::State::tellOfModel(std::string note) {
+    const EditorScene::ModelFigures& model = scene->rest().models.front();
+    const double diagonal = model.bounds.diagonal();
+    const bool coarse = scene->document().guess && isCoarse(model.triangles, diagonal);
+    if (coarse) {
+        note += fmt::format(" {}. With edges of {} it bends and cuts well.",
+                            coarseText(model.triangles, lengthText(model.triangles.longestEdge)),
+                            lengthText(proposedEdge(model.triangles, diagonal)));
+    }
+    if (!note.empty()) {
+        spdlog::info("{}: {}", scene->document().name, note);
+        coarse ? toast.offer(note, {ui::ActionId::remesh, kRemesh}) : toast.show(note, false);
+    }
 }
 
 void Editor::State::unitePieces(int model) {

@@ -80,10 +80,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     if (scene->document().guess && !scene->document().guess->certain) {
         panels.unfold("model");  // The guess is a question, too.
     }
-    if (!note.empty()) {
-        spdlog::info("{}: {}", scene->document().name, note);
-        toast.show(note, false);
-    }
+    tellOfModel(note);
 }
 
 void Editor::State::beginScene() {

@@ -196,7 +196,9 @@ struct Editor::State {
     /// Shows the scene again.
     void hideFaulty();
     /// Begins to exchange a model for one with even triangles, after a question where it was cut.
-    void makeEven(int model);
+    void remesh(const ui::Remesh& wanted);
+    /// Shows what is told of what was opened, and offers to remesh a model whose skin is coarse.
+    void tellOfModel(std::string note);
     void unitePieces(int model);
     /// Opens the scene anew with `model` of `start`, as a change that undo takes back.
     void exchangeModel(const Session& start, const ModelReference& model, const std::string& doing,

@@ -333,16 +333,6 @@ void requireSurvivesRounding(const fs::path& file, const MeshReport& found, bool
     }
 }
 
-/// `edge`: 0 for evenEdge(). Returns what was done.
-std::string remeshed(TriangleSoup& soup, double edge, WorkProgress* progress) {
-    const std::size_t before = soup.triangles.size();
-    repair::remesh(soup, edge > 0 ? edge : evenEdge(figuresOf(soup)), [&](int round) {
-        enter(progress, "Evening out the triangles, round " + std::to_string(round + 1));
-    });
-    return "remeshed " + std::to_string(before) + " triangles to " +
-           std::to_string(soup.triangles.size());
-}
-
 /// Edges too short for the memory that there is are refused before any of it is taken.
 void requireMemoryForEdges(const fs::path& file, const TriangleSoup& soup, double edge) {
     constexpr double kBytesOfTriangle = 400;  // 330 were seen, with 300,000 of them
@@ -352,10 +342,23 @@ void requireMemoryForEdges(const fs::path& file, const TriangleSoup& soup, doubl
                 kBytesOfTriangle * triangles, "ask for longer ones with --edge");
 }
 
+/// Returns what was done.
+std::string remeshed(const fs::path& file, TriangleSoup& soup, double edge,
+                     WorkProgress* progress) {
+    requireMemoryForEdges(file, soup, edge);
+    const std::size_t before = soup.triangles.size();
+    repair::remesh(soup, edge, [&](int round) {
+        enter(progress, "Evening out the triangles, round " + std::to_string(round + 1));
+    });
+    return "remeshed " + std::to_string(before) + " triangles to " +
+           std::to_string(soup.triangles.size());
+}
+
 MeshReport evened(const fs::path& file, TriangleSoup& soup, const MeshReport& before,
-                  WorkProgress* progress) {
+                  const ReadOptions& options) {
     std::vector<std::string> repairs = before.repairs;
-    repairs.push_back(remeshed(soup, 0, progress));
+    const double edge = options.edge > 0 ? options.edge : evenEdge(figuresOf(soup));
+    repairs.push_back(remeshed(file, soup, edge, options.progress));
     MeshReport found = inspectTriangles(soup);
     found.repairs = std::move(repairs);
     if (!found.cuttable) {
@@ -391,7 +394,7 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
     enter(options.progress, "Looking for faults");
     MeshReport found = inspectAndRepair(soup, options);
     if (found.cuttable && options.remesh) {
-        found = evened(file, soup, found, options.progress);
+        found = evened(file, soup, found, options);
     }
     repair::Faults faults = findFaults(soup, found, options);
     if (options.report != nullptr) {
@@ -412,21 +415,21 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
     return built;
 }
 
-MendedModel mendModel(const fs::path& file, const MendingOrder& order) {
+MendedModel mendModel(const fs::path& file, ReadOptions options) {
     ImportedModel model = importWithLooks(file, ImportLimits{}, nullptr);
-    ReadOptions options;
     options.repair = true;
     MeshReport found = inspectAndRepair(model.soup, options);
     requireMended(file, found);
     std::vector<std::string> repairs = std::move(found.repairs);
     std::vector<std::string> left = std::move(found.left);
-    if (order.remesh) {
-        requireMemoryForEdges(file, model.soup, order.edge);
-        repairs.push_back(remeshed(model.soup, order.edge, nullptr));
+    if (options.remesh) {
+        const double proposed = proposedEdge(figuresOf(model.soup), found.bounds.diagonal());
+        repairs.push_back(remeshed(file, model.soup, options.edge > 0 ? options.edge : proposed,
+                                   options.progress));
     }
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);
-    requireSurvivesRounding(file, found, order.remesh);
+    requireSurvivesRounding(file, found, options.remesh);
     countCrossings(model.soup, found);
     found.repairs = std::move(repairs);
     found.left = std::move(left);

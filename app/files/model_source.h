@@ -104,7 +104,8 @@ SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nu
 struct ReadOptions {
     bool fillHoles = false;   ///< see fillHoles(); named among the repairs
     bool repair = false;      ///< see repair::repairSoup(); named among the repairs
-    bool remesh = false;      ///< see repair::remesh(), to evenEdge(); named among the repairs
+    bool remesh = false;      ///< see repair::remesh(); named among the repairs
+    double edge = 0;          ///< that of remesh, in the file's unit; 0: evenEdge()
     bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
     bool tryFilling = false;  ///< to tell in a ModelFault whether filling holes would help
     /// To tell in a ModelFault what a repair would do where filling is not tried or no help. It is
@@ -130,14 +131,9 @@ struct MendedModel {
     ModelMesh model;
     MeshReport report;  ///< of the model as it is now, with what was done
 };
-/// How to mend a model.
-struct MendingOrder {
-    bool remesh = false;
-    double edge = 0;  ///< the length of edges wanted, in the file's unit; 0: see evenEdge()
-};
-/// Reads a model, repairs it and rounds it to floats, as files hold it. Throws ModelFault where it
-/// can't be cut even then.
-MendedModel mendModel(const std::filesystem::path& file, const MendingOrder& order);
+/// Reads a model, repairs it, remeshes it where asked (edge 0: proposedEdge()) and rounds it to
+/// floats, as files hold it. Throws ModelFault where it can't be cut even then.
+MendedModel mendModel(const std::filesystem::path& file, ReadOptions options);
 
 /// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
 int runImportWorker(const std::filesystem::path& file);

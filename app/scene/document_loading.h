@@ -41,8 +41,8 @@ struct OpeningOrder {
     /// Reads it, on any thread.
     std::function<Document(const ReadOptions& options)> open;
     std::function<void()> shown = nullptr;  ///< called once it is what is open; may be null
-    /// What it does to the scene that is open, "Even triangles", as one change that is undone with
-    /// it: that scene is kept. Empty: it is another document.
+    /// What it does to the scene that is open, "Remesh", as one change that is undone with it: that
+    /// scene is kept. Empty: it is another document.
     std::string change = {};
 };
 /// What is done about a model that can't be cut as it is.

@@ -873,6 +873,13 @@ void EditorScene::describe(ui::PanelModel& model) {
     describeMarks(model);
 }
 
+double EditorScene::proposedEdge(int model) const {
+    const auto& [bounds, volume, triangles] = rest_.models[model];
+    const Placement& placement = simulation_.placement(model);
+    return kerf::proposedEdge(triangles, bounds.diagonal()) /
+           (placement.metresPerUnit() * placement.scale);
+}
+
 void EditorScene::describeModels(ui::PanelModel& model) const {
     const Session& session = document_.session;
     for (int m = 0; m < simulation_.modelCount(); ++m) {
@@ -885,7 +892,9 @@ void EditorScene::describeModels(ui::PanelModel& model) const {
             sizeEffect(state.size.y(), figures.volume, paramsOf(simulation_.params(), m));
         state.triangles = trianglesText(figures.triangles);
         const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
-        state.evening = reference.remesh ? "" : eveningText(figures.triangles);
+        state.edge = proposedEdge(m);
+        state.remeshed = trianglesOf(
+            figures.triangles, kerf::proposedEdge(figures.triangles, figures.bounds.diagonal()));
         state.crosses = !reference.repair &&
                         document_.faults.of(repair::FaultKind::crossingTriangle).count() > 0;
         model.models.push_back(std::move(state));

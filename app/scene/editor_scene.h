@@ -74,6 +74,8 @@ class EditorScene {
         std::vector<ModelFigures> models = {};
     };
     const RestFigures& rest() const { return rest_; }
+    /// The edge length to propose for a model of the scene, in the unit of its file.
+    double proposedEdge(int model) const;
     /// The view that shows the uncut body: the first one, or one like it after a placement.
     const render::Camera& homeView() const { return homeView_; }
     /// Grows when the uncut body became another one, as by a placement or its undo.

@@ -2,25 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
-namespace {
-
-/// With two digits: an estimate.
-double rounded(double count) {
-    if (count < 1) {
-        return 0;
-    }
-    const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1));
-    return std::round(count / step) * step;
-}
-
-}  // namespace
 
 std::string trianglesText(const TriangleFigures& figures) {
     std::string text = counted(figures.triangles, "triangle", "triangles");
@@ -33,13 +18,9 @@ std::string trianglesText(const TriangleFigures& figures) {
                               lengthText(figures.meanEdge()));
 }
 
-std::string eveningText(const TriangleFigures& figures) {
-    const double edge = evenEdge(figures);
-    return fmt::format(
-        "Makes about {:.0f} triangles with edges of {}, on the same surface. The scene begins "
-        "anew, "
-        "texture coordinates and colours of vertices are lost; undo brings all of it back",
-        rounded(trianglesOf(figures, edge)), lengthText(edge));
+std::string coarseText(const TriangleFigures& figures, const std::string& longestEdge) {
+    return fmt::format("The skin is coarse: {}, edges up to {}",
+                       counted(figures.triangles, "triangle", "triangles"), longestEdge);
 }
 
 }  // namespace kerf::app

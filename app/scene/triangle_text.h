@@ -9,8 +9,7 @@ namespace kerf::app {
 /// "768 triangles, 12 of them needles; edges of 3.5 mm to 7.8 cm, 5.1 cm in the mean."
 std::string trianglesText(const TriangleFigures& figures);
 
-/// What it means to make them even, for people: how many there would be, how long their edges, and
-/// what is lost.
-std::string eveningText(const TriangleFigures& figures);
+/// What is wrong with a coarse skin: "The skin is coarse: 12 triangles, edges up to 1.41 m".
+std::string coarseText(const TriangleFigures& figures, const std::string& longestEdge);
 
 }  // namespace kerf::app

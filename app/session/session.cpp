@@ -60,6 +60,7 @@ ModelMesh load(const ModelReference& reference, const ReadOptions& options) {
     ours.fillHoles |= reference.fillHoles;
     ours.repair |= reference.repair;
     ours.remesh = reference.remesh;
+    ours.edge = reference.remeshEdge.value_or(0);
     return readModel(file, ours);
 }
 

@@ -46,6 +46,8 @@ struct ModelReference {
     bool fillHoles = false;      ///< see ReadOptions
     bool repair = false;         ///< see ReadOptions
     bool remesh = false;         ///< see ReadOptions
+    /// See ReadOptions::edge.
+    std::optional<double> remeshEdge = std::nullopt;
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;

@@ -79,6 +79,17 @@ double evenEdge(const TriangleFigures& figures) {
     return trianglesOf(figures, mean) > most ? std::sqrt(figures.area / (kEvenArea * most)) : mean;
 }
 
+bool isCoarse(const TriangleFigures& figures, double diagonal) {
+    constexpr double kCoarse = 1.0 / 8;  // of the diagonal
+    return figures.longestEdge > kCoarse * diagonal;
+}
+
+double proposedEdge(const TriangleFigures& figures, double diagonal) {
+    constexpr double kFine = 1.0 / 25;
+    const double even = evenEdge(figures);
+    return isCoarse(figures, diagonal) ? std::min(even, kFine * diagonal) : even;
+}
+
 double trianglesOf(const TriangleFigures& figures, double edge) {
     return edge > 0 ? figures.area / (kEvenArea * edge * edge) : 0;
 }

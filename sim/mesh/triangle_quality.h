@@ -52,6 +52,12 @@ TriangleFigures figuresOf(const TriangleSoup& soup);
 /// have, since the edges of needles are long for what they cover; or a longer one where that made
 /// more than four times as many triangles, as tiny ones beside giant ones would.
 double evenEdge(const TriangleFigures& figures);
+/// Whether a body with such a skin hardly bends and is cut into shards: its longest edge is more
+/// than an eighth of its diagonal [m].
+bool isCoarse(const TriangleFigures& figures, double diagonal);
+/// The edge length to propose for a body [m]: evenEdge(), of a coarse one a 25th of its diagonal at
+/// most.
+double proposedEdge(const TriangleFigures& figures, double diagonal);
 /// About how many triangles a surface has whose edges are so long [m].
 double trianglesOf(const TriangleFigures& figures, double edge);
 

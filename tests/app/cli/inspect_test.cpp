@@ -131,6 +131,43 @@ TEST_F(Inspect, SaysWhereToPutAModelWhoseNumbersAreTooCoarseForItsTriangles) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out.ply"));
 }
 
+TEST_F(Inspect, SendsNoModelToTheOriginThatIsThere) {
+    // A needle that is higher than none in doubles alone.
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+        "property double z\nelement face ";
+    const std::string body =
+        "\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n1 1 0\n0.5 0.3 1\n1.0000000001 0.5 0\n"
+        "3 0 2 4\n3 0 4 1\n3 1 4 2\n3 0 1 3\n3 1 2 3\n";
+    test::writeText(folder / "needle.ply", head + "6" + body + "3 2 0 3\n");
+    const ProgramRun run = runKerf({"inspect", file("needle.ply"), "--repair", file("out.ply")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.errors.find("32-bit numbers"), std::string::npos) << run.errors;
+    EXPECT_EQ(run.errors.find("origin"), std::string::npos) << run.errors;
+    EXPECT_EQ(run.errors.find("--edge"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("dissolve them"), std::string::npos) << run.errors;
+    test::writeText(folder / "open.ply", head + "5" + body);
+    EXPECT_FALSE(reportOf(file("open.ply"))["repairable"]) << "it would end there, too";
+}
+
+TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
+    write("cube.obj", test::boxSoup());
+    const ProgramRun run = runKerf({"inspect", file("cube.obj")});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_NE(run.out.find("The skin is coarse: 12 triangles, edges up to 1.41; --remesh OUT.ply "
+                           "--edge 0.069 makes it bend and cut well."),
+              std::string::npos)
+        << run.out;
+    EXPECT_NEAR(reportOf(file("cube.obj"))["proposed_edge"].get<double>(), 0.0693, 1e-4);
+    EXPECT_EQ(runKerf({"inspect", file("cube.obj"), "--remesh", file("fine.ply")}).exitCode, 0);
+    const auto fine = reportOf(file("fine.ply"));
+    EXPECT_TRUE(fine["proposed_edge"].is_null());
+    EXPECT_GT(fine["triangles"], 2000);
+    EXPECT_NEAR(fine["volume"].get<double>(), 1, 1e-6);
+    EXPECT_TRUE(reportOf("sphere768")["proposed_edge"].is_null());
+}
+
 TEST_F(Inspect, MakesEvenTriangles) {
     ASSERT_EQ(
         runKerf({"inspect", "sphere80", "--remesh", file("fine.ply"), "--edge", "0.1"}).exitCode,

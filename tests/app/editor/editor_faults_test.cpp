@@ -7,6 +7,7 @@
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/model_defects.h"
+#include "ui/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -52,13 +53,13 @@ class EditorFaultsTest : public EditorTest {
     }
     /// Unfolds the section of the model, where it is folded.
     void unfoldModel() {
-        if (!editor->itemRects().contains("model.even")) {
+        if (!editor->itemRects().contains("model.remesh")) {
             click("section.model");
         }
     }
     void even() {
         unfoldModel();
-        click("model.even");
+        click("model.remesh");
         waitForWork();
         frames(2);
     }
@@ -172,21 +173,55 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
 TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
     const std::string before = hash();
     const int triangles = panels().triangles;
+    const double proposed = panels().models[0].edge;
     even();
     const std::string evened = hash();
     EXPECT_NE(evened, before);
     EXPECT_THAT(panels().toast, HasSubstr("768 triangles became"));
-    EXPECT_THAT(changes(), ElementsAre("Even triangles"));
+    EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 1U);
-    EXPECT_TRUE(panels().models[0].evening.empty()) << "they are even";
+    EXPECT_NEAR(panels().models[0].edge, proposed, 0.1 * proposed);
     undo();
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(panels().triangles, triangles);
-    EXPECT_THAT(changes(), ElementsAre("Even triangles"));
+    EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 0U);
     redo();
     EXPECT_EQ(hash(), evened);
     EXPECT_EQ(panels().changes.done, 1U);
+}
+
+TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
+    test::writeText(folder / "cube.obj", test::objText(test::boxSoup()));
+    editor->open(folder / "cube.obj");
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(panels().triangles, 12) << "nothing is refined unasked";
+    EXPECT_THAT(panels().toast, HasSubstr("The skin is coarse: 12 triangles, edges up to 1.41 m. "
+                                          "With edges of 6.93 cm it bends and cuts well."));
+    ASSERT_TRUE(panels().toastChoice);
+    EXPECT_EQ(panels().toastChoice->id, ui::ActionId::remesh);
+    EXPECT_NEAR(panels().models[0].edge, std::sqrt(3) / 25, 1e-6);
+    click("toast.Shift+R");
+    waitForWork();
+    frames(2);
+    EXPECT_GT(panels().triangles, 2000);
+    EXPECT_THAT(panels().toast, HasSubstr("12 triangles became"));
+    EXPECT_EQ(editor->scene()->document().session.model.remeshEdge, 0.0693);
+    undo();
+    EXPECT_EQ(panels().triangles, 12);
+}
+
+TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
+    unfoldModel();
+    const double proposed = panels().models[0].edge;
+    const ui::Rect field = editor->itemRects().at("model.edge");
+    const Vec2 middle(field.x + field.width / 2, field.y + field.height / 2);
+    drag(middle, middle + Vec2(60, 0), 6);
+    frames(12);
+    even();
+    EXPECT_GT(editor->scene()->document().session.model.remeshEdge, 1.1 * proposed);
+    EXPECT_LT(panels().triangles, 700);
 }
 
 TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
@@ -210,7 +245,7 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     redo();
     EXPECT_EQ(hash(), before);
     redo();
-    EXPECT_THAT(panels().toast, HasSubstr("Done again: Even triangles"));
+    EXPECT_THAT(panels().toast, HasSubstr("Done again: Remesh"));
     EXPECT_TRUE(panels().untouched);
 }
 
@@ -222,7 +257,7 @@ TEST_F(EditorFaultsTest, AnotherChangeForgetsWhatWasUndone) {
     const std::string changed = hash();
     redo();
     EXPECT_EQ(hash(), changed);
-    EXPECT_THAT(changes(), Not(Contains("Even triangles")));
+    EXPECT_THAT(changes(), Not(Contains("Remesh")));
 }
 
 TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
@@ -255,7 +290,7 @@ TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
 TEST_F(EditorFaultsTest, CancelLeavesEverythingAsItWas) {
     const std::string before = hash();
     unfoldModel();
-    click("model.even");
+    click("model.remesh");
     tap(Key::escape);
     waitForWork();
     EXPECT_EQ(hash(), before);

@@ -17,7 +17,7 @@ class EditorModelTest : public EditorTest {
   protected:
     void SetUp() override {
         EditorTest::SetUp();
-        TriangleSoup soup = test::boxSoup(Vec3(3, 9.66, 3), 3);
+        TriangleSoup soup = test::boxSoup(Vec3(3, 9.66, 3), 9);  // not coarse
         for (Vec3& p : soup.positions) {
             p += Vec3(100, 4.83, 0);
         }

@@ -241,7 +241,7 @@ TEST(SessionWriter, ModelPathsAreRelativeToTheFolder) {
 
 TEST(SessionWriter, KeepsWhatMendsItsModels) {
     const std::string text = R"({"format": "kerf-session", "version": 1, "steps": 1,
-        "model": {"builtin": "sphere20", "remesh": true},
+        "model": {"builtin": "sphere20", "remesh": true, "remesh_edge": 0.2},
         "more_models": [{"builtin": "banana", "repair": true, "remesh": true},
                         {"builtin": "banana", "fill_holes": true}]})";
     const Session read = parseSession(text, "/");
@@ -249,6 +249,7 @@ TEST(SessionWriter, KeepsWhatMendsItsModels) {
     for (const Session& session : {read, again}) {
         EXPECT_TRUE(session.warnings.empty());
         EXPECT_TRUE(session.model.remesh);
+        EXPECT_EQ(session.model.remeshEdge, 0.2);
         EXPECT_FALSE(session.model.repair);
         EXPECT_TRUE(session.moreModels.at(0).model.remesh);
         EXPECT_TRUE(session.moreModels.at(0).model.repair);
@@ -264,6 +265,8 @@ TEST(SessionLoading, EvenTrianglesAreTheSameEachTimeAndOfOneSize) {
     const SurfaceMesh first = loadSessionModel(session).mesh;
     const SurfaceMesh second = loadSessionModel(session).mesh;
     EXPECT_EQ(first.restPositions(), second.restPositions());
+    session.model.remeshEdge = 0.05;
+    EXPECT_LT(loadSessionModel(session).mesh.aliveTriangles(), first.aliveTriangles());
     session.model.remesh = false;
     const SurfaceMesh asItIs = loadSessionModel(session).mesh;
     EXPECT_NE(first.aliveTriangles(), asItIs.aliveTriangles());

@@ -38,6 +38,22 @@ TEST(TriangleQuality, EvenEdgesAreTheMeanOrAtMostFourTimesTheTriangles) {
     EXPECT_LT(evenEdge(needles), 0.5 * needles.meanEdge());
 }
 
+TEST(TriangleQuality, OfACoarseSkinShorterEdgesAreProposed) {
+    const TriangleFigures cube = figuresOf(test::boxSoup());
+    const double diagonal = std::sqrt(3);
+    EXPECT_TRUE(isCoarse(cube, diagonal));
+    EXPECT_NEAR(proposedEdge(cube, diagonal), diagonal / 25, 1e-12);
+    const TriangleFigures fine = figuresOf(test::boxSoup(Vec3::Ones(), 12));
+    EXPECT_FALSE(isCoarse(fine, diagonal));
+    EXPECT_EQ(proposedEdge(fine, diagonal), evenEdge(fine));
+    EXPECT_FALSE(isCoarse(figuresOf({}), 0));
+    EXPECT_FALSE(isCoarse(figuresOf(test::builtinSoup("sphere768")), diagonal));
+    const TriangleFigures uneven = figuresOf(
+        test::joined(test::icosphereSoup(4, 0.1), test::boxSoup(Vec3::Ones()), Vec3(1, 0, 0)));
+    EXPECT_TRUE(isCoarse(uneven, 2.2));
+    EXPECT_LE(proposedEdge(uneven, 2.2), 2.2 / 25);
+}
+
 TEST(ShapeFigures, OfTwoSurfacesAreThoseOfAllTriangles) {
     const Corners even{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, std::sqrt(0.75), 0)};
     const Corners flat{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.01, 0)};

@@ -65,12 +65,22 @@ TEST(Remesher, KeepsHardEdges) {
     EXPECT_GT(leastAngle(soup), 15);
 }
 
-TEST(Remesher, RefinesWhatIsCoarse) {
+TEST(Remesher, RefinesWhatIsCoarseAndKeepsItsFlatFaces) {
     TriangleSoup soup = test::boxSoup();
-    repair::remesh(soup, 0.1);
-    EXPECT_GT(soup.triangles.size(), 600u);
+    const double edge = proposedEdge(figuresOf(soup), std::sqrt(3));
+    repair::remesh(soup, edge);
     EXPECT_EQ(inspectTriangles(soup).problem, "");
-    EXPECT_NEAR(inspectTriangles(soup).volume, 1, 1e-9);
+    EXPECT_NEAR(inspectTriangles(soup).volume, 1, 1e-12);
+    for (const Vec3& p : soup.positions) {
+        ASSERT_NEAR(p.cwiseAbs().maxCoeff(), 0.5, 1e-12) << "beside the surface";
+    }
+    const TriangleFigures figures = figuresOf(soup);
+    EXPECT_NEAR(figures.area, 6, 1e-12);
+    EXPECT_LT(figures.longestEdge, 1.6 * edge);
+    EXPECT_GT(figures.shortestEdge, 0.4 * edge);
+    EXPECT_NEAR(figures.meanEdge(), edge, 0.2 * edge);
+    EXPECT_GT(leastAngle(soup), 20);
+    EXPECT_FALSE(isCoarse(figures, std::sqrt(3)));
 }
 
 }  // namespace
