@@ -11,6 +11,7 @@
 #include "sim/base/text.h"
 #include "sim/base/turn.h"
 #include "sim/body/solver_uniforms.h"
+#include "sim/contact/impact_zones.h"
 #include "sim/mesh/oriented_box.h"
 
 namespace kerf {
@@ -60,6 +61,7 @@ void RunningBody::take(std::shared_ptr<const UncutBody> body) {
     sync.followMesh(mesh());
     diagonal = boxOf(uncut->mesh.restPositions()).diagonal();
     wallEdge = contactEdgeLength(uncut->body.model());
+    thin = isThin(uncut->body.model());
 }
 
 void RunningBody::startAsAtFirst() {
@@ -237,6 +239,15 @@ void RunningBody::measureStep() {
 void RunningBody::bringLostPiecesBack() {
     solver.savedPieces().restoreAtRest(memory.measure.lostPieces);
     memory.measure = solver.measure();
+}
+
+void RunningBody::stopCrossings(const std::vector<Vec3>& before, const Params& params) {
+    mesh().bringAll();
+    if (kerf::stopCrossings({model(), before, params.floor, memory.pins.vertices()}, mesh())) {
+        solver.setState(stateOf(mesh()));
+        sync.forget();
+        measureAtRest();
+    }
 }
 
 double RunningBody::endStep() {

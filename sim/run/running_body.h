@@ -44,6 +44,9 @@ struct RunningBody {
     /// step.
     void prepareStep(const Params& params);
     void bringLostPiecesBack();
+    /// Of a thin body that is folded: lets no triangles pass through each other that did not
+    /// `before` [m]. Measures it anew where some did.
+    void stopCrossings(const std::vector<Vec3>& before, const Params& params);
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
     /// The solver's step is over, with lost pieces back. Returns how long it took to list what lies
@@ -89,6 +92,7 @@ struct RunningBody {
     std::shared_ptr<const UncutBody> uncut;
     double diagonal = 0;  ///< of the uncut body at rest [m]
     double wallEdge = 0;  ///< edge length of walls [m]
+    bool thin = false;    ///< see isThin(), of the uncut body
 
     std::unique_ptr<BodyUpdater> updater;
     const std::unique_ptr<GpuSolver> solverOwner;

@@ -115,6 +115,8 @@ bool Simulation::State::sleeps() const {
 
 void Simulation::State::solve() {
     body.prepareStep(input.params);
+    const bool keepsApart = body.thin && contactSettings(input.params).enabled;
+    const std::vector<Vec3> before = keepsApart ? body.mesh().positions() : std::vector<Vec3>();
     moveBody();
     const Vec3 middle = middleOfBlade();
     body.measureStep();
@@ -122,6 +124,9 @@ void Simulation::State::solve() {
     takeBackLostPieces();
     body.noteStillness(input.params.timeStep, output.report.lostPieces > 0);
     const double prefetchMs = body.endStep();
+    if (keepsApart) {
+        body.stopCrossings(before, input.params);
+    }
     StepReport& report = output.report;
     report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;
     report.deformMs = body.solver.stepper().takeDeformMilliseconds();
@@ -170,7 +175,7 @@ void Simulation::State::prefetchCut() {
         body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
                            body.cutter->followedVertices());
     }
-    if (body.readsAllBack || stroke.endsInStep()) {
+    if (body.readsAllBack || body.thin || stroke.endsInStep()) {
         body.sync.prefetchAll();
     }
 }

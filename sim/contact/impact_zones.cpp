@@ -1,0 +1,219 @@
+#include "sim/contact/impact_zones.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "sim/base/boxes.h"
+#include "sim/base/float_rounding.h"
+#include "sim/base/predicates.h"
+#include "sim/body/piece_masses.h"
+#include "sim/body/rest_pose.h"
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/union_find.h"
+#include "sim/repair/surface_contact.h"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kLeastThin = 0.05;     // of the vertices of a thin body
+constexpr double kRounding = 0x1p-20;   // of the largest coordinate: a depth that is none
+constexpr double kPinnedWeight = 1000;  // of what is pinned, in the motion of a zone
+constexpr double kNoFloor = std::numeric_limits<double>::lowest();
+
+struct BoxedTriangle {
+    int slot = 0;
+    Triangle corners{};
+    Bounds box{};
+};
+
+/// Whether corners of `a` lie on both sides of the plane of `b`, as far as doubles tell.
+bool straddles(const Corners& a, const Corners& b) {
+    const auto liesOn = [&](int side) {
+        return std::ranges::any_of(
+            a, [&](const Vec3& p) { return estimate3d(b[0], b[1], b[2], p).sign() == side; });
+    };
+    return liesOn(1) && liesOn(-1);
+}
+
+/// A step of a body, and what zones make of it.
+class Impact {
+  public:
+    Impact(const MovedBody& body, SurfaceMesh& mesh)
+        : body_(body),
+          mesh_(mesh),
+          floor_(body.floor.value_or(kNoFloor)),
+          masses_(unitMasses(body.model)),
+          zones_(masses_.size()),
+          moved_(masses_.size(), true) {
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            const Vec3& place = mesh.position(v);
+            rounding_ = std::max(rounding_, kRounding * place.cwiseAbs().maxCoeff());
+            ways_.push_back(place - body.before[v]);
+            velocities_.push_back(mesh.velocity(v));
+            if (place.y() < floor_ + rounding_) {
+                velocities_[v].y() = std::min(velocities_[v].y(), 0.0);  // it was lifted out
+            }
+            masses_[v] *= isPinned(v) ? kPinnedWeight : 1;
+        }
+        for (const int t : body.model.meshTriangle) {
+            triangles_.push_back({t, mesh.triangle(t)});
+        }
+    }
+
+    /// From left to right, among what moves() has moved since. Returns whether a zone grew.
+    bool joinCrossings() {
+        for (BoxedTriangle& t : triangles_) {
+            t.box = boxOf(cornersOf(mesh_, t.slot));
+        }
+        std::ranges::sort(triangles_, {},
+                          [](const BoxedTriangle& t) { return std::pair(t.box.low.x(), t.slot); });
+        bool grew = false;
+        for (auto a = triangles_.begin(); a != triangles_.end(); ++a) {
+            const bool moved = hasMoved(*a);
+            for (auto b = a + 1; b != triangles_.end() && b->box.low.x() <= a->box.high.x(); ++b) {
+                if (a->box.overlaps(b->box) && (moved || hasMoved(*b)) && crossAnew(*a, *b)) {
+                    grew = join(*a, *b) || grew;
+                }
+            }
+        }
+        return grew;
+    }
+
+    void moveZones() {
+        std::map<int, std::vector<int>> zones;
+        for (int v = 0; v < mesh_.vertexCount(); ++v) {
+            moved_[v] = false;
+            zones[zones_.root(v)].push_back(v);
+        }
+        for (const auto& [root, vertices] : zones) {
+            if (vertices.size() > 1) {
+                move(vertices);
+            }
+        }
+    }
+
+  private:
+    bool hasMoved(const BoxedTriangle& t) const {
+        return std::ranges::any_of(t.corners, [&](int v) { return moved_[v]; });
+    }
+
+    bool crossAnew(const BoxedTriangle& a, const BoxedTriangle& b) const {
+        const Corners ofA = cornersOf(mesh_, a.slot);
+        const Corners ofB = cornersOf(mesh_, b.slot);
+        return straddles(ofA, ofB) && straddles(ofB, ofA) && repair::passThrough(ofA, ofB) &&
+               !areAcrossSlit(a, b) && !crossedBefore(a.corners, b.corners);
+    }
+
+    /// Two walls, or triangles with copies of one point.
+    bool areAcrossSlit(const BoxedTriangle& a, const BoxedTriangle& b) const {
+        const auto isCopyIn = [&](int v) {
+            return std::ranges::any_of(b.corners, [&](int w) {
+                return w != v && mesh_.copyGroup(v) >= 0 &&
+                       mesh_.copyGroup(v) == mesh_.copyGroup(w);
+            });
+        };
+        const auto isWall = [&](int slot) { return mesh_.kind(slot) == SurfaceKind::wall; };
+        return (isWall(a.slot) && isWall(b.slot)) || std::ranges::any_of(a.corners, isCopyIn);
+    }
+
+    bool crossedBefore(const Triangle& a, const Triangle& b) const {
+        const auto& x = body_.before;
+        const Corners ofA{x[a[0]], x[a[1]], x[a[2]]};
+        const Corners ofB{x[b[0]], x[b[1]], x[b[2]]};
+        return repair::passThrough(ofA, ofB) && repair::crossingDepth(ofA, ofB) > rounding_;
+    }
+
+    bool join(const BoxedTriangle& a, const BoxedTriangle& b) {
+        bool grew = false;
+        for (const int v : {a.corners[1], a.corners[2], b.corners[0], b.corners[1], b.corners[2]}) {
+            grew = grew || zones_.root(v) != zones_.root(a.corners[0]);
+            zones_.join(v, a.corners[0]);
+        }
+        return grew;
+    }
+
+    /// As one rigid body with the momenta of all, from where they were. What would get below the
+    /// floor does not turn: about its middle, it would climb.
+    void move(const std::vector<int>& vertices) {
+        std::vector<FittedVertex> members;
+        Vec3 middle = Vec3::Zero();
+        double mass = 0;
+        for (const int v : vertices) {
+            members.push_back({.weight = masses_[v], .at = body_.before[v], .velocity = ways_[v]});
+            middle += masses_[v] * body_.before[v];
+            mass += masses_[v];
+        }
+        middle /= mass;
+        RigidMotion way = rigidMotionOf(members, middle);
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            members[i].velocity = velocities_[vertices[i]];
+        }
+        RigidMotion speed = rigidMotionOf(members, middle);
+        Eigen::AngleAxisd turn(way.spin.norm(), way.spin.normalized());
+        const auto placeOf = [&](const FittedVertex& m) {
+            return Vec3(middle + way.velocity + turn * (m.at - middle));
+        };
+        const auto height = [&](const FittedVertex& m) { return placeOf(m).y() - floor_; };
+        if (height(*std::ranges::min_element(members, {}, height)) < 0) {
+            turn.angle() = 0;
+            way.velocity.y() -=
+                std::min(height(*std::ranges::min_element(members, {}, height)), 0.0);
+            speed.spin.setZero();
+            speed.velocity.y() = std::max(speed.velocity.y(), 0.0);
+        }
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            if (const int v = vertices[i]; !isPinned(v)) {
+                Vec3 place = nearestFloats(placeOf(members[i]));
+                place.y() = height(members[i]) < rounding_ ? nearestFloat(floor_) : place.y();
+                const Vec3 arm = members[i].at - middle;
+                mesh_.setState(v, place, nearestFloats(speed.velocity + speed.spin.cross(arm)));
+                moved_[v] = true;
+            }
+        }
+    }
+
+    bool isPinned(int v) const {
+        return std::ranges::binary_search(body_.pinned, static_cast<std::uint32_t>(v));
+    }
+
+    const MovedBody& body_;
+    SurfaceMesh& mesh_;
+    const double floor_;  ///< [m]
+    std::vector<double> masses_;
+    std::vector<Vec3> ways_, velocities_;  ///< of the step as it was solved [m], [m/s]
+    std::vector<BoxedTriangle> triangles_;
+    UnionFind zones_;
+    std::vector<char> moved_;
+    double rounding_ = 0;  ///< [m]
+};
+
+}  // namespace
+
+bool isThin(const BodyModel& model) {
+    std::vector<float> longest(model.restPositions.size(), 0);
+    for (const EdgeConstraint& edge : model.edges) {
+        for (const std::uint32_t v : verticesOf(edge)) {
+            longest[v] = std::max(longest[v], edge.rest_length);
+        }
+    }
+    const auto thin = std::ranges::count_if(model.ispcs, [&](const IspcConstraint& column) {
+        return column.rest_length < longest[column.vertex];
+    });
+    return static_cast<double>(thin) > kLeastThin * static_cast<double>(model.ispcs.size());
+}
+
+bool stopCrossings(const MovedBody& body, SurfaceMesh& mesh) {
+    Impact impact(body, mesh);
+    bool any = false;
+    while (impact.joinCrossings()) {
+        impact.moveZones();
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace kerf
