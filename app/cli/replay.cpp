@@ -353,6 +353,7 @@ class Replay {
         summary_.pieces = simulation_.pieces().pieces;
         summary_.stateHash = simulation_.stateHash();
         summary_.cuts = reportOnCuts(simulation_);
+        remark(remarkOnCrossings(simulation_));
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
 

@@ -221,6 +221,36 @@ std::optional<CutReport> reportOnCuts(const Simulation& simulation) {
     return reportOn({simulation.meshAsRead(), simulation.uncut()->mesh, simulation.strokes()});
 }
 
+int countSkinCrossings(const SurfaceMesh& mesh, const SurfaceMesh& uncut) {
+    TriangleSoup now{mesh.positions(), {}};
+    for (int t = 0; t < uncut.triangleSlots(); ++t) {
+        if (mesh.present(t)) {
+            now.triangles.push_back(mesh.triangle(t));
+        }
+    }
+    const TriangleSoup rest{mesh.restPositions(), now.triangles};
+    const double least = leastDepths(mesh).ofModel;
+    return static_cast<int>(
+        std::ranges::count_if(repair::findCrossings(now, kMostPairs), [&](const auto& pair) {
+            const auto deep = [&](const TriangleSoup& soup) {
+                const Corners a = repair::cornersOf(soup, pair.first);
+                const Corners b = repair::cornersOf(soup, pair.second);
+                return repair::passThrough(a, b) && repair::crossingDepth(a, b) > least;
+            };
+            return deep(now) && !deep(rest);
+        }));
+}
+
+std::string remarkOnCrossings(Simulation& simulation) {
+    const int pairs = countSkinCrossings(simulation.mesh(), simulation.uncut()->mesh);
+    return pairs == 0 ? ""
+                      : fmt::format(
+                            "At the end {} of the skin {} through each other. A gentler "
+                            "load, a higher youngs_modulus or more iterations leave fewer.",
+                            counted(pairs, "pair of triangles", "pairs of triangles"),
+                            pairs == 1 ? "passes" : "pass");
+}
+
 nlohmann::ordered_json toJson(const CutReport& report) {
     Json json = toJson(report.all);
     json["volume_error"] = report.volumeError;

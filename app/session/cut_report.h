@@ -60,6 +60,12 @@ std::optional<CutReport> reportOn(const CutBodyView& body);
 /// That of the body of a simulation as it is.
 std::optional<CutReport> reportOnCuts(const Simulation& simulation);
 
+/// Pairs of triangles of the model that pass through each other as the body lies now, deeper than
+/// rounding, and do not at rest. O(n log n).
+int countSkinCrossings(const SurfaceMesh& mesh, const SurfaceMesh& uncut);
+/// "" or a sentence for people about such pairs, with what helps.
+std::string remarkOnCrossings(Simulation& simulation);
+
 /// `cut_report` of summary.json (docs/session-format.md).
 nlohmann::ordered_json toJson(const CutReport& report);
 /// The report in one line.

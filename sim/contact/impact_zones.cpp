@@ -64,7 +64,7 @@ class Impact {
         }
     }
 
-    /// From left to right, among what moves() has moved since. Returns whether a zone grew.
+    /// From left to right, among what has moved since the last look. Returns whether a zone grew.
     bool joinCrossings() {
         for (BoxedTriangle& t : triangles_) {
             t.box = boxOf(cornersOf(mesh_, t.slot));

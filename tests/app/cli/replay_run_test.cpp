@@ -291,9 +291,12 @@ TEST(Replay, ABodyThatTurnsInsideOutIsARemarkAndNoFailure) {
     EXPECT_EQ(run.exitCode, 0);
     const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
     EXPECT_LT(summary["volume_ratio"]["min"], 0);
-    ASSERT_EQ(summary["remarks"].size(), 1u);
+    ASSERT_EQ(summary["remarks"].size(), 2u);
     const std::string remark = summary["remarks"][0];
     EXPECT_NE(remark.find(": the body turned inside out, with -"), std::string::npos) << remark;
+    const std::string crossings = summary["remarks"][1];
+    EXPECT_NE(crossings.find("of the skin pass through each other"), std::string::npos)
+        << crossings;
     EXPECT_NE(run.errors.find("test.kerf.json: " + remark), std::string::npos) << run.errors;
 }
 

@@ -54,6 +54,20 @@ test::Stroke downTo(double depth) {
                                 static_cast<int>(60 * (above + depth)));
 }
 
+TEST(CutReport, SkinThatPassesThroughItselfIsCountedWhereItLies) {
+    const SurfaceMesh uncut = test::box({1, 0.02, 1}, 2);
+    SurfaceMesh mesh = uncut;
+    EXPECT_EQ(countSkinCrossings(mesh, uncut), 0);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        if (mesh.position(v).y() > 0 && mesh.position(v).x() > -0.1) {
+            mesh.setPosition(v, mesh.position(v) - Vec3(0, 0.05, 0));
+        }
+    }
+    EXPECT_GT(countSkinCrossings(mesh, uncut), 0);
+    mesh.exchangeShapes();
+    EXPECT_EQ(countSkinCrossings(mesh, uncut), 0);
+}
+
 TEST(CutReport, APlaneThroughACubeLeavesTwiceItsSectionAndNothingElse) {
     CutBody body(test::box(Vec3::Constant(kEdge), 6));
     body.cut(downTo(1.5));
