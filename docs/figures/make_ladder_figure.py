@@ -93,10 +93,9 @@ def table(d, levels):
     d.text((28, 462), "The levels of the ladder", INK, size=17, weight="bold")
     d.text((28, 482), "each column is one try; what it changes lasts for that try alone", GREY, size=13.5)
     rows = [
-        ("skin at the front seen flat", lambda l: l["seenFlat"] > 0, BLUE),
+        ("skin at the front seen flat", lambda l: l["seenFlat"], BLUE),
         ("blade farther aside", lambda l: l["offset"] > 1, RED),
         ("older slits seen closed", lambda l: l["closed"], ORANGE),
-        ("touching vertices taken along", lambda l: l["touching"], ORANGE),
         ("near nodes made one", lambda l: l["tolerance"] > 0, GREY),
     ]
     for r, (name, _, _) in enumerate(rows):

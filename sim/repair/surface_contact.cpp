@@ -6,15 +6,13 @@
 #include <utility>
 
 #include "sim/base/predicates.h"
-#include "sim/cut/exact/wedge.h"
 #include "sim/mesh/triangle.h"
+#include "sim/repair/wedge.h"
 
 namespace kerf::repair {
 
 namespace {
 
-using cut::Line;
-using cut::Wedge;
 using Signs = std::array<int, 3>;
 
 /// On which sides of a triangle's plane the corners of another one lie.
@@ -60,7 +58,7 @@ struct PlaneView {
     int axis;
 
     int orient(const Vec3& a, const Vec3& b, const Vec3& c) const {
-        return orient2d(cut::without(axis, a), cut::without(axis, b), cut::without(axis, c));
+        return orient2d(without(axis, a), without(axis, b), without(axis, c));
     }
 };
 
@@ -242,19 +240,19 @@ std::vector<int> SurfaceContact::edgesInPlane(int triangle, const std::array<int
 bool SurfaceContact::crossesInside(int h, int triangle) const {
     const Line line = lineOf(soup_, h);
     const Corners corners = cornersOf(soup_, triangle);
-    const PlaneView view{cut::axisToLeaveOut(corners[0], corners[1], corners[2])};
+    const PlaneView view{axisToLeaveOut(corners[0], corners[1], corners[2])};
     return view.axis >= 0 && liesInside(line, corners, view) &&
-           cut::wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(line, corners, view));
+           wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(line, corners, view));
 }
 
 bool SurfaceContact::crossesAlong(int h, int g) const {
     const Line line = lineOf(soup_, h);
     const Line other = lineOf(soup_, g);
-    if (!cut::isOn(line, other.u) || !cut::isOn(line, other.v) || !overlap(line, other)) {
+    if (!isOn(line, other.u) || !isOn(line, other.v) || !overlap(line, other)) {
         return false;
     }
     const int along = runAlike(line, other) ? g : partners_[g];
-    return cut::wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(soup_, partners_, along));
+    return wedgesCross(line, wedgeOf(soup_, partners_, h), wedgeOf(soup_, partners_, along));
 }
 
 }  // namespace kerf::repair

@@ -26,7 +26,7 @@ class SurfaceContact {
 
     /// Whether the surface passes through itself where two triangles meet that have no edge in
     /// common: their insides do, in more than a point; or an edge of one lies in the other one or
-    /// along an edge of it, and the faces beside it say so (see cut::wedgesCross). Edges that more
+    /// along an edge of it, and the faces beside it say so (see wedgesCross). Edges that more
     /// or fewer than two triangles have don't count, since nothing tells which of these belong
     /// together.
     bool crosses(int a, int b) const;

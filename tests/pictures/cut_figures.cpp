@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/cut/plan/plan.h"
-#include "sim/cut/plan/strip.h"
+#include "sim/cut/plan/swept_strip.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/cut/stroke/group_stroke.h"
 #include "sim/cut/stroke/ladder.h"
@@ -171,9 +171,8 @@ Json ladder() {
     for (int i = 0; i < cut::kLevels; ++i) {
         const cut::Attempt level = cut::attemptAt(static_cast<cut::Level>(i), 0);
         levels.push_back({{"offset", level.offsetScale},
-                          {"seenFlat", static_cast<int>(level.seenAt)},
+                          {"seenFlat", level.onSurface},
                           {"closed", level.closing == cut::kCloseDistance},
-                          {"touching", level.touching},
                           {"tolerance", level.tolerance}});
     }
     return levels;

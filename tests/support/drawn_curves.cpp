@@ -37,8 +37,7 @@ int DrawnCurves::inFace(int triangle, const Vec3& weights, int strip) {
     node.weights = weights;
     node.stripEdge = strip;
     const int id = add(node, mesh_.triangle(triangle), weights);
-    curves.onFace[{strip, triangle}] = id;
-    curves.faceNodesOfTriangle[triangle].push_back(id);
+    curves.onFace[{triangle, strip}] = id;
     curves.segmentsOfTriangle[triangle];
     return id;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/cut_curves.h"
 
 namespace kerf::test {
 

@@ -163,7 +163,7 @@ cut::StepInput StepBench::stepTo(const Blade& to) {
 
 cut::CommitResult StepBench::carryOut(const cut::PlannedStep& step) {
     if (step.air) {
-        rung_ = {step.air->endA, step.air->endB};
+        rung_ = {step.plan.endA, step.plan.endB};
         return {};
     }
     cut::CommitResult result = cut::commit(mesh, step.plan, h_, stroke_, {});
@@ -195,10 +195,12 @@ Stages stagesOf(const cut::StepInput& in) {
     stages.met = curves;
     stages.outline =
         cut::traceOutline(in, stages.strip, cut::RestGuess(in, stages.strip, curves), curves);
+    curves.append(stages.outline.nodes);
     stages.outlined = curves;
-    cut::addSeams(in, curves);
-    stages.seamed = curves;
-    stages.sheets = cut::triangulateWall(in, stages.strip, stages.outline, curves);
+    stages.seamed = curves = cut::withSeams(in, curves);
+    cut::Wall wall = cut::triangulateWall(in, stages.strip, stages.outline, curves);
+    stages.sheets = std::move(wall.sheets);
+    curves.append(wall.nodes);
     stages.walled = std::move(curves);
     return stages;
 }

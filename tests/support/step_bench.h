@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "sim/cut/commit/commit.h"
+#include "sim/cut/plan/intersections.h"
 #include "sim/cut/plan/plan.h"
+#include "sim/cut/plan/seams.h"
+#include "sim/cut/plan/swept_strip.h"
 #include "sim/cut/plan/wall.h"
 #include "sim/mesh/triangle_tree.h"
 
@@ -68,9 +71,9 @@ std::optional<cut::PlannedStep> planned(const cut::StepInput& in);
 struct Stages {
     cut::Strip strip;
     cut::CutCurves met;       ///< as intersect left the curves
-    cut::CutCurves outlined;  ///< as traceOutline did
-    cut::CutCurves seamed;    ///< as addSeams did
-    cut::CutCurves walled;    ///< as triangulateWall did
+    cut::CutCurves outlined;  ///< with the nodes of the outline
+    cut::CutCurves seamed;    ///< with seams
+    cut::CutCurves walled;    ///< with the inner nodes of the wall
     cut::Outline outline;
     std::vector<cut::WallSheet> sheets;
 };

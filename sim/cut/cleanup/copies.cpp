@@ -6,10 +6,6 @@ namespace kerf::cut {
 
 namespace {
 
-int strokeOf(const SurfaceMesh& mesh, int t) {
-    return mesh.kind(t) == SurfaceKind::wall ? mesh.wallLabel(t) / 2 : -1;
-}
-
 SharedEdge& edgeIn(SharedStar& star, int neighbour) {
     for (SharedEdge& edge : star.edges) {
         if (edge.neighbour == neighbour) {
@@ -84,19 +80,6 @@ SharedStar starOf(const SurfaceMesh& mesh, int vertex) {
         });
     }
     return star;
-}
-
-std::vector<int> livingCopies(const SurfaceMesh& mesh, int vertex) {
-    if (mesh.copyGroup(vertex) < 0) {
-        return {vertex};
-    }
-    std::vector<int> living;
-    for (const int copy : mesh.copiesOfGroup(mesh.copyGroup(vertex))) {
-        if (mesh.outgoing(copy) >= 0) {
-            living.push_back(copy);
-        }
-    }
-    return living;
 }
 
 }  // namespace kerf::cut

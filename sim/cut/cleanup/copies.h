@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/cut/wall_copies.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -55,8 +56,5 @@ struct SharedStar {
 
 /// The shared star of a vertex.
 SharedStar starOf(const SurfaceMesh& mesh, int vertex);
-
-/// The living ones of a vertex and its copies; the vertex itself where it has none.
-std::vector<int> livingCopies(const SurfaceMesh& mesh, int vertex);
 
 }  // namespace kerf::cut

@@ -8,6 +8,7 @@
 #include "sim/base/predicates.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/exact/piercing.h"
+#include "sim/cut/wall_copies.h"
 #include "sim/mesh/closest_point.h"
 
 namespace kerf::cut {
@@ -48,10 +49,6 @@ Placed placed(const Triangle& vertices, const Triangle& points, const Corners& c
 
 Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
     return {mesh.firstCopy(corners[0]), mesh.firstCopy(corners[1]), mesh.firstCopy(corners[2])};
-}
-
-int strokeOf(const SurfaceMesh& mesh, int slot) {
-    return mesh.kind(slot) == SurfaceKind::wall ? mesh.wallLabel(slot) / 2 : -1;
 }
 
 /// With other corners than it has.

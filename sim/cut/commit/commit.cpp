@@ -16,7 +16,12 @@ class Commit {
   public:
     Commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
            const std::vector<RungNode>& staying)
-        : mesh_(mesh), plan_(plan), h_(h), stroke_(stroke), staying_(staying) {}
+        : mesh_(mesh),
+          plan_(plan),
+          h_(h),
+          stroke_(stroke),
+          staying_(staying),
+          keys_(pointKeys(mesh, plan.curves)) {}
 
     CommitResult run() {
         result_.delta.firstNewVertex = oldVertices_ = mesh_.vertexCount();
@@ -37,7 +42,6 @@ class Commit {
   private:
     void removeReplaced() {
         for (const int t : plan_.subdivision.replaced) {
-            replacedCorners_[t] = mesh_.triangle(t);
             mesh_.removeTriangle(t);
         }
         result_.delta.removedTriangles = plan_.subdivision.replaced;
@@ -122,36 +126,25 @@ class Commit {
         return n.kind == NodeKind::vertex ? n.a : vertexOfNode_[node];
     }
 
-    template <class Key>
-    void joinByKey(std::map<Key, int>& known, const Key& key, int vertex) {
-        if (vertex < 0) {
-            return;
-        }
-        const auto [at, isNew] = known.emplace(key, vertex);
-        if (!isNew) {
-            mesh_.joinCopies(at->second, vertex);
-        }
-    }
-
     // Where the strip crosses an older slit it meets both walls in copies of the same vertices; the
     // vertices at the tip of the slit have no copies and stand for themselves.
     void joinCopiesOfCurves() {
-        std::map<std::array<int, 3>, int> onEdge;
+        std::map<PointKey, int> known;
+        const auto join = [&](int node) {
+            if (const int vertex = vertexOfNode_[node]; vertex >= 0) {
+                const auto [at, isNew] = known.emplace(keys_[node], vertex);
+                if (!isNew) {
+                    mesh_.joinCopies(at->second, vertex);
+                }
+            }
+        };
         for (const auto& [edge, hits] : plan_.curves.onEdge) {
-            const Edge points = edgeOf(mesh_.firstCopy(edge.first), mesh_.firstCopy(edge.second));
             for (const EdgeHit& hit : hits) {
-                joinByKey(onEdge, {points.first, points.second, hit.stripTriangle},
-                          vertexOfNode_[hit.node]);
+                join(hit.node);
             }
         }
-        std::map<std::array<int, 4>, int> onFace;
         for (const auto& [key, node] : plan_.curves.onFace) {
-            std::array<int, 3> corners = replacedCorners_.at(key.second);
-            for (int& corner : corners) {
-                corner = mesh_.firstCopy(corner);
-            }
-            std::sort(corners.begin(), corners.end());
-            joinByKey(onFace, {corners[0], corners[1], corners[2], key.first}, vertexOfNode_[node]);
+            join(node);
         }
     }
 
@@ -234,9 +227,9 @@ class Commit {
     double h_;
     int stroke_;
     const std::vector<RungNode>& staying_;
+    std::vector<PointKey> keys_;  ///< by node
     int oldVertices_ = 0;
     int firstTriangle_ = 0;
-    std::map<int, Triangle> replacedCorners_;
     std::vector<int> vertexOfNode_;
     Umbrellas umbrellas_;  ///< of all vertices of the new triangles
     CommitResult result_;

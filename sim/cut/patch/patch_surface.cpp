@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/cut/plan/strip.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {
@@ -48,9 +49,7 @@ void PatchSurface::mark(std::initializer_list<int> triangles) {
 }
 
 double PatchSurface::doubleArea(int a, int b, int c) const {
-    const Vec2 u = nodes_[b].layout - nodes_[a].layout;
-    const Vec2 v = nodes_[c].layout - nodes_[a].layout;
-    return u.x() * v.y() - u.y() * v.x();
+    return cross2(nodes_[b].layout - nodes_[a].layout, nodes_[c].layout - nodes_[a].layout);
 }
 
 void PatchSurface::link(int h, int g) {
@@ -151,7 +150,7 @@ bool PatchSurface::shouldTurn(int h) const {
     const auto angleAt = [&](int apex) {
         const Vec2 u = pa - nodes_[apex].layout;
         const Vec2 v = pb - nodes_[apex].layout;
-        return std::atan2(std::fabs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
+        return std::atan2(std::fabs(cross2(u, v)), u.dot(v));
     };
     const bool flat = doubleArea(a, b, c) <= least || doubleArea(b, a, d) <= least;
     const bool better = flat || angleAt(c) + angleAt(d) > std::numbers::pi + kSameAngle;

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "sim/cut/wall_copies.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -13,7 +15,7 @@ class WoundFinder {
     explicit WoundFinder(const SurfaceMesh& mesh) : mesh_(mesh) {
         for (const int t : absentTriangles(mesh)) {
             if (isMinus(t)) {
-                minusAt_[pointsOf(t)].push_back(t);
+                minusAt_[pointsOf(mesh_, t)].push_back(t);
             }
         }
     }
@@ -30,15 +32,6 @@ class WoundFinder {
 
   private:
     bool isMinus(int t) const { return mesh_.wallLabel(t) % 2 == 1; }
-
-    Triangle pointsOf(int t) const {
-        Triangle points = mesh_.triangle(t);
-        for (int& point : points) {
-            point = mesh_.firstCopy(point);
-        }
-        std::sort(points.begin(), points.end());
-        return points;
-    }
 
     Wound woundAround(int first) {
         Wound wound;
@@ -76,7 +69,7 @@ class WoundFinder {
 
     void findMirrors(Wound& wound) {
         for (const int t : wound.plus) {
-            const auto found = minusAt_.find(pointsOf(t));
+            const auto found = minusAt_.find(pointsOf(mesh_, t));
             if (found == minusAt_.end() || found->second.size() != 1) {
                 wound.unmirrored = true;
                 return;

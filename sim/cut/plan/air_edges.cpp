@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "sim/base/predicates.h"
+#include "sim/cut/blade_line.h"
+#include "sim/cut/exact/piercing.h"
 #include "sim/cut/plan/step.h"
 #include "sim/mesh/triangle.h"
 
@@ -120,9 +121,7 @@ class AirEdges {
     }
 
     Vec3 awayFromBlade(const RungNode& node) const {
-        const Vec3 along = (blade_.b - blade_.a).normalized();
-        const Vec3 fromA = node.position - blade_.a;
-        return (fromA - along * along.dot(fromA)).normalized();
+        return across(blade_, node.position - blade_.a).normalized();
     }
 
     // The two walls of the slit cancel; what remains is the skin's.
@@ -175,15 +174,7 @@ class AirEdges {
         for (int i = 0; i < 3; ++i) {
             c[i] = mesh_.position(ids[i]) + opening_.displacement(ids[i]);
         }
-        const int ofP = orient3d(c[0], c[1], c[2], p).sign;
-        if (ofP * orient3d(c[0], c[1], c[2], q).sign >= 0) {
-            return false;
-        }
-        int sum = 0;
-        for (int i = 0; i < 3; ++i) {
-            sum += orient3d(p, q, c[i], c[(i + 1) % 3]).sign;
-        }
-        return sum == 3 || sum == -3;
+        return pierces(p, q, c);
     }
 
     const SurfaceMesh& mesh_;

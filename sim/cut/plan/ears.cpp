@@ -107,11 +107,7 @@ class EarCutter {
 
     bool isUsed(int a, int b) const { return used_.count({a, b}) > 0 || used_.count({b, a}) > 0; }
 
-    double doubleArea(int a, int b, int c) const {
-        const Vec2 u = at(b) - at(a);
-        const Vec2 v = at(c) - at(a);
-        return u.x() * v.y() - u.y() * v.x();
-    }
+    double doubleArea(int a, int b, int c) const { return cross2(at(b) - at(a), at(c) - at(a)); }
 
     /// A node of the polygon in the triangle, -1 for none.
     int blocker(int a, int b, int c) const {

@@ -1,10 +1,10 @@
 #include "sim/cut/plan/edge_repair.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <iterator>
 #include <span>
 #include <utility>
+
+#include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
 
@@ -15,31 +15,16 @@ bool intersects(const std::vector<int>& p, const std::vector<int>& q) {
                        [&](int x) { return std::find(q.begin(), q.end(), x) != q.end(); });
 }
 
-// Most vertices have few neighbours with two bits each of their own.
-bool mayHaveParallels(const SurfaceMesh& mesh, std::span<const int> spokes) {
-    std::uint64_t seen = 0;
-    std::uint64_t seenMixed = 0;
-    bool may = false;
-    for (const int h : spokes) {
-        const auto target = static_cast<std::uint64_t>(mesh.target(h));
-        const std::uint64_t bit = std::uint64_t{1} << (target % 64);
-        const std::uint64_t mixed = std::uint64_t{1} << (target * 0x9E3779B97F4A7C15ull >> 58);
-        may = may || ((seen & bit) != 0 && (seenMixed & mixed) != 0);
-        seen |= bit;
-        seenMixed |= mixed;
-    }
-    return may;
-}
-
 bool hasParallels(const SurfaceMesh& mesh, std::span<const int> spokes) {
-    if (!mayHaveParallels(mesh, spokes)) {
-        return false;
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+        const auto isParallel = [&, v = mesh.target(spokes[i])](int h) {
+            return mesh.target(h) == v;
+        };
+        if (std::ranges::any_of(spokes.first(i), isParallel)) {
+            return true;
+        }
     }
-    std::vector<int> targets;
-    std::ranges::transform(spokes, std::back_inserter(targets),
-                           [&](int h) { return mesh.target(h); });
-    std::ranges::sort(targets);
-    return std::ranges::adjacent_find(targets) != targets.end();
+    return false;
 }
 
 class DuplicateEdges {
@@ -108,11 +93,6 @@ class DuplicateEdges {
                mesh_.wallLabel(t) != mesh_.wallLabel(o) && isWall(t) && isWall(o);
     }
 
-    std::vector<int> copiesOf(int v) const {
-        const int group = mesh_.copyGroup(v);
-        return group < 0 ? std::vector<int>{v} : mesh_.copiesOfGroup(group);
-    }
-
     // The first copies of the apexes of an edge in the walls beside it: mirrored edges share them.
     std::vector<int> wallApexes(int h) const {
         std::vector<int> result;
@@ -142,12 +122,9 @@ class DuplicateEdges {
             known.insert(mesh_.twin(x));
         }
         const std::vector<int> apexes = allApexes(edges);
-        const std::vector<int> ends = copiesOf(v);
+        const std::vector<int> ends = livingCopies(mesh_, v);
         std::vector<int> result;
-        for (const int start : copiesOf(u)) {
-            if (mesh_.outgoing(start) < 0) {
-                continue;
-            }
+        for (const int start : livingCopies(mesh_, u)) {
             mesh_.forEachOutgoing(start, [&](int h) {
                 if (std::find(ends.begin(), ends.end(), mesh_.target(h)) == ends.end() ||
                     known.count(h) > 0) {

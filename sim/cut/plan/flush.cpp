@@ -32,7 +32,6 @@ class Flush {
         : in_(in), mesh_(in.mesh), strip_(strip), positions_(positions), rounding_(roundingOf(in)) {
         for (const StripNode& node : strip.nodes) {
             onRung_.insert(node.vertices.begin(), node.vertices.end());
-            onRung_.insert(node.touching.begin(), node.touching.end());
         }
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/cut/plan/predicate_positions.h"
 #include "sim/cut/plan/strip.h"
 
 namespace kerf::cut {

@@ -105,11 +105,8 @@ int FrontProfile::firstFrom(double x) const {
 }
 
 bool FrontProfile::isSeenAt(int node, int vertex, const Vec3& at) const {
-    const auto isOf = [vertex](const std::vector<int>& vertices) {
-        return std::ranges::find(vertices, vertex) != vertices.end();
-    };
     const StripNode& n = strip_.nodes[node];
-    return n.position == at && (isOf(n.vertices) || isOf(n.touching));
+    return n.position == at && std::ranges::find(n.vertices, vertex) != n.vertices.end();
 }
 
 /// `next`: none of the nodes before it lies at x or beyond.
@@ -123,7 +120,7 @@ double FrontProfile::heightAt(double x, int next) const {
 
 // Both the rung and the top of the triangle run straight between their corners, so one lies under
 // the other where it does at the corners of both.
-bool FrontProfile::isBehind(const Triangle& ids, const std::array<Vec3, 3>& at) const {
+bool FrontProfile::isBehind(const Triangle& ids, const Corners& at) const {
     if (sizeOf(front_) < 2) {
         return false;
     }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "sim/cut/blade.h"
 #include "sim/cut/plan/strip.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 
@@ -18,7 +19,7 @@ class FrontProfile {
 
     /// Whether a triangle of the mesh with these corners, as the predicates see it, lies under the
     /// rung, but for corners that are vertices of it.
-    bool isBehind(const Triangle& ids, const std::array<Vec3, 3>& at) const;
+    bool isBehind(const Triangle& ids, const Corners& at) const;
 
   private:
     Vec2 flat(const Vec3& p) const { return {along_.dot(p), ahead_.dot(p)}; }

@@ -111,7 +111,7 @@ class LoopNesting {
         for (const OutlineEdge& edge : loop) {
             const Vec2 p = at(edge.from) - origin;
             const Vec2 q = at(edge.to) - origin;
-            area += 0.5 * (p.x() * q.y() - p.y() * q.x());
+            area += 0.5 * cross2(p, q);
             length += (q - p).norm();
         }
         return std::fabs(area) < kZeroArea * length * length ? 0.0 : area;

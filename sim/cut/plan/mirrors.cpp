@@ -5,14 +5,11 @@
 #include <map>
 #include <utility>
 
+#include "sim/cut/wall_copies.h"
+
 namespace kerf::cut {
 
 namespace {
-
-/// The key that copies have in common. A vertex has its first copy; a node has the first copies of
-/// its edge's or face's corners, and the strip's triangle or edge that meets it there.
-using PointKey = std::array<int, 4>;
-constexpr int kNothing = -1;
 
 /// The stroke and the corners of a wall triangle.
 using WallKey = std::pair<int, std::array<PointKey, 3>>;
@@ -29,7 +26,7 @@ class MirrorCheck {
             if (!isClosedWall(t)) {
                 continue;
             }
-            const int mirror = mirrorOf(t);
+            const int mirror = mirrorOf(mesh_, t);
             if (mirror < 0) {
                 continue;
             }
@@ -59,39 +56,8 @@ class MirrorCheck {
         });
     }
 
-    /// The wall triangle between copies of the same vertices on the other side, -1 for none.
-    int mirrorOf(int t) const {
-        const Triangle points = pointsOf(t);
-        const int corner = mesh_.triangle(t)[0];
-        int found = -1;
-        const auto lookAround = [&](int v) {
-            mesh_.forEachOutgoing(v, [&](int h) {
-                if (mesh_.wallLabel(h / 3) == (mesh_.wallLabel(t) ^ 1) &&
-                    pointsOf(h / 3) == points) {
-                    found = h / 3;
-                }
-            });
-        };
-        if (mesh_.copyGroup(corner) < 0) {
-            lookAround(corner);
-        } else {
-            std::ranges::for_each(mesh_.copiesOfGroup(mesh_.copyGroup(corner)), lookAround);
-        }
-        return found;
-    }
-
-    /// Ascending.
-    Triangle pointsOf(int t) const {
-        Triangle points = mesh_.triangle(t);
-        for (int& point : points) {
-            point = mesh_.firstCopy(point);
-        }
-        std::ranges::sort(points);
-        return points;
-    }
-
     bool dividesAlike() {
-        nameNodes();
+        nodes_ = pointKeys(mesh_, plan_.curves);
         Balance balance;
         const Subdivision& subdivision = plan_.subdivision;
         for (int i = 0; i < sizeOf(subdivision.triangles); ++i) {
@@ -102,21 +68,6 @@ class MirrorCheck {
         return std::ranges::all_of(balance, [](const auto& entry) { return entry.second == 0; });
     }
 
-    void nameNodes() {
-        const CutCurves& curves = plan_.curves;
-        nodes_.assign(curves.nodes.size(), {kNothing, kNothing, kNothing, kNothing});
-        for (const auto& [edge, hits] : curves.onEdge) {
-            const Edge points = edgeOf(mesh_.firstCopy(edge.first), mesh_.firstCopy(edge.second));
-            for (const EdgeHit& hit : hits) {
-                nodes_[hit.node] = {points.first, points.second, kNothing, hit.stripTriangle};
-            }
-        }
-        for (const auto& [place, node] : curves.onFace) {
-            const Triangle points = pointsOf(place.second);
-            nodes_[node] = {points[0], points[1], points[2], place.first};
-        }
-    }
-
     void add(const NewTriangle& t, Balance& balance) const {
         WallKey key{t.wallLabel / 2,
                     {keyOf(t.corners[0]), keyOf(t.corners[1]), keyOf(t.corners[2])}};
@@ -125,9 +76,8 @@ class MirrorCheck {
     }
 
     PointKey keyOf(int corner) const {
-        return corner < mesh_.vertexCount()
-                   ? PointKey{mesh_.firstCopy(corner), kNothing, kNothing, kNothing}
-                   : nodes_[corner - mesh_.vertexCount()];
+        return corner < mesh_.vertexCount() ? PointKey{mesh_.firstCopy(corner), -1, -1, -1}
+                                            : nodes_[corner - mesh_.vertexCount()];
     }
 
     const SurfaceMesh& mesh_;

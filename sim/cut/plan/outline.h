@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "sim/cut/plan/intersections.h"
 #include "sim/cut/plan/rest_guess.h"
 
 namespace kerf::cut {
@@ -31,6 +30,7 @@ struct FrontPoint {
 
 /// The border of that part of the strip that lies inside the body.
 struct Outline {
+    std::vector<CutNode> nodes;      ///< added to those of the curves, and numbered after them
     std::vector<OutlineEdge> edges;  ///< all border edges; empty where the blade met only air
     std::vector<FrontPoint> front;   ///< the new rung inside the body, from B to A
     bool endAInside = false;         ///< the blade's end A lies inside: the front starts there
@@ -38,10 +38,10 @@ struct Outline {
 };
 
 /// Walks the border of the strip, tells inside from outside, and collects the border of the wall;
-/// for each piece of the body apart, so that pieces may touch or overlap. Adds nodes (free samples,
-/// front vertices) to `curves`. Empty where the blade swept only air. Throws StepFailure where
+/// for each piece of the body apart, so that pieces may touch or overlap. Its own nodes are free
+/// samples and front vertices. Empty where the blade swept only air. Throws StepFailure where
 /// inside and outside contradict each other.
 Outline traceOutline(const StepInput& in, const Strip& strip, const RestGuess& guess,
-                     CutCurves& curves);
+                     const CutCurves& curves);
 
 }  // namespace kerf::cut

@@ -5,9 +5,11 @@
 
 #include "sim/base/pausing.h"
 #include "sim/cut/plan/flush.h"
+#include "sim/cut/plan/intersections.h"
 #include "sim/cut/plan/seams.h"
 #include "sim/cut/plan/seeds.h"
 #include "sim/cut/plan/skin_map.h"
+#include "sim/cut/plan/swept_strip.h"
 #include "sim/cut/plan/wall.h"
 #include "sim/mesh/triangle.h"
 
@@ -45,69 +47,56 @@ void addWalls(const StepInput& in, const std::vector<WallSheet>& sheets, StepPla
     }
 }
 
-/// `ofVertex` and `ofNode` give positions, current or at rest. Summed about a corner: about a far
-/// origin rounding would be all that is left.
-template <class OfVertex, class OfNode>
-double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, const OfVertex& ofVertex,
-                    const OfNode& ofNode) {
-    const auto at = [&](int corner) -> const Vec3& {
-        return corner < mesh.vertexCount() ? ofVertex(corner)
-                                           : ofNode(plan.curves.nodes[corner - mesh.vertexCount()]);
-    };
+/// Where a corner of a new triangle lies, now or at rest.
+const Vec3& placeOf(const SurfaceMesh& mesh, const StepPlan& plan, int corner, bool atRest) {
+    if (corner < mesh.vertexCount()) {
+        return atRest ? mesh.restPosition(corner) : mesh.position(corner);
+    }
+    const CutNode& node = plan.curves.nodes[corner - mesh.vertexCount()];
+    return atRest ? node.rest : node.position;
+}
+
+Corners placesOf(const SurfaceMesh& mesh, const StepPlan& plan, const Triangle& t, bool atRest) {
+    return {placeOf(mesh, plan, t[0], atRest), placeOf(mesh, plan, t[1], atRest),
+            placeOf(mesh, plan, t[2], atRest)};
+}
+
+/// Summed about a corner: about a far origin rounding would be all that is left.
+double volumeChange(const SurfaceMesh& mesh, const StepPlan& plan, bool atRest) {
     if (plan.triangles.empty()) {
         return 0;
     }
-    const Vec3& o = at(plan.triangles.front().corners[0]);
+    const Vec3 origin = placeOf(mesh, plan, plan.triangles.front().corners[0], atRest);
+    const auto volumeOf = [&](const Triangle& t) {
+        const auto [a, b, c] = placesOf(mesh, plan, t, atRest);
+        return tetrahedronVolume(a - origin, b - origin, c - origin);
+    };
     double added = 0;
     for (const NewTriangle& t : plan.triangles) {
-        added +=
-            tetrahedronVolume(at(t.corners[0]) - o, at(t.corners[1]) - o, at(t.corners[2]) - o);
+        added += volumeOf(t.corners);
     }
     double removed = 0;
     for (const int t : plan.subdivision.replaced) {
-        const Triangle& c = mesh.triangle(t);
-        removed += tetrahedronVolume(ofVertex(c[0]) - o, ofVertex(c[1]) - o, ofVertex(c[2]) - o);
+        removed += volumeOf(mesh.triangle(t));
     }
     return added - removed;
 }
 
 void measureVolumeChange(const StepInput& in, StepPlan& plan) {
-    const SurfaceMesh& mesh = in.mesh;
-    plan.restVolumeChange = volumeChange(
-        mesh, plan, [&](int v) -> const Vec3& { return mesh.restPosition(v); },
-        [](const CutNode& node) -> const Vec3& { return node.rest; });
     const auto lies = [](const CutNode& node) { return node.position == node.rest; };
-    if (in.atRest && std::ranges::all_of(plan.curves.nodes, lies)) {
-        plan.volumeChange = plan.restVolumeChange;
-        return;
-    }
-    plan.volumeChange = volumeChange(
-        mesh, plan, [&](int v) -> const Vec3& { return mesh.position(v); },
-        [](const CutNode& node) -> const Vec3& { return node.position; });
+    const bool atRest = in.atRest && std::ranges::all_of(plan.curves.nodes, lies);
+    plan.restVolumeChange = volumeChange(in.mesh, plan, true);
+    plan.volumeChange = atRest ? plan.restVolumeChange : volumeChange(in.mesh, plan, false);
 }
 
 /// That of the walls of one side.
-SweptArea sweptArea(const StepInput& in, const StepPlan& plan) {
-    const SurfaceMesh& mesh = in.mesh;
+SweptArea sweptArea(const SurfaceMesh& mesh, const StepPlan& plan) {
     SweptArea swept;
     for (const NewTriangle& t : plan.triangles) {
-        if (t.side != CutSide::plus) {
-            continue;
+        if (t.side == CutSide::plus) {
+            swept.add({triangleArea(placesOf(mesh, plan, t.corners, false)),
+                       triangleArea(placesOf(mesh, plan, t.corners, true))});
         }
-        Corners now;
-        Corners rest;
-        for (int i = 0; i < 3; ++i) {
-            const int corner = t.corners[i];
-            if (corner < mesh.vertexCount()) {
-                rest[i] = mesh.restPosition(corner);
-                now[i] = in.atRest ? rest[i] : mesh.position(corner);
-            } else {
-                const CutNode& node = plan.curves.nodes[corner - mesh.vertexCount()];
-                rest[i] = node.rest;
-                now[i] = node.position;
-            }
-        }
-        swept.add({triangleArea(now), triangleArea(rest)});
     }
     return swept;
 }
@@ -133,6 +122,7 @@ Strip layOut(const StepInput& in, const std::vector<double>& skipped, StepPlan& 
     plan.curves = intersect(in, strip, positions);
     pausePoint();
     plan.outline = traceOutline(in, strip, RestGuess(in, strip, plan.curves), plan.curves);
+    plan.curves.append(plan.outline.nodes);
     return strip;
 }
 
@@ -171,24 +161,25 @@ PlannedStep planStep(const StepInput& in) {
     }
     pausePoint();
     if (plan.outline.edges.empty()) {
-        step.air = AirStep{plan.endA, plan.endB};
+        step.air = true;
         return step;
     }
-    addSeams(in, plan.curves);
+    plan.curves = withSeams(in, std::move(plan.curves));
     plan.subdivision = subdivide(in.mesh, plan.curves, kCloseNoise * in.h);
     pausePoint();
-    const std::vector<WallSheet> sheets = triangulateWall(in, strip, plan.outline, plan.curves);
+    const Wall wall = triangulateWall(in, strip, plan.outline, plan.curves);
+    plan.curves.append(wall.nodes);
     pausePoint();
-    mapFromSkin(in, sheets, plan.curves);
+    plan.curves.nodes = mapFromSkin(in, wall.sheets, std::move(plan.curves.nodes));
     pausePoint();
     plan.retraces = !in.opening.empty();
     plan.triangles = plan.subdivision.triangles;
-    addWalls(in, sheets, plan);
+    addWalls(in, wall.sheets, plan);
     plan.partners = glue(in.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles);
     pausePoint();
     measureVolumeChange(in, plan);
     requireFinite(plan.curves);
-    step.swept = sweptArea(in, plan);
+    step.swept = sweptArea(in.mesh, plan);
     step.seeds = countSeeds(in.mesh, plan.subdivision.replaced);
     step.wallTriangles = sizeOf(plan.triangles) - sizeOf(plan.subdivision.triangles);
     return step;

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/cut_curves.h"
+#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/strip.h"
 
 namespace kerf::cut {
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
 
@@ -9,41 +12,34 @@ namespace {
 
 class Seams {
   public:
-    Seams(const StepInput& in, CutCurves& curves) : mesh_(in.mesh), curves_(curves) {
+    Seams(const StepInput& in, const CutCurves& met) : mesh_(in.mesh), met_(met), curves_(met) {
         for (const auto& [v, way] : in.opening.displacements()) {
             opened_.insert(mesh_.firstCopy(v));
         }
     }
 
-    void run() {
-        const std::map<Edge, std::vector<EdgeHit>> onEdge = curves_.onEdge;
-        for (const auto& [edge, hits] : onEdge) {
+    CutCurves run() {
+        for (const auto& [edge, hits] : met_.onEdge) {
             if (isOpened(edge)) {
                 faceEdge(edge, hits);
             }
         }
-        const std::map<std::pair<int, int>, int> onFace = curves_.onFace;
-        for (const auto& [key, node] : onFace) {
-            if (const int facing = facingWall(key.second); facing >= 0) {
-                faceNode(key.first, key.second, facing, node);
+        for (const auto& [key, node] : met_.onFace) {
+            if (const int facing = facingWall(key.first); facing >= 0) {
+                faceNode(key.second, key.first, facing, node);
             }
         }
-        const std::vector<Segment> segments = curves_.segments;
-        for (const Segment& segment : segments) {
+        for (const Segment& segment : met_.segments) {
             if (const int facing = facingWall(segment.triangle); facing >= 0) {
                 faceSegment(segment, facing);
             }
         }
+        return std::move(curves_);
     }
 
   private:
     bool isOpened(int v) const { return opened_.count(mesh_.firstCopy(v)) > 0; }
     bool isOpened(const Edge& edge) const { return isOpened(edge.first) || isOpened(edge.second); }
-
-    std::vector<int> copiesOf(int v) const {
-        return mesh_.copyGroup(v) < 0 ? std::vector<int>{v}
-                                      : mesh_.copiesOfGroup(mesh_.copyGroup(v));
-    }
 
     bool isWallEdge(int h) const {
         return mesh_.kind(h / 3) == SurfaceKind::wall ||
@@ -54,9 +50,9 @@ class Seams {
         if (!isWallEdge(mesh_.findHalfEdge(edge.first, edge.second))) {
             return;
         }
-        for (const int u : copiesOf(edge.first)) {
-            for (const int v : copiesOf(edge.second)) {
-                const int h = mesh_.outgoing(u) < 0 ? -1 : mesh_.findHalfEdge(u, v);
+        for (const int u : livingCopies(mesh_, edge.first)) {
+            for (const int v : livingCopies(mesh_, edge.second)) {
+                const int h = mesh_.findHalfEdge(u, v);
                 if (h >= 0 && edgeOf(u, v) != edge) {
                     addHits(hits, edge.first, u, v, h);
                 }
@@ -142,13 +138,6 @@ class Seams {
         return -1;
     }
 
-    bool faces(int t, int other) const {
-        const Triangle& c = mesh_.triangle(t);
-        return mesh_.kind(other) == SurfaceKind::wall &&
-               mesh_.wallLabel(other) == (mesh_.wallLabel(t) ^ 1) &&
-               std::all_of(c.begin(), c.end(), [&](int v) { return copyIn(other, v) >= 0; });
-    }
-
     /// The mirror of an opened wall triangle, -1 for others.
     int facingWall(int t) const {
         const Triangle& c = mesh_.triangle(t);
@@ -156,15 +145,7 @@ class Seams {
             std::none_of(c.begin(), c.end(), [&](int v) { return isOpened(v); })) {
             return -1;
         }
-        int found = -1;
-        for (const int copy : copiesOf(c[0])) {
-            mesh_.forEachOutgoing(copy, [&](int h) {
-                if (found < 0 && faces(t, h / 3)) {
-                    found = h / 3;
-                }
-            });
-        }
-        return found;
+        return mirrorOf(mesh_, t);
     }
 
     int cornerOf(int t, int v) const {
@@ -184,14 +165,12 @@ class Seams {
             node.rest += weights[i] * (mesh_.restPosition(to) - mesh_.restPosition(from));
             node.velocity += weights[i] * (mesh_.velocity(to) - mesh_.velocity(from));
         }
-        const auto known = curves_.onFace.find({stripEdge, facing});
+        const auto known = curves_.onFace.find({facing, stripEdge});
         if (known != curves_.onFace.end()) {
             moveTo(node, curves_.nodes[known->second]);
             return;
         }
-        const int id = addSeamNode(node);
-        curves_.onFace[{stripEdge, facing}] = id;
-        curves_.faceNodesOfTriangle[facing].push_back(id);
+        curves_.onFace[{facing, stripEdge}] = addSeamNode(node);
     }
 
     void faceSegment(const Segment& segment, int facing) {
@@ -216,7 +195,7 @@ class Seams {
             return curves_.vertexNode(mesh_, copy, node.layout);
         }
         if (node.kind == NodeKind::face) {
-            return curves_.onFace.at({node.stripEdge, facing});
+            return curves_.onFace.at({facing, node.stripEdge});
         }
         const Edge edge = edgeOf(copyIn(facing, node.a), copyIn(facing, node.b));
         const auto hits = curves_.onEdge.find(edge);
@@ -231,16 +210,15 @@ class Seams {
     }
 
     const SurfaceMesh& mesh_;
-    CutCurves& curves_;
+    const CutCurves& met_;  ///< without seams
+    CutCurves curves_;
     std::set<int> opened_;  ///< first copies of vertices of which a copy is seen elsewhere
 };
 
 }  // namespace
 
-void addSeams(const StepInput& in, CutCurves& curves) {
-    if (!in.opening.empty()) {
-        Seams(in, curves).run();
-    }
+CutCurves withSeams(const StepInput& in, CutCurves curves) {
+    return in.opening.empty() ? std::move(curves) : Seams(in, curves).run();
 }
 
 }  // namespace kerf::cut

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/cut_curves.h"
+#include "sim/cut/plan/step.h"
 
 namespace kerf::cut {
 
-/// Adds the seams of a step to `curves`, whose outline must have been traced before. The blade cuts
-/// one wall alone where it enters or leaves the gap of an older slit; along a seam the facing wall
-/// is divided by the same nodes and segments without being cut, so that walls stay mirrored. Throws
+/// The curves of a step, whose outline has been traced, with its seams. The blade cuts one wall
+/// alone where it enters or leaves the gap of an older slit; along a seam the facing wall is
+/// divided by the same nodes and segments without being cut, so that walls stay mirrored. Throws
 /// StepFailure.
-void addSeams(const StepInput& in, CutCurves& curves);
+CutCurves withSeams(const StepInput& in, CutCurves curves);
 
 }  // namespace kerf::cut

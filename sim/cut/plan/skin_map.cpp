@@ -120,26 +120,27 @@ void keepNode(CutNode& node) {
 
 }  // namespace
 
-void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutCurves& curves) {
+std::vector<CutNode> mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets,
+                                 std::vector<CutNode> nodes) {
     if (in.atRest) {
-        for (CutNode& node : curves.nodes) {
+        for (CutNode& node : nodes) {
             if (node.kind == NodeKind::wall) {
                 keepNode(node);
             }
         }
-        return;
+        return nodes;
     }
-    const std::vector<SurfaceSample> all = samplesAround(in, sheets, curves.nodes);
-    std::vector<bool> mapped(curves.nodes.size(), false);
+    const std::vector<SurfaceSample> all = samplesAround(in, sheets, nodes);
+    std::vector<bool> mapped(nodes.size(), false);
     for (const WallSheet& sheet : sheets) {
         std::vector<Sample> samples = samplesOf(in, all, sheet.piece);
         if (sizeOf(samples) < kLeastSamples) {
-            samples = rimSamples(sheet, curves.nodes);
+            samples = rimSamples(sheet, nodes);
         }
         const bool atRest = areAtRest(samples);
         for (const Triangle& t : sheet.triangles) {
             for (const int id : t) {
-                CutNode& node = curves.nodes[id];
+                CutNode& node = nodes[id];
                 if (node.kind == NodeKind::wall && !mapped[id]) {
                     atRest ? keepNode(node) : mapNode(samples, in.h, node);
                     mapped[id] = true;
@@ -147,6 +148,7 @@ void mapFromSkin(const StepInput& in, const std::vector<WallSheet>& sheets, CutC
             }
         }
     }
+    return nodes;
 }
 
 }  // namespace kerf::cut

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim/cut/blade_line.h"
 #include "sim/cut/plan/step.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
@@ -42,7 +43,7 @@ std::vector<SweptTriangle> sweptTriangles(const OpeningInput& step) {
         }
     };
     const auto onBlade = [&](const RungNode& node) {
-        return Vec3(step.blade.a + (step.blade.b - step.blade.a) * std::clamp(node.s, 0.0, 1.0));
+        return pointOn(step.blade, std::clamp(node.s, 0.0, 1.0));
     };
     for (std::size_t i = 0; i + 1 < step.rung.size(); ++i) {
         const Vec3& p = step.rung[i].position;

@@ -13,15 +13,6 @@
 
 namespace kerf::cut {
 
-/// The places at which the predicates of a try see vertices that may have slipped over the skin:
-/// where they are, or where they belong on the surface as it was before the stroke divided it
-/// (StrokeSurface).
-enum class SeenAt {
-    ownPlace,         ///< every vertex where it is
-    frontOnSurface,   ///< the vertices of the old rung where they belong
-    aroundOnSurface,  ///< also the vertices around the front's ends
-};
-
 /// The value of Attempt::closing where older slits are to close, share of h.
 inline constexpr double kCloseDistance = 1.0;
 /// The value of Attempt::closing where only the noise of rounded positions is to go, share of h.
@@ -34,9 +25,10 @@ struct Attempt {
     double offsetScale = 1;     ///< length of the blade's offset, in units of the setting
     /// Predicates see copies that lie within this of their mean there (commonPosition).
     double closing = kCloseNoise;
-    SeenAt seenAt = SeenAt::ownPlace;  ///< place at which vertices that slipped are seen
-    bool touching = false;             ///< other vertices on a front node belong to it
-    double tolerance = 0;              ///< nodes closer than this are one
+    /// Predicates see vertices of the old rung, and around the front's ends, that slipped over the
+    /// skin where they belong on the surface as it was before the stroke (StrokeSurface).
+    bool onSurface = false;
+    double tolerance = 0;  ///< nodes closer than this are one
 };
 
 /// The part of the blade that goes on, by the parameters of its ends.

@@ -170,17 +170,11 @@ class TriangleSubdivision {
     }
 
     void addFaceNodes() {
-        const auto nodes = curves_.faceNodesOfTriangle.find(m_);
-        if (nodes == curves_.faceNodesOfTriangle.end()) {
-            return;
-        }
-        std::vector<int> inOrder = nodes->second;
-        std::sort(inOrder.begin(), inOrder.end(), [&](int p, int q) {
-            return curves_.nodes[p].stripEdge < curves_.nodes[q].stripEdge;
-        });
-        for (const int node : inOrder) {
-            const Vec3& weights = curves_.nodes[node].weights;
-            addPoint(node, {weights[canonical_.order[1]], weights[canonical_.order[2]]});
+        const auto& onFace = curves_.onFace;
+        for (auto at = onFace.lower_bound({m_, -1}); at != onFace.end() && at->first.first == m_;
+             ++at) {
+            const Vec3& weights = curves_.nodes[at->second].weights;
+            addPoint(at->second, {weights[canonical_.order[1]], weights[canonical_.order[2]]});
             ++count_.faceNodes;
         }
     }
@@ -220,8 +214,8 @@ void requireComplete(const SurfaceMesh& mesh, const CutCurves& curves) {
             throw StepFailure{"the curve stops at an edge"};
         }
     }
-    for (const auto& [triangle, nodes] : curves.faceNodesOfTriangle) {
-        if (!isReplaced(triangle)) {
+    for (const auto& [key, node] : curves.onFace) {
+        if (!isReplaced(key.first)) {
             throw StepFailure{"the curve stops in a triangle"};
         }
     }

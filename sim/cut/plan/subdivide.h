@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/cut_curves.h"
 
 namespace kerf::cut {
 

@@ -14,10 +14,16 @@ struct WallSheet {
     int piece = -1;                   ///< piece of the body
 };
 
-/// Triangulates the inside of the outline. Each outer loop with its holes is one sheet: sheets of
-/// different solids never see each other. Adds interior nodes to `curves` where a sheet is taller
-/// than one edge. Throws StepFailure.
-std::vector<WallSheet> triangulateWall(const StepInput& in, const Strip& strip,
-                                       const Outline& outline, CutCurves& curves);
+/// The wall of a step.
+struct Wall {
+    std::vector<CutNode> nodes;     ///< inner ones, numbered after those that there were
+    std::vector<WallSheet> sheets;  ///< sheets of different solids never see each other
+};
+
+/// Triangulates the inside of the outline. Each outer loop with its holes is one sheet. There are
+/// inner nodes where a sheet is taller than one edge. Whether the sheets fit to their border and to
+/// each other is left to glue(). Throws StepFailure.
+Wall triangulateWall(const StepInput& in, const Strip& strip, const Outline& outline,
+                     const CutCurves& curves);
 
 }  // namespace kerf::cut

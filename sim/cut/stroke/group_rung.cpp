@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/cut/plan/strip.h"
+#include "sim/cut/blade_line.h"
+#include "sim/cut/plan/new_rung.h"
+#include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
 
@@ -27,14 +29,13 @@ Vec3 GroupRung::leastOffsetAt(double s) const {
     return bladeOffset(length, 1, body_.settings.seed, group_.transit, s);
 }
 
-Vec3 GroupRung::placeOnBlade(const Blade& at, double s) const {
-    return at.a + (at.b - at.a) * s + leastOffsetAt(s);
+RungNode GroupRung::nodeInAir(const Blade& at, double s) const {
+    return {pointOn(at, s) + leastOffsetAt(s), s, -1, false};
 }
 
 void GroupRung::place(const Blade& at) {
     startTransit();
-    const auto end = [&](double s) { return RungNode{placeOnBlade(at, s), s, -1, false}; };
-    set({end(0), end(1)});
+    set({nodeInAir(at, 0), nodeInAir(at, 1)});
     group_.blade = at;
     group_.lastAdvance = Vec3::Zero();
 }
@@ -43,7 +44,7 @@ void GroupRung::place(const Blade& at) {
 /// along itself would never be far enough ahead to cut.
 void GroupRung::slide(const Blade& to, const std::vector<RungNode>& from) {
     const auto behind = [&](const RungNode& node) -> Vec3 {
-        return node.position - (to.a + (to.b - to.a) * node.s);
+        return node.position - pointOn(to, node.s);
     };
     group_.blade = {to.a + behind(from.front()), to.b + behind(from.back())};
     set({{group_.blade.a, 0, -1, false}, {group_.blade.b, 1, -1, false}});
@@ -96,10 +97,8 @@ AirTies GroupRung::tiesIn(SkinShape shape) {
 /// Tells the triangles of the group that were there before the stroke, or divide such.
 std::function<bool(int)> GroupRung::isOuter() const {
     return [this](int t) {
-        const SurfaceMesh& mesh = body_.mesh;
-        const bool ownWall =
-            mesh.kind(t) == SurfaceKind::wall && mesh.wallLabel(t) / 2 == stroke_.number;
-        return !ownWall && body_.pieces.groupOf(mesh.triangle(t)[0]) == group_.number;
+        return strokeOf(body_.mesh, t) != stroke_.number &&
+               body_.pieces.groupOf(body_.mesh.triangle(t)[0]) == group_.number;
     };
 }
 

@@ -24,8 +24,8 @@ class GroupRung {
     /// The displacement [m] at parameter s that a rung carries from the start: otherwise one that
     /// is put down exactly on a vertex or a face would stay there in every retry.
     Vec3 leastOffsetAt(double s) const;
-    /// Where a rung in the air lies at parameter s [m]: at the blade, by whatever way that came.
-    Vec3 placeOnBlade(const Blade& at, double s) const;
+    /// The node of a rung in the air at parameter s: at the blade, by whatever way that came.
+    RungNode nodeInAir(const Blade& at, double s) const;
     /// Places the rung at a blade as a new transit.
     void place(const Blade& at);
     /// Takes a rung in the air along with a blade that slides along itself. `from`: the rung,

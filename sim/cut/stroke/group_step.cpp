@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/cut/blade_line.h"
 #include "sim/cut/commit/commit.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/plan/air_edges.h"
@@ -134,22 +135,20 @@ class GroupStep {
     bool isAtOwnStart() const {
         const std::span<const int> start = group_.past.startVertices();
         body_.mesh.bring(start);
-        const Vec3 along = (to_.b - to_.a).normalized();
         const auto near = std::ranges::count_if(start, [&](int v) {
             if (body_.mesh.outgoing(v) < 0) {
                 return false;
             }
-            const Vec3 way = body_.mesh.position(v) - to_.a;
-            return (way - along * along.dot(way)).norm() < kAtOwnStart * group_.edgeLength;
+            return across(to_, body_.mesh.position(v) - to_.a).norm() <
+                   kAtOwnStart * group_.edgeLength;
         });
         return 2 * near > sizeOf(start);
     }
 
     /// Straight ahead.
     void goPastOwnStart() {
-        const Vec3 along = (to_.b - to_.a).normalized();
-        const Vec3 on = group_.heading - along * along.dot(group_.heading);
-        const Vec3 way = on.stableNormalized() * (kPastOwnStart * group_.edgeLength);
+        const Vec3 way =
+            across(to_, group_.heading).stableNormalized() * (kPastOwnStart * group_.edgeLength);
         to_ = {to_.a + way, to_.b + way};
     }
 
@@ -282,8 +281,8 @@ class GroupStep {
         return result;
     }
 
-    /// Lets go of the front, and cuts anew across the walls behind it: close beside them where the
-    /// body surely parts so, and then on to the blade; otherwise steeply, without proof.
+    /// Lets go of the front, and cuts anew across the walls behind it: where the body surely parts
+    /// so, on to the blade; otherwise without proof, and the rest waits for the next step.
     std::optional<CutResult> resume(const std::vector<RungNode>& from) {
         if (mayWait()) {
             return std::nullopt;
@@ -291,7 +290,7 @@ class GroupStep {
         const std::set<int> pieces = piecesOfFront(from, body_.pieces.labels().ofVertex());
         const double edge = group_.edgeLength;
         if (!pieces.empty()) {
-            if (auto start = startAnew(crossings(from, to_, std::min(body_.h(), edge)), pieces)) {
+            if (auto start = startAnew(resumptions(from, to_, std::min(body_.h(), edge)), pieces)) {
                 return goOn(std::move(*start));
             }
         }
@@ -385,11 +384,9 @@ class GroupStep {
     CutResult accept(const Try& one, const PlannedStep& step) {
         group_.refusedInARow = 0;
         if (step.air) {
-            std::vector<RungNode> ends{step.air->endA, step.air->endB};
-            for (RungNode& end : ends) {
-                end.position = rung_.placeOnBlade(one.to, end.s);
-            }
-            rung_.set(replaced(group_.rung, one.part, ends));
+            rung_.set(replaced(group_.rung, one.part,
+                               {rung_.nodeInAir(one.to, one.part.span.from),
+                                rung_.nodeInAir(one.to, one.part.span.to)}));
             return outcome(CutOutcome::air);
         }
         if (body_.settings.cleanUp && !stroke_.cleanup) {

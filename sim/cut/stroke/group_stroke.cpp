@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/cut/blade_line.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -32,7 +34,7 @@ FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h,
         0.5 * (mesh.position(mesh.apex(edge)) + mesh.position(mesh.apex(mesh.twin(edge))));
     const Vec3 back = withoutComponent(apexes - from.position, along);
     const double s = std::clamp(0.5 * (from.s + to.s), 0.0, 1.0);
-    const Vec3 target = blade.a + (blade.b - blade.a) * s;
+    const Vec3 target = pointOn(blade, s);
     const Vec3 move = withoutComponent(target - 0.5 * (from.position + to.position), along);
     if (back.norm() < 1e-300) {
         return {};

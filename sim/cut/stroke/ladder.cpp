@@ -20,17 +20,13 @@ constexpr std::array<Attempt, kLevels> kAttempts{{
     // beside it.
     {},
     // Nearly all refusals of a moving body: the light vertex where the front leaves the skin slid
-    // over the next triangle, and the front's last edge pierces that.
-    {.seenAt = SeenAt::frontOnSurface},
-    // The skin around that vertex has folded over with it.
-    {.seenAt = SeenAt::aroundOnSurface},
-    // An older slit that is seen open touches the front with a vertex, which belongs to the front's
-    // node; or it ends where the blade passes, which goes a little farther aside.
-    {.offsetScale = 6, .touching = true},
+    // over the next triangle, and the front's last edge pierces that; or the skin around it has
+    // folded over with it.
+    {.onSurface = true},
     // The front has crumpled where several slits meet: no order of nodes so close is right.
-    {.closing = kCloseDistance, .touching = true, .tolerance = kNear},
+    {.closing = kCloseDistance, .tolerance = kNear},
     // The blade runs along an edge of what crumpled there, and passes it by a fifth of an edge.
-    {.offsetScale = 216, .closing = kCloseDistance, .touching = true, .tolerance = kNear},
+    {.offsetScale = 216, .closing = kCloseDistance, .tolerance = kNear},
 }};
 
 thread_local std::optional<Level> leftOut;

@@ -7,16 +7,14 @@ namespace kerf::cut {
 /// The levels of the retry ladder, each by what it sees otherwise than the one before. None is
 /// drawn at random; docs/notes/ladder.md tells the strokes that fail without each.
 enum class Level {
-    asIs,             ///< the blade and the body as they are
-    beside,           ///< the blade beside its plane
-    frontOnSurface,   ///< the vertices of the front on the skin that they slid over
-    aroundOnSurface,  ///< the skin around its ends too
-    touching,         ///< vertices that touch the front as its own; the blade farther aside
-    crumpled,         ///< near nodes of the curves as one, with older slits closed
-    wide,             ///< the same, with the blade farthest aside
+    asIs,       ///< the blade and the body as they are
+    beside,     ///< the blade beside its plane
+    onSurface,  ///< vertices of the front, and around its ends, on the skin that they slid over
+    crumpled,   ///< near nodes of the curves as one, with older slits closed
+    wide,       ///< the same, with the blade farthest aside
 };
 /// The number of levels.
-inline constexpr int kLevels = 7;
+inline constexpr int kLevels = 5;
 
 /// The largest Attempt::offsetScale of all levels.
 double largestOffsetScale();

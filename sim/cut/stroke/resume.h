@@ -15,13 +15,9 @@ struct Resumption {
     Blade blade;                 ///< the end, moved aside by a share of h
 };
 
-/// Ways to start that lead just across the old walls, close beside them, and end a little ahead of
-/// `rung`; from there the blade goes on to `blade`. Where the walls are crumpled they may miss them
+/// Ways to start anew behind `rung`, which lead just across the old walls, close beside them, and
+/// end a little ahead of it, on the way to `blade`. Where the walls are crumpled they may miss them
 /// (leavesBridge). `h`: edge length of walls [m]. Empty where the blade hardly moves.
-std::vector<Resumption> crossings(const std::vector<RungNode>& rung, const Blade& blade, double h);
-
-/// Ways to go on from `rung` to `blade` at once, the surest first. `h`: edge length of walls [m].
-/// Empty where the blade hardly moves.
 std::vector<Resumption> resumptions(const std::vector<RungNode>& rung, const Blade& blade,
                                     double h);
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/cut/blade_line.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -19,14 +21,9 @@ constexpr double kLeastOfInner = 0.5;
 // (share of h, on average) the direction is that of the cut.
 constexpr double kLeastWay = 0.25;
 
-Vec3 pointOn(const Blade& blade, double s) {
-    return blade.a + (blade.b - blade.a) * s;
-}
-
 /// The direction in which the blade goes on, across it.
 Vec3 forwards(const Blade& blade, const Vec3& heading) {
-    const Vec3 along = (blade.b - blade.a).normalized();
-    return (heading - along * along.dot(heading)).stableNormalized();
+    return across(blade, heading).stableNormalized();
 }
 
 std::vector<double> progress(const Blade& blade, const Vec3& heading,
@@ -144,7 +141,7 @@ class Parts {
 
     /// An inner node that is not too near to its ends.
     bool hasRoom(const RungPart& part) const {
-        const double spacing = kLeastSpan * h_ / (blade_.b - blade_.a).norm();
+        const double spacing = kLeastSpan * h_ / lengthOf(blade_);
         for (int i = 1; i + 1 < sizeOf(part.rung); ++i) {
             const RungNode& node = part.rung[i];
             if (node.attached && part.rung[i - 1].attached && node.s - part.span.from > spacing &&

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "sim/cut/plan/swept_strip.h"
+
 namespace kerf::cut {
 namespace {
 

@@ -70,7 +70,7 @@ TEST(Ladder, WithoutTheBladeBesideItsPlaneNothingIsCutAnew) {
 }
 
 TEST(Ladder, AStrokeNeedsWhatSurroundsItSeenOnTheSurface) {
-    expectNeeded(Level::aroundOnSurface, 400531);
+    expectNeeded(Level::onSurface, 400531);
 }
 
 TEST(Ladder, AStrokeNeedsTheBladeFarAside) {
@@ -82,15 +82,14 @@ TEST(Ladder, OnlyTheFirstLevelSeesAllAsItIs) {
     EXPECT_EQ(first.offsetScale, 1);
     EXPECT_TRUE(first.staysInPlane);
     EXPECT_EQ(first.closing, kCloseNoise);
-    EXPECT_EQ(first.seenAt, SeenAt::ownPlace);
-    EXPECT_FALSE(first.touching);
+    EXPECT_FALSE(first.onSurface);
     EXPECT_EQ(first.tolerance, 1e-5);
     for (int i = 1; i < kLevels; ++i) {
         const Attempt level = attemptAt(static_cast<Level>(i), 1e-5);
         EXPECT_EQ(level.level, i);
         EXPECT_FALSE(level.staysInPlane);
-        EXPECT_TRUE(static_cast<Level>(i) == Level::beside || level.seenAt != SeenAt::ownPlace ||
-                    level.touching)
+        EXPECT_TRUE(static_cast<Level>(i) == Level::beside || level.onSurface ||
+                    level.closing == kCloseDistance)
             << "level " << i;
         EXPECT_LE(level.offsetScale, largestOffsetScale());
         EXPECT_GE(level.tolerance, 1e-5);

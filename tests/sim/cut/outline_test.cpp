@@ -41,6 +41,7 @@ Traced trace(const StepInput& in, const Change& change = {}) {
     }
     const RestGuess guess(in, traced.strip, traced.curves);
     traced.outline = traceOutline(in, traced.strip, guess, traced.curves);
+    traced.curves.append(traced.outline.nodes);
     return traced;
 }
 
@@ -164,7 +165,7 @@ class OutlineRefuses : public OutlineInABox {
         return test::reasonOf([&] { trace(in, change); });
     }
     static bool isOnBorder(const Strip& strip, const CutNode& node) {
-        return node.kind == NodeKind::face && strip.edges[node.stripEdge].onBorder();
+        return node.kind == NodeKind::face && strip.edges[node.stripEdge].onBorder;
     }
 };
 
@@ -236,12 +237,12 @@ TEST_F(OutlineRefuses, TwoCurvesThatEndAtOnePoint) {
 
 TEST_F(OutlineRefuses, AStripWithoutABorderAllAround) {
     EXPECT_EQ(reasonFor([](Strip& strip, CutCurves&) {
-                  std::ranges::find_if(strip.edges, &StripEdge::onBorder)->second = 0;
+                  std::ranges::find_if(strip.edges, &StripEdge::onBorder)->onBorder = false;
               }),
               "the border of the strip is open");
     EXPECT_EQ(reasonFor([](Strip& strip, CutCurves&) {
                   const auto inner = std::ranges::find_if_not(strip.edges, &StripEdge::onBorder);
-                  inner->second = -1;
+                  inner->onBorder = true;
               }),
               "the strip is pinched");
 }
@@ -281,7 +282,7 @@ void expectCurvesAreCut(const CutCurves& curves, const Outline& outline) {
 double distanceToBorder(const Strip& strip, const Vec2& p) {
     double least = 1e300;
     for (const StripEdge& edge : strip.edges) {
-        if (edge.onBorder()) {
+        if (edge.onBorder) {
             const Vec2& a = strip.nodes[edge.a].layout;
             const Vec2 way = strip.nodes[edge.b].layout - a;
             const double share = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);

@@ -114,9 +114,10 @@ DivisionKey divisionOf(const SurfaceMesh& mesh, const CutCurves& curves, int t, 
             }
         }
     }
-    if (const auto inside = curves.faceNodesOfTriangle.find(t);
-        inside != curves.faceNodesOfTriangle.end()) {
-        std::ranges::transform(inside->second, std::inserter(key.nodes, key.nodes.end()), nodeKey);
+    for (const auto& [place, node] : curves.onFace) {
+        if (place.first == t) {
+            key.nodes.insert(nodeKey(node));
+        }
     }
     if (const auto own = curves.segmentsOfTriangle.find(t);
         own != curves.segmentsOfTriangle.end()) {
@@ -239,8 +240,7 @@ TEST(Seams, NodesThatFaceEachOtherTakeOnePlace) {
     drawn.onEdge(test::copyIn(in.mesh, mirror, a), test::copyIn(in.mesh, mirror, b), 0.5, 0);
     drawn.inFace(wall, {0.3, 0.3, 0.4}, 1);
     drawn.inFace(mirror, {0.2, 0.2, 0.6}, 1);
-    addSeams(in, drawn.curves);
-    const std::vector<CutNode>& nodes = drawn.curves.nodes;
+    const std::vector<CutNode> nodes = withSeams(in, drawn.curves).nodes;
     ASSERT_EQ(nodes.size(), 4U);
     EXPECT_EQ(keyOf(in.mesh, nodes[0]), keyOf(in.mesh, nodes[1]));
     EXPECT_EQ(keyOf(in.mesh, nodes[2]), keyOf(in.mesh, nodes[3]));
@@ -261,8 +261,7 @@ TEST(Seams, AddedTwiceAreThoseAddedOnce) {
     CrossingAtAnAngle crossing(0.07, 0);
     const StepInput in = crossing.bench.stepTo(crossing.blade(-1));
     const Stages stages = test::stagesOf(in);
-    CutCurves twice = stages.seamed;
-    addSeams(in, twice);
+    const CutCurves twice = withSeams(in, stages.seamed);
     EXPECT_EQ(twice.nodes.size(), stages.seamed.nodes.size());
     EXPECT_EQ(twice.segments.size(), stages.seamed.segments.size());
 }
@@ -306,7 +305,7 @@ TEST(Seams, ASeamThatMissesTheEdgeItFacesIsRefused) {
     for (Segment& segment : curves.segments) {
         segment.stripTriangle += in.mesh.kind(segment.triangle) == SurfaceKind::wall ? 1000 : 0;
     }
-    EXPECT_EQ(test::reasonOf([&] { addSeams(in, curves); }),
+    EXPECT_EQ(test::reasonOf([&] { withSeams(in, curves); }),
               "a seam does not meet the edge that it faces");
 }
 

@@ -37,7 +37,7 @@ Mapped map(const StepInput& in) {
     Mapped mapped;
     mapped.stages = test::stagesOf(in);
     mapped.curves = mapped.stages.walled;
-    mapFromSkin(in, mapped.stages.sheets, mapped.curves);
+    mapped.curves.nodes = mapFromSkin(in, mapped.stages.sheets, mapped.curves.nodes);
     return mapped;
 }
 
@@ -144,7 +144,7 @@ TEST_F(SkinMapOfASphere, IsContinuous) {
     for (CutNode& node : beside.nodes) {
         node.position += kAside * Vec3::UnitY();
     }
-    mapFromSkin(in, mapped.stages.sheets, beside);
+    beside.nodes = mapFromSkin(in, mapped.stages.sheets, beside.nodes);
     for (int i = 0; i < sizeOf(beside.nodes); ++i) {
         if (beside.nodes[i].kind == NodeKind::wall) {
             const double moved = (beside.nodes[i].rest - mapped.curves.nodes[i].rest).norm();
@@ -200,7 +200,7 @@ TEST_F(SkinMapOfASphere, WithoutSamplesTheRimTells) {
     for (CutNode& node : stages.walled.nodes) {
         node.rest += Vec3(0, 0, 0.5);  // not what the skin around says
     }
-    mapFromSkin(in, stages.sheets, stages.walled);
+    stages.walled.nodes = mapFromSkin(in, stages.sheets, stages.walled.nodes);
     for (const CutNode& node : wallNodes(stages.walled)) {
         EXPECT_LT((node.rest - (node.position - kShift + Vec3(0, 0, 0.5))).norm(), 1e-12);
         EXPECT_LT((node.velocity - kDrift).norm(), 1e-11);

@@ -1,8 +1,8 @@
-#include "sim/cut/plan/strip.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "sim/cut/plan/swept_strip.h"
 
 namespace kerf::cut {
 namespace {

@@ -109,8 +109,8 @@ int edgeNodesOf(const SurfaceMesh& mesh, const CutCurves& curves, int t) {
 }
 
 int faceNodesOf(const CutCurves& curves, int t) {
-    const auto nodes = curves.faceNodesOfTriangle.find(t);
-    return nodes == curves.faceNodesOfTriangle.end() ? 0 : sizeOf(nodes->second);
+    return static_cast<int>(
+        std::ranges::count_if(curves.onFace, [&](auto& entry) { return entry.first.first == t; }));
 }
 
 /// All that every division promises.
@@ -338,12 +338,12 @@ class RandomDrawing {
                     {hit.node, (1 - part) * Vec3::Unit(i) + part * Vec3::Unit((i + 1) % 3)});
             }
         }
-        for (const int node : drawn_.curves.faceNodesOfTriangle[t]) {
-            points.push_back({node, drawn_.curves.nodes[node].weights});
+        for (const auto& [place, node] : drawn_.curves.onFace) {
+            if (place.first == t) {
+                points.push_back({node, drawn_.curves.nodes[node].weights});
+            }
         }
         std::erase_if(drawn_.curves.onEdge, [](const auto& entry) { return entry.second.empty(); });
-        std::erase_if(drawn_.curves.faceNodesOfTriangle,
-                      [](const auto& entry) { return entry.second.empty(); });
         return points;
     }
 

@@ -110,7 +110,9 @@ class WallOfADrawing : public ::testing::Test, protected test::DrawnOutline {
         const StepInput in = bench.stepTo(bladeAt(-2, 0.25));
         PredicatePositions positions(in);
         strip = buildStrip(in, positions);
-        return triangulateWall(in, strip, outline, curves);
+        Wall wall = triangulateWall(in, strip, outline, curves);
+        curves.append(wall.nodes);
+        return std::move(wall.sheets);
     }
 
     std::vector<WallSheet> expectTriangles(int count) {

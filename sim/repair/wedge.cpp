@@ -1,8 +1,8 @@
-#include "sim/cut/exact/wedge.h"
+#include "sim/repair/wedge.h"
 
 #include "sim/base/predicates.h"
 
-namespace kerf::cut {
+namespace kerf::repair {
 
 namespace {
 
@@ -94,4 +94,4 @@ Vec2 without(int axis, const Vec3& p) {
     return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-}  // namespace kerf::cut
+}  // namespace kerf::repair

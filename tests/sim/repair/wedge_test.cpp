@@ -1,4 +1,4 @@
-#include "sim/cut/exact/wedge.h"
+#include "sim/repair/wedge.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,8 @@
 #include <numbers>
 #include <random>
 
-namespace kerf {
+namespace kerf::repair {
 namespace {
-
-using cut::Line;
-using cut::Wedge;
 
 const Line kLine{Vec3(0, 0, 0), Vec3(0, 0, 1)};
 
@@ -106,4 +103,4 @@ TEST(Wedge, AllOfTwelfthsOfATurnAreAsCountingSays) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::repair

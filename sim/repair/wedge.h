@@ -2,7 +2,7 @@
 
 #include "sim/base/math.h"
 
-namespace kerf::cut {
+namespace kerf::repair {
 
 /// A straight line, by two different points of it.
 struct Line {
@@ -34,4 +34,4 @@ int axisToLeaveOut(const Vec3& a, const Vec3& b, const Vec3& c);
 /// A point without one of its coordinates.
 Vec2 without(int axis, const Vec3& p);
 
-}  // namespace kerf::cut
+}  // namespace kerf::repair

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/surface_mesh.h"
+
+namespace kerf::cut {
+
+/// The stroke that made a wall triangle, -1 on the skin.
+inline int strokeOf(const SurfaceMesh& mesh, int t) {
+    return mesh.kind(t) == SurfaceKind::wall ? mesh.wallLabel(t) / 2 : -1;
+}
+
+/// The copies of a vertex that are in use, itself among them; it alone where it has none.
+std::vector<int> livingCopies(const SurfaceMesh& mesh, int vertex);
+
+/// The first copies of a triangle's corners, ascending.
+Triangle pointsOf(const SurfaceMesh& mesh, int t);
+
+/// The wall triangle between copies of the same vertices on the other side, -1 for none.
+int mirrorOf(const SurfaceMesh& mesh, int t);
+
+}  // namespace kerf::cut
