@@ -46,7 +46,7 @@ def arrow(d, corners, words="", color=GREY):
 
 
 def flow(d, levels):
-    close, steep = 2 * constant("kShortDetours"), 2 * constant("kDetours")
+    ways = 2 * constant("kDetours")
     refusals = constant("kRefusalsBeforeDetach")
     d.text((28, 40), "What a step tries, one after the other, until one try succeeds", INK, size=17,
            weight="bold")
@@ -54,7 +54,7 @@ def flow(d, levels):
     d.text((36, 85), "Climb the retry ladder", BLUE, weight="bold")
     box(d, 36, 98, 302, "older slits along the way\nseen slightly open", BLUE, "#ffffff", f"{levels} tries")
     box(d, 36, 186, 302, "seen open by more, and\nwith what the transit divided", BLUE, "#ffffff",
-        "1 try")
+        f"{constant('kFirstLevels')} tries")
     box(d, 36, 274, 302, "older slits as they are\nfrom now on, in this transit", BLUE, "#ffffff",
         f"{levels} tries")
     arrow(d, [(120, 150), (120, 184)], "all fail, a slit is seen open")
@@ -63,9 +63,9 @@ def flow(d, levels):
     d.box(402, 62, 330, 278, mixed(ORANGE, "#ffffff", 0.95), mixed(ORANGE, "#ffffff", 0.6), 12)
     d.text((416, 85), "Resume behind the front", ORANGE, weight="bold")
     box(d, 416, 98, 302, "beside the old walls\nmust cross them all along", ORANGE, "#ffffff",
-        f"{close} tries")
-    box(d, 416, 274, 302, "steeply to the blade\na bridge may stay", ORANGE, "#ffffff",
-        f"{steep} tries")
+        f"{ways} tries")
+    box(d, 416, 274, 302, "the same without proof\na bridge may stay", ORANGE, "#ffffff",
+        f"{ways} tries")
     arrow(d, [(500, 150), (500, 272)], "all fail")
     d.line([(338, 116), (378, 116)], GREY, 1.8)
     arrow(d, [(338, 300), (378, 300), (378, 116), (414, 116)])
