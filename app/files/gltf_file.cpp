@@ -170,7 +170,8 @@ void GltfFile::openBuffers() {
     const Json none = Json::array();
     for (const Json& buffer : top_.contains("buffers") ? top_["buffers"] : none) {
         const auto uri = valueOf<std::string>(buffer, "uri", "");
-        buffers_.push_back(uri.empty() ? binary_ : bytesOf(uri));
+        const bool within = uri.empty() && buffers_.empty();
+        buffers_.push_back(within ? binary_ : uri.empty() ? "" : bytesOf(uri));
     }
 }
 
@@ -224,10 +225,8 @@ std::vector<double> GltfFile::numbers(std::uint64_t index, std::size_t width) co
     std::vector<double> numbers;
     if (accessor.contains("bufferView")) {
         addNumbers(accessor, accessor, width, count, numbers);
-    } else if (!accessor.contains("sparse")) {
-        throw InputError("a list of it has no numbers");
     }
-    numbers.resize(count * width);
+    numbers.resize(count * width);  // zeros without a bufferView
     replaceSparse(accessor, width, numbers);
     return numbers;
 }

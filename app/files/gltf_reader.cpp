@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/files/face_soup.h"
+#include "app/files/file_io.h"
 #include "app/files/gltf_file.h"
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
@@ -275,7 +276,11 @@ class GltfMeshes {
     void addPrimitive(const Json& primitive, const GltfPlace& place) {
         refuseUnreadable(primitive);
         constexpr int kTriangles = 4;
+        constexpr int kFan = 6;
         const int mode = valueOf<int>(primitive, "mode", kTriangles);
+        if (mode < 0 || mode > kFan) {
+            throw InputError("a primitive has the unknown mode " + std::to_string(mode));
+        }
         const Json* const attributes = find(primitive, "attributes");
         const auto position =
             attributes == nullptr ? std::nullopt : indexOf(*attributes, "POSITION");

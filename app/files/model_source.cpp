@@ -319,15 +319,12 @@ void requireMended(const fs::path& file, const MeshReport& found) {
     }
 }
 
-/// What was sound in doubles may fall together far from the origin, or where edges are short.
+/// What was sound in doubles may fall together where edges are short.
 void requireSurvivesRounding(const fs::path& file, const MeshReport& found, bool remeshed) {
     if (!found.cuttable) {
-        const bool far = found.bounds.center().norm() > found.bounds.diagonal();
-        const std::string counts = found.problem.substr(0, found.problem.find(':'));
         throw ModelFault(
             fmt::format("{}: once mended and rounded to the 32-bit numbers of a file, it has {}{}",
-                        shownPath(file),
-                        far ? counts + "; move the model to the origin" : found.problem,
+                        shownPath(file), found.problem,
                         remeshed ? ", or ask for longer edges with --edge" : ""),
             0);
     }

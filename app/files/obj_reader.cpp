@@ -43,9 +43,9 @@ int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
 class ObjModel {
   public:
     void readLine(std::string_view line) {
-        line = line.substr(0, line.find(" #"));
+        line = line.substr(0, line.find('#'));
         const std::string_view key = takeWord(line);
-        if (key.empty() || key.starts_with('#')) {
+        if (key.empty()) {
             return;
         }
         if (key == "v") {
@@ -60,9 +60,10 @@ class ObjModel {
     }
     /// The faces that follow are of this material.
     void useMaterial(std::string_view name) {
-        const auto found = std::ranges::find(names, name);
-        material_ = static_cast<int>(found - names.begin());
-        if (found == names.end()) {
+        const auto [place, isNew] =
+            numbers_.try_emplace(std::string(name), static_cast<int>(names.size()));
+        material_ = place->second;
+        if (isNew) {
             names.emplace_back(name);
         }
     }
@@ -130,6 +131,7 @@ class ObjModel {
     FaceSoup faces_;
     float brightest_ = 0;  ///< number of a colour
     int material_ = FaceSoup::kNone;
+    std::map<std::string, int> numbers_;  ///< of materials, by name
 };
 
 /// The materials of the libraries that a file names.

@@ -82,6 +82,18 @@ class OffWords {
         }
         return numbers;
     }
+    /// The number of edges, which says nothing: on this line, alone on the next one, or left out.
+    void skipEdges() {
+        if (!rest().empty() || !lines_.next()) {
+            return;
+        }
+        line_ = lines_.line().substr(0, lines_.line().find('#'));
+        std::string_view behind = line_;
+        takeWord(behind);
+        if (withoutBlanks(behind).empty()) {
+            line_ = {};
+        }
+    }
     std::size_t line() const { return lines_.number(); }
 
   private:
@@ -135,7 +147,7 @@ void readAll(OffWords& words, FaceSoup& faces) {
     }
     const auto vertices = static_cast<std::size_t>(std::clamp(numberOf(first), 0.0, 1e9));
     const std::size_t faceCount = words.count();
-    words.rest();  // the number of edges
+    words.skipEdges();
     for (std::size_t i = 0; i < vertices; ++i) {
         readVertex(head, words, faces);
     }

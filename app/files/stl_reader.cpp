@@ -90,10 +90,10 @@ void readBinary(std::string_view bytes, FaceSoup& faces) {
     }
 }
 
-/// `open`: within a facet.
+/// `open`: within a solid, whose last line says that nothing is cut off.
 void readLine(std::string_view line, FaceSoup& faces, bool& open) {
     const std::string word = lowerCase(std::string(takeWord(line)));
-    open = word == "facet" || (open && word != "endfacet");
+    open = word == "solid" || word == "facet" || (open && word != "endsolid");
     if (word == "vertex") {
         Vec3 place;
         for (double& number : place) {
@@ -117,7 +117,7 @@ void readText(std::string_view bytes, FaceSoup& faces) {
         }
     }
     if (open) {
-        throw InputError("it ends within a facet");
+        throw InputError("it ends without \"endsolid\", so a part may be missing");
     }
 }
 

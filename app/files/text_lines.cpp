@@ -1,6 +1,7 @@
 #include "app/files/text_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 
@@ -13,6 +14,14 @@ namespace {
 constexpr std::string_view kMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::size_t kShown = 40;  // most letters of a word in a message
+/// What begins a line of numbers in an OBJ; in names and comments a backslash is a letter.
+constexpr std::array<std::string_view, 8> kNumbered{"v", "vt", "vn", "vp", "f", "fo", "l", "p"};
+
+bool continues(std::string_view line) {
+    std::string_view rest = line;
+    return line.ends_with('\\') && line.find('#') == std::string_view::npos &&
+           std::ranges::find(kNumbered, takeWord(rest)) != kNumbered.end();
+}
 
 }  // namespace
 
@@ -35,7 +44,7 @@ bool TextLines::next() {
     }
     line_ = take();
     number_ = read_;
-    if (!line_.ends_with('\\') || line_.starts_with('#')) {
+    if (!continues(line_)) {
         return true;
     }
     joined_ = line_;

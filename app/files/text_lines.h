@@ -7,8 +7,8 @@
 
 namespace kerf::app {
 
-/// The lines of a text file, whatever ends them: behind a byte order mark, if there is one, and
-/// with those that a backslash continues as one. Blanks around a line are left out.
+/// The lines of a text file, whatever ends them: behind a byte order mark, if there is one. Lines
+/// of numbers in an OBJ that a backslash continues are one. Blanks around a line are left out.
 class TextLines {
   public:
     explicit TextLines(std::string_view text);

@@ -96,7 +96,7 @@ void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& plac
     const Vec3 origin = originOf(all);
     for (std::size_t m = 0; m < models.size(); ++m) {
         if (const std::string problem = checkRoom(bounds[m], origin); !problem.empty()) {
-            const std::string key = m == 0 ? "" : "more_models[" + std::to_string(m - 1) + "].";
+            const std::string key = m == 0 ? "" : fmt::format("more_models[{}].", m - 1);
             throw InputError(key + "placement: " + problem);
         }
         Placement placement = placements[m];

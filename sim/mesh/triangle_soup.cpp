@@ -3,7 +3,9 @@
 #include <bit>
 #include <unordered_map>
 
+#include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
+#include "sim/base/placement.h"
 
 namespace kerf {
 
@@ -56,9 +58,14 @@ TriangleSoup weldExactly(const TriangleSoup& soup) {
     return welded;
 }
 
+Vec3 floatOrigin(const TriangleSoup& soup) {
+    return soup.positions.empty() ? Vec3(Vec3::Zero()) : originOf(boxOf(soup.positions));
+}
+
 void roundToFloats(TriangleSoup& soup) {
+    const Vec3 origin = floatOrigin(soup);
     for (Vec3& p : soup.positions) {
-        p = nearestFloats(p);
+        p = origin + nearestFloats(p - origin);
     }
     soup = weldExactly(soup);
 }

@@ -18,6 +18,8 @@ struct TriangleSoup {
 /// first use is kept. Indices must be in range.
 TriangleSoup weldExactly(const TriangleSoup& soup);
 
+/// From where floats are counted that are to hold the positions: see originOf().
+Vec3 floatOrigin(const TriangleSoup& soup);
 /// Rounds all positions to floats, as files hold them, and joins those that are equal then.
 void roundToFloats(TriangleSoup& soup);
 

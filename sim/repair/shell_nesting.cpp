@@ -233,7 +233,8 @@ bool SoupShells::isLarger(int a, int b) const {
 bool SoupShells::isFlat(int shell) const {
     constexpr double kOfFloats = 1e-7;  // a place is off by at most that share of itself
     const Bounds& box = bounds[shell];
-    const double far = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+    const double far =
+        (box.low - origin).cwiseAbs().cwiseMax((box.high - origin).cwiseAbs()).maxCoeff();
     return std::abs(volumes[shell]) <= kOfFloats * far * areas[shell];
 }
 
@@ -245,6 +246,7 @@ SoupShells measureShells(const TriangleSoup& soup) {
         vertices.join(b, c);
     }
     SoupShells shells;
+    shells.origin = floatOrigin(soup);
     std::vector<int> shellOfRoot(soup.positions.size(), -1);
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
         int& shell = shellOfRoot[vertices.root(soup.triangles[t][0])];

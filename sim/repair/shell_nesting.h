@@ -12,6 +12,7 @@ struct SoupShells {
     std::vector<double> volumes;  ///< signed [m^3]
     std::vector<double> areas;    ///< [m^2]
     std::vector<Bounds> bounds;   ///< [m]
+    Vec3 origin = Vec3::Zero();   ///< see floatOrigin()
 
     /// How many there are.
     int size() const { return static_cast<int>(volumes.size()); }

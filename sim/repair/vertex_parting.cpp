@@ -21,8 +21,9 @@ constexpr int kMostPartings = 6;
 
 /// Groups of vertices that are one place in floats, each ascending.
 std::vector<std::vector<int>> sharedPlaces(const TriangleSoup& soup) {
+    const Vec3 origin = floatOrigin(soup);
     const auto placeOf = [&](int v) {
-        const Vec3 p = nearestFloats(soup.positions[v]);
+        const Vec3 p = nearestFloats(soup.positions[v] - origin);
         return std::array{p.x(), p.y(), p.z()};
     };
     std::vector<int> order(soup.positions.size());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/cut/surface/broad_phase.h"
+
 namespace kerf::cut {
 
 namespace {

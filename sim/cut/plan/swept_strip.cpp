@@ -38,6 +38,8 @@ void stitchRungs(const BladeSpan& span, Strip& strip) {
     std::iota(lower.begin(), lower.end(), 0);
     std::vector<double> lowerS;
     std::vector<double> upperS;
+    lowerS.reserve(lower.size());
+    upperS.reserve(strip.newRung.size());
     for (const int node : lower) {
         lowerS.push_back(strip.nodes[node].s);
     }

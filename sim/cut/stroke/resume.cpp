@@ -27,6 +27,7 @@ constexpr double kLeastSpacing = 0.5;
 /// From the rung to the blade, by node.
 std::vector<Vec3> motions(const std::vector<RungNode>& rung, const Blade& blade) {
     std::vector<Vec3> result;
+    result.reserve(rung.size());
     for (const RungNode& node : rung) {
         result.push_back(pointOn(blade, std::clamp(node.s, 0.0, 1.0)) - node.position);
     }

@@ -145,9 +145,9 @@ TEST_F(GltfReader, NumbersMayBeQuantizedInterleavedOrSparse) {
     Gltf sparse = Gltf::box();
     std::vector<std::uint8_t> top;
     std::vector<float> raised;
-    for (std::uint8_t v = 0; v < soup.positions.size(); ++v) {
+    for (std::size_t v = 0; v < soup.positions.size(); ++v) {
         if (soup.positions[v].z() > 0) {
-            top.push_back(v);
+            top.push_back(static_cast<std::uint8_t>(v));
             raised.insert(raised.end(), {soup.positions[v].x() > 0 ? 1.0F : 0.0F,
                                          soup.positions[v].y() > 0 ? 2.0F : 0.0F, 6.0F});
         }

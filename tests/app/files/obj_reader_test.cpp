@@ -54,7 +54,8 @@ TEST_F(ObjReader, ABoxIsTheSameHoweverItIsWritten) {
     expectBox(replaced(box, "\n", "\r"));
     expectBox(replaced(box, " ", "\t  "));
     expectBox(replaced(box, "f ", "f \\\n  "));
-    expectBox("# a path: C:\\\n" + replaced(box, "\n", " # a comment\\x\n"));
+    expectBox("# a path: C:\\\n" + replaced(box, "\n", "\t# a comment \\\n"));
+    expectBox("o c:\\x\\\n" + replaced(box, "\n", "# glued\n"));
     expectBox(replaced(box, "v 1 2 3", "v +1. 2.0e0 .3E+1"));
     expectBox(replaced(box, "v 1 2 3", "v 2 4 6 2"));
     expectBox("mg 1 2\no a box\ng side\ns off\nvn 0 0 1\nl 1 2\np 3\n" + box + "f 1 2\n");
@@ -98,13 +99,12 @@ TEST_F(ObjReader, WhatIsWrongIsNamedWithItsLine) {
 }
 
 TEST_F(ObjReader, ColoursOfVerticesAreSharesOrBytes) {
-    const std::string faces = "f 1 2 3\n";
-    for (const char* white : {"1 0 0", "255 0 0"}) {
-        const std::string first = std::string("v 0 0 0 ") + white + "\n";
-        const ImportedModel model = read(first + "v 1 0 0\nv 0 1 0 0 0 0\n" + faces);
+    const std::string text = "v 0 0 0 RED\nv 1 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n";
+    for (const char* red : {"1 0 0", "255 0 0"}) {
+        const ImportedModel model = read(replaced(text, "RED", red));
         ASSERT_EQ(model.soup.skin.colors.size(), 1U);
         const CornerColors& colors = model.soup.skin.colors[0];
-        EXPECT_TRUE(colors[0].isApprox(Eigen::Vector4f(1, 0, 0, 1))) << white;
+        EXPECT_TRUE(colors[0].isApprox(Eigen::Vector4f(1, 0, 0, 1))) << red;
         EXPECT_TRUE(colors[1].isApprox(Eigen::Vector4f(1, 1, 1, 1))) << "it has none";
         EXPECT_TRUE(colors[2].isApprox(Eigen::Vector4f(0, 0, 0, 1)));
     }

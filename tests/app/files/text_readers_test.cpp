@@ -87,13 +87,21 @@ std::string stlBytes(const std::string& header, std::uint16_t attribute = 0) {
 
 TEST_F(TextReaders, StlIsTheSameHoweverItIsWritten) {
     const std::string text = stlText();
-    for (const std::string& variant :
-         {text, upper(text), "\xef\xbb\xbf" + text, "\n\n" + text, "# a comment\n" + text,
-          replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"),
-          replaced(text, "normal 0 0 0", "normal -1.#IND nan 1.#INF"),
-          replaced(text, "endfacet", "endfacet\n; a comment"),
-          text + text.substr(0, 12) + "endsolid", stlBytes("binary"), stlBytes("solid not a text"),
-          stlBytes("bytes") + "behind the end"}) {
+    const std::vector<std::string> variants{
+        text,
+        upper(text),
+        "\xef\xbb\xbf" + text,
+        "\n\n" + text,
+        "# a comment\n" + text,
+        replaced(text, "\n", "\r\n"),
+        replaced(text, "\n", "\r"),
+        replaced(text, "normal 0 0 0", "normal -1.#IND nan 1.#INF"),
+        replaced(text, "endfacet", "endfacet\n; a comment"),
+        text + text.substr(0, 12) + "endsolid",
+        stlBytes("binary"),
+        stlBytes("solid not a text"),
+        stlBytes("bytes") + "behind the end"};
+    for (const std::string& variant : variants) {
         expectBox(stl(variant), variant.substr(0, 200));
     }
 }
@@ -104,7 +112,9 @@ TEST_F(TextReaders, StlThatEndsTooEarlyIsRefused) {
                 HasSubstr("neither a binary STL as long as"));
     const std::string text = stlText();
     EXPECT_THAT(sentence([&] { stl(text.substr(0, text.rfind("endloop"))); }),
-                HasSubstr("it ends within a facet"));
+                HasSubstr("it ends without \"endsolid\""));
+    EXPECT_THAT(sentence([&] { stl(text.substr(0, text.rfind("  facet"))); }),
+                HasSubstr("it ends without \"endsolid\""));
     EXPECT_THAT(sentence([&] { stl(replaced(text, "-0.500000", "half")); }),
                 HasSubstr("line 4: \"half\" stands where a number must"));
     EXPECT_THAT(sentence([&] { stl("solid\nendsolid\n"); }), HasSubstr("there is no surface"));
@@ -122,14 +132,20 @@ const std::string kOffFaces = "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4
 
 TEST_F(TextReaders, OffIsTheSameHoweverItIsWritten) {
     const std::string off = "OFF\n8 6 0\n" + kOffVertices + kOffFaces;
-    for (const std::string& variant :
-         {off, "\xef\xbb\xbf" + off, "OFF 8 6 12\n" + kOffVertices + kOffFaces,
-          "# a box\nOFF # of\n\n" + replaced(off.substr(4), "\n", " # comment\n\n"),
-          replaced(off, "\n", "\r\n"), replaced(off, " ", "\t  "),
-          "COFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 255 0 0 255\n") + kOffFaces,
-          "NOFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 0 0 1\n") + kOffFaces,
-          "4OFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 1\n") + kOffFaces,
-          "OFF\n8 6 0\n" + kOffVertices + replaced(kOffFaces, "\n", " 0.5 0.5 1\n")}) {
+    const std::vector<std::string> variants{
+        off,
+        "\xef\xbb\xbf" + off,
+        "OFF 8 6 12\n" + kOffVertices + kOffFaces,
+        "OFF\n8\n6\n12 # edges\n" + kOffVertices + kOffFaces,
+        "OFF\n8 6\n" + kOffVertices + kOffFaces,
+        "# a box\nOFF # of\n\n" + replaced(off.substr(4), "\n", " # comment\n\n"),
+        replaced(off, "\n", "\r\n"),
+        replaced(off, " ", "\t  "),
+        "COFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 255 0 0 255\n") + kOffFaces,
+        "NOFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 0 0 1\n") + kOffFaces,
+        "4OFF\n8 6 0\n" + replaced(kOffVertices, "\n", " 1\n") + kOffFaces,
+        "OFF\n8 6 0\n" + kOffVertices + replaced(kOffFaces, "\n", " 0.5 0.5 1\n")};
+    for (const std::string& variant : variants) {
         expectBox(this->off(variant), variant);
     }
 }
@@ -159,12 +175,12 @@ TEST_F(TextReaders, ColoursOfAnOffAreOfItsVerticesOrFaces) {
 }
 
 TEST(TextLines, ABackslashContinuesALineAndNoComment) {
-    TextLines lines("a \\\n b\n# c \\\nd\n\ne\\");
+    TextLines lines("f a \\\n b\n# c \\\nd\n\nf e\\");
     std::string all;
     while (lines.next()) {
         all += std::to_string(lines.number()) + ":" + std::string(lines.line()) + "|";
     }
-    EXPECT_EQ(all, "1:a  b|3:# c \\|4:d|5:|6:e\\|");
+    EXPECT_EQ(all, "1:f a  b|3:# c \\|4:d|5:|6:f e\\|");
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ double slideDown(double friction) {
 
 TEST_F(BoxContactTest, FrictionHoldsOnASlopeOrSlowsDown) {
     EXPECT_LT(slideDown(0.6), 0.02);
-    const double angle = 20 * EIGEN_PI / 180;
+    const double angle = 20.0 * double(EIGEN_PI) / 180;
     for (const double friction : {0.0, 0.15}) {
         const double rate = 9.81 * (std::sin(angle) - friction * std::cos(angle));
         const double way = 0.5 * rate * 0.4 * 0.4;
