@@ -97,7 +97,7 @@ void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& plac
     for (std::size_t m = 0; m < models.size(); ++m) {
         if (const std::string problem = checkRoom(bounds[m], origin); !problem.empty()) {
             const std::string key = m == 0 ? "" : fmt::format("more_models[{}].", m - 1);
-            throw InputError(key + "placement: " + problem);
+            throw InputError(fmt::format("{}placement: {}", key, problem));
         }
         Placement placement = placements[m];
         placement.translate -= origin;
