@@ -87,6 +87,9 @@ Vec3 PlacementMap::toModel(const Vec3& placed) const {
 
 Vec3 originOf(const Bounds& placed) {
     const double length = (placed.high - placed.low).maxCoeff();
+    if (!(length > 0)) {
+        return Vec3::Zero();  // a point, or no numbers: nothing that could be cut
+    }
     const double step = std::exp2(std::ceil(std::log2(length)));
     const Vec3 round = (placed.center() / step).array().round() * step;
     const Vec3 reach = placed.high.cwiseAbs().cwiseMax(placed.low.cwiseAbs());

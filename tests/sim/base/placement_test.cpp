@@ -71,6 +71,7 @@ TEST(Placement, ABodyMayReachTheLimitsOfTheRoomAndNotBeyond) {
 
 TEST(Placement, TheOriginLiesAtZeroOrBesideTheModels) {
     EXPECT_EQ(originOf(cubeBetween(-0.5, 0.5)), Vec3::Zero());
+    EXPECT_EQ(originOf(cubeBetween(100, 100)), Vec3::Zero()) << "a point";
     EXPECT_EQ(originOf(cubeBetween(7, 8)), Vec3::Zero()) << "near enough";
     EXPECT_EQ(originOf(cubeBetween(99.8, 100.3)), Vec3::Constant(100));
     EXPECT_EQ(originOf(cubeBetween(-5000123.3, -5000120.3)), Vec3::Constant(-5000120));
