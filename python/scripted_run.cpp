@@ -69,7 +69,7 @@ ScriptedRun::ScriptedRun(app::Session session, const RunOptions& options)
     gpu::enableDebugOutput();
     app::ModelMesh model = load(session_);
     warnAbout(model.remarks);
-    session_ = app::countedFrom(std::move(session_), model.origin);
+    session_ = app::withOrigin(std::move(session_), model.origin);
     player_.emplace(session_);
     app::requireMemoryFor(session_, model.mesh, options.undoBudget);
     running_ = std::make_unique<app::RunningSession>(

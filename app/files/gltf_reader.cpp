@@ -92,10 +92,13 @@ class GltfNodes {
     }
 
     const std::map<std::uint64_t, Transform>& places() const { return places_; }
-    /// Of a joint, which the scene need not show.
+    /// Of a joint, which must hang in the scene as its mesh does: else its place is not known.
     Transform placeOf(std::uint64_t node) const {
         const auto found = places_.find(node);
-        return found != places_.end() ? found->second : transformOf(file_.item("nodes", node));
+        if (found == places_.end()) {
+            throw InputError("its joint " + std::to_string(node) + " is not in the scene");
+        }
+        return found->second;
     }
 
   private:

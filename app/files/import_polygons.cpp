@@ -81,7 +81,7 @@ void divideFacesOf(aiMesh& mesh) {
     mesh.mNumFaces = static_cast<unsigned>(divided.size());
 }
 
-/// The reader of OBJ files names no lines and points among its polygons.
+/// As they are once polygons are divided.
 unsigned typesOf(std::span<const aiFace> faces) {
     unsigned types = 0;
     for (const aiFace& face : faces) {

@@ -83,8 +83,8 @@ struct ImportedModel;
 /// Tells whether the file's name ends like that of a model that importModel() reads.
 bool isModelFile(const std::filesystem::path& file);
 
-/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, 3DS, DAE, FBX) through
-/// assimp, in a child process with limits, and welds them exactly. Throws InputError, and
+/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE,
+/// FBX) in a child process with limits, and welds them exactly. Throws InputError, and
 /// WorkCancelled where `progress` was cancelled, as all functions that take one.
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,

@@ -92,7 +92,7 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
         further.model.repair |= options.repair;
     }
     ModelMesh model = loadSessionModel(session, options);
-    session = countedFrom(std::move(session), model.origin);
+    session = withOrigin(std::move(session), model.origin);
     std::string note = joined(session.warnings, "; ");
     return finish(shortName(file), std::move(session), std::move(model), std::move(note));
 }
@@ -122,7 +122,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
     ModelMesh models = loadSessionModel(scene, options);
-    scene = countedFrom(std::move(scene), models.origin);
+    scene = withOrigin(std::move(scene), models.origin);
     Document document = finish(name, std::move(scene), std::move(models), "");
     document.inFile = false;
     return document;
@@ -151,7 +151,7 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     added.color = kColors[(others - 1) % kColors.size()];
     const Placement stands = standing(guess, own.restPositions());
     const ModelMesh there = loadSessionModel(scene, {});
-    scene = countedFrom(std::move(scene), there.origin);
+    scene = withOrigin(std::move(scene), there.origin);
     const Bounds before = meshBounds(there.mesh);
     added.placement = beside(before, stands, own.restPositions());
     scene.moreModels.push_back(std::move(added));

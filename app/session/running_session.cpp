@@ -19,7 +19,7 @@ void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size
 
 RunningSession::RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                                render::Quality quality)
-    : session_(countedFrom(session, model.origin)),
+    : session_(withOrigin(session, model.origin)),
       quality_(quality),
       looks_(std::move(model.looks)),
       simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),

@@ -66,7 +66,7 @@ std::vector<StaticBox> countedFrom(std::vector<StaticBox> boxes, const Vec3& by)
     return boxes;
 }
 
-Session countedFrom(Session session, const Vec3& origin) {
+Session withOrigin(Session session, const Vec3& origin) {
     const Vec3 by = origin - std::exchange(session.origin, origin);
     session.placement = moved(session.placement, by);
     for (FurtherModel& further : session.moreModels) {

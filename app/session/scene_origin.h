@@ -16,7 +16,7 @@ render::Camera countedFrom(render::Camera camera, const Vec3& by);
 Params countedFrom(Params params, const Vec3& by);
 std::vector<StaticBox> countedFrom(std::vector<StaticBox> boxes, const Vec3& by);
 /// A session with its places counted from `origin`, which becomes its Session::origin.
-Session countedFrom(Session session, const Vec3& origin);
+Session withOrigin(Session session, const Vec3& origin);
 
 /// A command as a replay of the session in which it is saved reads it: what lies near the origin of
 /// the scene is rounded as its file rounds it.

@@ -117,7 +117,7 @@ inline constexpr std::string_view kSessionEnding = ".kerf.json";
 /// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
 struct Session {
     std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
-    /// From where its places are counted [m]; 0 as it is read and written: see countedFrom().
+    /// From where its places are counted [m]; 0 as it is read and written: see withOrigin().
     Vec3 origin = Vec3::Zero();
     ModelReference model;
     Placement placement;

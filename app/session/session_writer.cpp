@@ -231,7 +231,7 @@ std::string textOf(Session& session) {
 }  // namespace
 
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder) {
-    Session written = countedFrom(session, Vec3::Zero());
+    Session written = withOrigin(session, Vec3::Zero());
     written.model = inFolder(session.model, baseFolder);
     for (FurtherModel& further : written.moreModels) {
         further.model = inFolder(further.model, baseFolder);

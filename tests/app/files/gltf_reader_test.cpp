@@ -176,6 +176,8 @@ TEST_F(GltfReader, SkinsFollowTheirJointsAndMorphTargetsTheirWeights) {
     const ImportedModel skinned = read(gltf);
     EXPECT_NEAR(volumeOf(skinned), 48, 1e-9) << "by the joint, not by the node of the mesh";
     EXPECT_EQ(boxOf(skinned.soup.positions).low, Vec3(5, 0, 0));
+    gltf.json["scenes"][0]["nodes"] = {0};
+    EXPECT_THAT(sentence(gltf), HasSubstr("its joint 1 is not in the scene"));
     gltf.json["skins"][0]["joints"] = Json::array();
     EXPECT_THAT(sentence(gltf), HasSubstr("hangs at a joint that is not there"));
 

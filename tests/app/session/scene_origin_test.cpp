@@ -17,19 +17,19 @@ const Vec3 kMap(500096, 304, -5000192);
 TEST(SceneOrigin, SessionsAreWrittenAsTheyWereRead) {
     for (const std::string& text : {test::sessionWithEveryKey(), test::sessionWithEveryEvent()}) {
         const Session read = parseSession(text, "/");
-        const Session near = countedFrom(read, Vec3(64, -128, 512));
+        const Session near = withOrigin(read, Vec3(64, -128, 512));
         EXPECT_EQ(near.origin, Vec3(64, -128, 512));
         const Session again = parseSession(formatSession(near, "/"), "/");
-        const std::string asWritten = formatSession(countedFrom(again, Vec3(64, -128, 512)), "/");
+        const std::string asWritten = formatSession(withOrigin(again, Vec3(64, -128, 512)), "/");
         EXPECT_EQ(asWritten, formatSession(near, "/"));
-        EXPECT_EQ(formatSession(countedFrom(near, Vec3::Zero()), "/"), formatSession(near, "/"));
+        EXPECT_EQ(formatSession(withOrigin(near, Vec3::Zero()), "/"), formatSession(near, "/"));
     }
 }
 
 TEST(SceneOrigin, AnOriginAtZeroChangesNoBit) {
     for (const std::string& text : {test::sessionWithEveryKey(), test::sessionWithEveryEvent()}) {
         const Session read = parseSession(text, "/");
-        EXPECT_EQ(formatSession(countedFrom(read, Vec3::Zero()), "/"), formatSession(read, "/"));
+        EXPECT_EQ(formatSession(withOrigin(read, Vec3::Zero()), "/"), formatSession(read, "/"));
     }
     const Command minusZero = Drag{0, Vec3(-0.0, 1, 2)};
     const auto same = std::get<Drag>(asReplayed(minusZero, Vec3::Zero()));
@@ -79,7 +79,7 @@ TEST(SceneOrigin, WhatIsDoneIsWhatAFileSays) {
         Session session = parseSession(test::sessionWith(""), "/");
         session.events = {event};
         const Session read = parseSession(formatSession(session, "/"), "/");
-        const auto replayed = std::get<Drag>(countedFrom(read, kMap).events.front().action);
+        const auto replayed = std::get<Drag>(withOrigin(read, kMap).events.front().action);
         ASSERT_EQ(replayed.to, std::get<Drag>(done).to) << i;
         ASSERT_NEAR((replayed.to - std::get<Drag>(wanted).to).norm(), 0, 1e-8 * (1 + scale));
     }
