@@ -42,6 +42,7 @@ constexpr const char* kRepairHelps = ". Or have it repaired: kerf inspect MODEL 
 /// A report, and the sentence why the model is refused (empty where it is not).
 struct Inspection {
     MeshReport report;
+    FileFacts facts;
     std::string refusal;
     std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
@@ -103,6 +104,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
     ExportLooks looks;
     looks.own = mended.model.looks;
     return {mended.report,
+            mended.model.facts,
             "",
             {},
             arguments.picture.empty() ? nullptr : faultsOf(mesh),
@@ -116,6 +118,7 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
     try {
         ReadOptions options;
         options.report = &inspection.report;
+        options.facts = &inspection.facts;
         options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
         options.tryRepair = true;
         options.findFaults = !arguments.picture.empty();
@@ -170,12 +173,14 @@ Json memoryJson(const MeshReport& report) {
             {"free", freeMemory()}};
 }
 
-Json toJson(const MeshReport& report, const std::filesystem::path& file) {
+Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
+    const MeshReport& report = inspection.report;
     return {{"file", file.string()},
             {"vertices", report.vertices},
             {"triangles", report.triangles},
             {"bounds", {{"low", toJson(report.bounds.low)}, {"high", toJson(report.bounds.high)}}},
-            {"guess", toJson(guessUnits(file, report.bounds))},
+            {"objects", inspection.facts.objects},
+            {"guess", toJson(guessUnits(file, report.bounds, inspection.facts.units))},
             {"closed", report.closed},
             {"manifold", report.manifold},
             {"oriented", report.oriented},
@@ -216,7 +221,10 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     line("vertices") << report.vertices << "\n";
     line("triangles") << report.triangles << "\n";
     line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
-    line("guess") << guessUnits(file, report.bounds).sentence << "\n";
+    line("guess") << guessUnits(file, report.bounds, inspection.facts.units).sentence << "\n";
+    if (inspection.facts.objects.size() > 1) {
+        line("objects") << inspection.facts.objects.size() << "\n";
+    }
     line("pieces") << report.pieces << "\n";
     if (report.cavities > 0) {
         line("cavities") << report.cavities << "\n";
@@ -309,7 +317,7 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         writeOutputFile(mendedFile(arguments), inspection.mended);
     }
     if (arguments.json) {
-        Json json = toJson(inspection.report, file);
+        Json json = toJson(inspection, file);
         json["repairable"] = !inspection.mending.empty();
         json["proposed_edge"] = inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json();
         out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";

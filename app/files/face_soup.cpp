@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
@@ -13,6 +14,26 @@
 #include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
+
+void FaceSoup::enterObject(const std::string& name) {
+    if (objectNames_.empty() && !ends_.empty()) {
+        objectNames_.emplace_back();  // of the faces before
+    }
+    const auto [place, isNew] =
+        objectNumbers_.try_emplace(name, static_cast<int>(objectNames_.size()));
+    object_ = place->second;
+    if (isNew) {
+        objectNames_.push_back(name);
+    }
+}
+
+void FaceSoup::beginObject(const std::string& name) {
+    std::string free = name;
+    for (std::size_t number = objectNames_.size() + 1; objectNumbers_.contains(free); ++number) {
+        free = name + " " + std::to_string(number);
+    }
+    enterObject(free);
+}
 
 void FaceSoup::addCorner(int vertex, int uv) {
     corners_.push_back(vertex);
@@ -29,6 +50,7 @@ void FaceSoup::endFace(int material) {
     ends_.push_back(corners_.size());
     materials_.push_back(material);
     hasMaterials_ |= material >= 0;
+    objects_.push_back(object_);
 }
 
 TriangleSoup FaceSoup::triangles() {
@@ -87,6 +109,9 @@ void FaceSoup::addTriangle(std::size_t face, const Triangle& corners) {
     if (hasMaterials_) {
         soup_.skin.materials.push_back(materials_[face]);
     }
+    if (!objectNames_.empty()) {
+        soup_.objects.push_back(objects_[face]);
+    }
 }
 
 Eigen::Vector2f FaceSoup::uvAt(std::size_t corner) const {
@@ -102,6 +127,11 @@ Eigen::Vector4f FaceSoup::colorAt(std::size_t face, int vertex) const {
     const std::vector<Eigen::Vector4f>& list = vertexColors.empty() ? faceColors : vertexColors;
     const std::size_t number = vertexColors.empty() ? face : vertex;
     return number < list.size() ? list[number] : Eigen::Vector4f(Eigen::Vector4f::Ones());
+}
+
+void takeFaces(FaceSoup& faces, ImportedModel& model) {
+    model.soup = faces.triangles();
+    model.facts.objects = faces.objectNames();
 }
 
 void roundNearOrigin(TriangleSoup& soup) {

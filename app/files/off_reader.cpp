@@ -168,7 +168,7 @@ ImportedModel readOff(const std::filesystem::path& file) {
         throw InputError("line " + std::to_string(words.line()) + ": " + error.what());
     }
     ImportedModel model;
-    model.soup = faces.triangles();
+    takeFaces(faces, model);
     roundNearOrigin(model.soup);
     return model;
 }

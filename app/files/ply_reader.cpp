@@ -265,12 +265,14 @@ struct Places {
                  element.find({"blue", "b", "diffuse_blue"}),
                  element.find({"alpha", "a", "diffuse_alpha"})}},
           corners(element.find({"vertex_indices", "vertex_index"})),
+          piece{{element.find({"piece"})}},
           cornerUvs(element.find({"texcoord"})) {}
 
     Group at;
     Group uv;
     Group color;
     int corners;
+    Group piece;  ///< of a cut body, as Kerf writes it
     int cornerUvs;
 };
 
@@ -318,7 +320,7 @@ class PlyModel {
         return isVertex || isFace || isStrip;
     }
 
-    TriangleSoup triangles() { return faces_.triangles(); }
+    FaceSoup& faces() { return faces_; }
 
   private:
     void addVertex(const Element& element, const Places& places, const Row& row) {
@@ -347,6 +349,9 @@ class PlyModel {
         if (places.color.isThere(3)) {
             faces_.faceColors.resize(faces_.faceCount(), Eigen::Vector4f::Ones());
             faces_.faceColors.push_back(colorOf(element, places.color, row));
+        }
+        if (places.piece.isThere(1)) {
+            faces_.enterObject("piece_" + formatNumber(places.piece.of(row, 0) + 1));
         }
         faces_.endFace();
     }
@@ -384,7 +389,7 @@ ImportedModel readPly(const std::filesystem::path& file) {
                                     "\" was left out: Kerf does not know it.");
         }
     }
-    model.soup = read.triangles();
+    takeFaces(read.faces(), model);
     if (!header.image.empty()) {
         addImageMaterial(file, header.image, model);
     }

@@ -73,6 +73,7 @@ Eigen::Vector4f colorOf(std::uint16_t attribute, bool materialise) {
 /// In Materialise's files the highest bit says that a facet has none of its own.
 void readBinary(std::string_view bytes, FaceSoup& faces) {
     const bool materialise = bytes.substr(0, kHeader).find("COLOR=") != std::string_view::npos;
+    const bool hasPieces = bytes.starts_with("Kerf, ");
     const auto count = valueAt<std::uint32_t>(bytes, kHeader);
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t at = kFacetsAt + kFacet * i;
@@ -82,6 +83,9 @@ void readBinary(std::string_view bytes, FaceSoup& faces) {
             faces.positions.emplace_back(p[0], p[1], p[2]);
         }
         const auto attribute = valueAt<std::uint16_t>(bytes, at + kFacet - 2);
+        if (hasPieces) {
+            faces.enterObject("piece_" + std::to_string(attribute + 1));
+        }
         if (const bool colored = (attribute & kIsColor) != 0; colored != materialise && colored) {
             faces.faceColors.resize(i, Eigen::Vector4f::Ones());
             faces.faceColors.push_back(colorOf(attribute, materialise));
@@ -94,7 +98,9 @@ void readBinary(std::string_view bytes, FaceSoup& faces) {
 void readLine(std::string_view line, FaceSoup& faces, bool& open) {
     const std::string word = lowerCase(std::string(takeWord(line)));
     open = word == "solid" || word == "facet" || (open && word != "endsolid");
-    if (word == "vertex") {
+    if (word == "solid") {
+        faces.beginObject(std::string(withoutBlanks(line)));
+    } else if (word == "vertex") {
         Vec3 place;
         for (double& number : place) {
             number = numberOf(takeWord(line));
@@ -138,7 +144,7 @@ ImportedModel readStl(const std::filesystem::path& file) {
             "begins with \"solid\"");
     }
     ImportedModel model;
-    model.soup = faces.triangles();
+    takeFaces(faces, model);
     text ? roundNearOrigin(model.soup) : requireFineFloats(model.soup.positions);
     return model;
 }

@@ -66,10 +66,10 @@ TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
     }
     // Thinner than what is parted at a vertex moves apart.
     models["a spike at a corner"] =
-        test::joined(test::boxSoup(),
-                     {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
-                      {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
-                     Vec3::Constant(0.5));
+        weldExactly(test::joined(test::boxSoup(),
+                                 {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
+                                  {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
+                                 Vec3::Constant(0.5)));
     models["a sheet"] = {{{0, 0, 0}, {0.9, 0.1, 0.3}, {1.5, 1.1, 0.8}, {0.6, 1, 0.5}},
                          {{0, 1, 2}, {0, 2, 3}}};
     models["a sheet"] = test::joined(models["a sheet"], models["a sheet"], Vec3(0, 0, 1));
