@@ -115,8 +115,7 @@ void describe(const ModelMesh& model, const InspectArguments& arguments, Inspect
 }
 
 std::filesystem::path modelFile(const std::filesystem::path& model) {
-    const auto& names = builtinModels();
-    const bool builtin = std::find(names.begin(), names.end(), model.string()) != names.end();
+    const bool builtin = std::ranges::count(builtinModels(), model.string()) > 0;
     return builtin && !std::filesystem::exists(model) ? builtinModelFile(model.string()) : model;
 }
 
@@ -134,7 +133,6 @@ std::filesystem::path mendedFile(const InspectArguments& arguments) {
 
 /// The model as a repair leaves it. What can't be repaired throws.
 Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
-    const bool remesh = !arguments.remeshed.empty();
     const std::filesystem::path out = mendedFile(arguments);
     const std::optional<MeshFormat> format = meshFormatOf(out);
     if (!format) {
@@ -143,7 +141,8 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
-    const MendedModel mended = mendModel(file, {.remesh = remesh, .edge = arguments.edge});
+    const MendedModel mended =
+        mendModel(file, {.remesh = !arguments.remeshed.empty(), .edge = arguments.edge});
     const SurfaceMesh& mesh = mended.model.mesh;
     ExportLooks looks;
     looks.own = mended.model.looks;
@@ -255,10 +254,10 @@ std::string wrapped(const std::string& lines) {
     std::string text;
     std::istringstream stream(lines);
     for (std::string line; std::getline(stream, line); text.append(line).append("\n")) {
-        std::size_t blank = 0;
-        while (line.size() > kWidth && (blank = line.rfind(' ', kWidth)) > kIndent) {
-            text.append(line, 0, blank).append("\n");
-            line.replace(0, blank + 1, kIndent, ' ');
+        const auto blank = [&line] { return line.substr(0, kWidth + 1).find_last_of(' ') + 1; };
+        for (std::size_t end = 0; line.size() > kWidth && (end = blank()) > kIndent + 1;) {
+            text.append(line, 0, end - 1).append("\n");
+            line.replace(0, end, kIndent, ' ');
         }
     }
     return text;
