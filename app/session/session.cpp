@@ -57,10 +57,7 @@ ModelMesh load(const ModelReference& reference, const ReadOptions& options) {
     const std::filesystem::path file = reference.file();
     requireDigest(file, reference.sha256);
     ReadOptions ours = options;
-    ours.fillHoles |= reference.fillHoles;
-    ours.repair |= reference.repair;
-    ours.remesh = reference.remesh;
-    ours.edge = reference.remeshEdge.value_or(0);
+    ours.add(reference);
     return readModel(file, ours);
 }
 
