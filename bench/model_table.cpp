@@ -77,8 +77,8 @@ Outcome outcomeOf(const fs::path& file) {
         } catch (const app::ModelFault& fault) {
             outcome.kind = "refused";
             outcome.sentence = fault.what();
-            if (fault.fillableHoles() > 0 || !fault.repairs().empty()) {
-                options.fillHoles = fault.fillableHoles() > 0;
+            if (fault.help().holes > 0 || !fault.help().repairs.empty()) {
+                options.fillHoles = fault.help().holes > 0;
                 options.repair = !options.fillHoles;
                 model = app::readModel(file, options);
                 outcome.kind = options.fillHoles ? "filled" : "repaired";

@@ -306,21 +306,25 @@ void describeInspect(Parser& parser, Arguments& arguments) {
             ->add_flag("--pieces", arguments.inspect.pieces,
                        "Print a table of the pieces as CSV: volume, areas, centre, box")
             ->excludes(json);
-    CLI::Option* const repair =
-        parser.inspect
-            ->add_option("--repair", arguments.inspect.repaired,
-                         "Write the model here as a repair leaves it, and report that one")
-            ->type_name("OUT.ply")
-            ->check(refuseEmpty)
-            ->excludes(pieces);
-    CLI::Option* const remesh =
-        parser.inspect
-            ->add_option("--remesh", arguments.inspect.remeshed,
-                         "Write the model here, repaired and with even triangles")
+    Mending& mending = arguments.inspect.mending;
+    const auto mends = [&](const char* name, const char* meaning, const auto& ask) {
+        return parser.inspect->add_option(name, arguments.inspect.mended, meaning)
             ->type_name("OUT.ply")
             ->check(refuseEmpty)
             ->excludes(pieces)
-            ->excludes(repair);
+            ->each([ask](const std::string&) { ask(); });
+    };
+    CLI::Option* const repair =
+        mends("--repair", "Write the model here as a repair leaves it, and report that one", [] {});
+    CLI::Option* const remesh =
+        mends("--remesh", "Write the model here, repaired and with even triangles", [&mending] {
+            mending.remesh = true;
+        })->excludes(repair);
+    CLI::Option* const thicken =
+        mends("--thicken", "Write the model here, repaired, its open sheets given a thickness",
+              [&mending] { mending.thicken = mending.thicken.value_or(0); })
+            ->excludes(repair)
+            ->excludes(remesh);
     CLI::Option* const picture =
         parser.inspect
             ->add_option("--picture", arguments.inspect.picture,
@@ -339,12 +343,19 @@ void describeInspect(Parser& parser, Arguments& arguments) {
         ->check(refuseNoSize)
         ->needs(picture);
     parser.inspect
-        ->add_option("--edge", arguments.inspect.edge,
+        ->add_option("--edge", mending.edge,
                      "Length of their edges in the model's unit; as those of even triangles with "
                      "the same areas, of a coarse model a 25th of its diagonal at most")
         ->type_name("LENGTH")
         ->check(refuseNoLength)
         ->needs(remesh);
+    parser.inspect
+        ->add_option("--thickness", mending.thicken,
+                     "That thickness in the model's unit; a 50th of the model's diagonal, or less "
+                     "where the sheet is bent or close to itself")
+        ->type_name("LENGTH")
+        ->check(refuseNoLength)
+        ->needs(thicken);
 }
 
 std::string refuseNoMask(const std::string& text) {

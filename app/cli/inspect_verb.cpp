@@ -42,14 +42,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kIndent = 11;  // of what is told of a model, beside its name
-constexpr const char* kRepairHelps = ". Or have it repaired: kerf inspect MODEL --repair OUT.ply.";
+
+std::string helpOf(const ModelHelp& help) {
+    std::string text =
+        help.repairs.empty() ? "" : ". Or have it repaired: kerf inspect MODEL --repair OUT.ply";
+    text +=
+        help.thickness > 0 ? ". Or give it a thickness: kerf inspect MODEL --thicken OUT.ply" : "";
+    return text + (text.empty() ? "" : ".");
+}
 
 /// A report, and the sentence why the model is refused (empty where it is not).
 struct Inspection {
     MeshReport report;
     FileFacts facts;
     std::string refusal;
-    std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
+    ModelHelp help;  ///< what `--repair` and `--thicken` would do about it
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
     std::string mended;                        ///< the file that is to be written, if any
     TriangleFigures triangles;                 ///< none of a model that is refused
@@ -128,13 +135,9 @@ void requireNewFile(const std::filesystem::path& file, const std::filesystem::pa
     }
 }
 
-std::filesystem::path mendedFile(const InspectArguments& arguments) {
-    return arguments.remeshed.empty() ? arguments.repaired : arguments.remeshed;
-}
-
 /// The model as a repair leaves it. What can't be repaired throws.
 Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
-    const std::filesystem::path out = mendedFile(arguments);
+    const std::filesystem::path& out = arguments.mended;
     const std::optional<MeshFormat> format = meshFormatOf(out);
     if (!format) {
         throw UsageError(out.string() +
@@ -142,8 +145,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
-    const MendedModel mended =
-        mendModel(file, {.remesh = !arguments.remeshed.empty(), .edge = arguments.edge});
+    const MendedModel mended = mendModel(file, arguments.mending);
     const SurfaceMesh& mesh = mended.model.mesh;
     ExportLooks looks;
     looks.own = mended.model.looks;
@@ -171,11 +173,11 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
         const ModelMesh model = surfaceOf(file, std::move(imported), options);
         describe(model, arguments, inspection);
         if (inspection.report.crossingTriangles > 0) {
-            inspection.mending = unionsToMake(soupOf(model.mesh));
+            inspection.help.repairs = unionsToMake(soupOf(model.mesh));
         }
     } catch (const ModelFault& fault) {
         inspection.refusal = fault.what();
-        inspection.mending = fault.repairs();
+        inspection.help = fault.help();
         inspection.found = fault.found();
     } catch (const InputError& error) {
         if (inspection.report.triangles == 0) {
@@ -223,6 +225,7 @@ Json memoryJson(const MeshReport& report) {
 Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
     const MeshReport& report = inspection.report;
     const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
+    const double thickness = inspection.help.thickness;
     return {{"file", file.string()},
             {"format", lowerCase(file.extension().string()).substr(1)},
             {"vertices", report.vertices},
@@ -253,7 +256,9 @@ Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
             {"largest_pieces", inspection.volumes},
             {"looks", inspection.looks},
             {"remarks", inspection.remarks},
-            {"repairable", !inspection.mending.empty()},
+            {"repairable", !inspection.help.repairs.empty()},
+            {"thickenable", thickness > 0},
+            {"proposed_thickness", thickness > 0 ? Json(thickness) : Json()},
             {"proposed_edge", inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json()}};
 }
 
@@ -342,8 +347,11 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
                        fmt::format("{:.3g}", inspection.triangles.longestEdge)),
             inspection.proposedEdge());
     }
-    if (!inspection.mending.empty()) {
-        line("--repair") << "would help: " << joined(inspection.mending, "; ") << "\n";
+    if (!inspection.help.repairs.empty()) {
+        line("--repair") << "would help: " << joined(inspection.help.repairs, "; ") << "\n";
+    }
+    if (inspection.help.thickness > 0) {
+        line("--thicken") << "would help, with --thickness " << inspection.help.thickness << "\n";
     }
     out << std::left << std::setw(kIndent) << "file" << file.string() << "\n"
         << wrapped(text.str());
@@ -399,21 +407,22 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         out << ui::piecesAsCsv(pieceRows(loadModel(file)));
         return kExitDone;
     }
-    const bool mends = !arguments.repaired.empty() || !arguments.remeshed.empty();
+    const bool mends = !arguments.mended.empty();
     const Inspection inspection = mends ? mend(file, arguments) : inspect(file, arguments);
     if (!arguments.picture.empty()) {
         writeFaultPicture(inspection, file, arguments);
     }
     if (mends) {
-        writeOutputFile(mendedFile(arguments), inspection.mended);
+        writeOutputFile(arguments.mended, inspection.mended);
     }
     if (arguments.json) {
-        out << toJson(inspection, file).dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+        out << toJson(inspection, file).dump(-1, ' ', false, Json::error_handler_t::replace)
+            << "\n";
     } else {
         printForPeople(inspection, file, out);
     }
     if (!inspection.refusal.empty()) {
-        throw InputError(inspection.refusal + (inspection.mending.empty() ? "" : kRepairHelps));
+        throw InputError(inspection.refusal + helpOf(inspection.help));
     }
     return kExitDone;
 }

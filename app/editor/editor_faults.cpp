@@ -4,12 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/files/model_units.h"
 #include "app/scene/triangle_text.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
+#include "sim/repair/soup_editing.h"
 #include "ui/action_table.h"
 #include "ui/unit_text.h"
 
@@ -20,6 +23,7 @@ constexpr const char* kRemesh = "Remesh";
 constexpr const char* kUnite = "Unite pieces";
 constexpr const char* kPart = "Part into models";
 constexpr const char* kRepair = "Repair";
+constexpr const char* kThicken = "Give it a thickness";
 
 ModelReference& referenceOf(Session& session, int model) {
     return model == 0 ? session.model : session.moreModels.at(model - 1).model;
@@ -53,21 +57,41 @@ std::string shortSentence(const ModelFault& fault, const OpeningOrder& order) {
 
 /// What would mend a model.
 struct Help {
-    Mending mending = Mending::none;
+    Mending mending;
     std::string sentence;
     std::string button;
 };
 
-Help helpFor(const ModelFault& fault) {
-    if (fault.fillableHoles() > 0) {
-        const std::string holes = counted(fault.fillableHoles(), "hole", "holes");
-        return {Mending::fillHoles, "Filling " + holes + " would close it", "Fill " + holes};
+/// A length in the file's unit, for people; of sessions the unit is not told.
+std::string fileLength(double length, const ModelFault& fault, const OpeningOrder& order) {
+    if (!isModelFile(order.file) || fault.found() == nullptr) {
+        return fmt::format("{:g} in the unit of its file", length);
     }
-    if (!fault.repairs().empty()) {
-        return {Mending::repair,
-                "A repair would help (" + kerf::joined(fault.repairs(), ", ") + ")", "Repair"};
+    const UnitGuess guess = guessUnits(order.file, repair::boundsOf(fault.found()->soup));
+    return lengthText(length * infoOf(guess.unit).metres);
+}
+
+/// What suits the model best comes first.
+std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
+    const ModelHelp& model = fault.help();
+    std::vector<Help> helps;
+    if (model.holes > 0) {
+        const std::string holes = counted(model.holes, "hole", "holes");
+        helps.push_back(
+            {{.fillHoles = true}, "Filling " + holes + " would close it", "Fill " + holes});
+    } else if (!model.repairs.empty()) {
+        helps.push_back({{.repair = true},
+                         "A repair would help (" + kerf::joined(model.repairs, ", ") + ")",
+                         kRepair});
     }
-    return {};
+    if (model.thickness > 0) {
+        helps.insert(
+            model.isSheet ? helps.begin() : helps.end(),
+            {{.repair = true, .thicken = model.thickness},
+             "As a sheet of " + fileLength(model.thickness, fault, order) + " it could be cut",
+             kThicken});
+    }
+    return helps;
 }
 
 }  // namespace
@@ -99,40 +123,43 @@ void Editor::State::hideFaulty() {
 /// Only what would really help is offered.
 void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
     showFaulty(fault, order);
-    const Help help = helpFor(fault);
-    if (help.mending == Mending::none) {
+    const std::vector<Help> helps = helpFor(fault, order);
+    if (helps.empty()) {
         toast.show(fault.what(), true);
         return;
     }
-    asked = {
-        {.title = "This model can't be cut as it is",
-         .text = shortSentence(fault, order) + ". " + help.sentence + "; the file stays as it is.",
-         .choices = {help.button, "Cancel"},
-         .aside = faulty.has_value()},
-        [this, fault, order, help](int choice) {
-            hideFaulty();
-            if (choice == 0) {
-                open(order, help.mending);
-                beingMended = Mended{fault, order};
-            }
-        }};
+    std::vector<std::string> choices;
+    std::ranges::transform(helps, std::back_inserter(choices), &Help::button);
+    choices.emplace_back("Cancel");
+    asked = {{.title = "This model can't be cut as it is",
+              .text = shortSentence(fault, order) + ". " +
+                      kerf::joined(helps, ". ", &Help::sentence) + "; the file stays as it is.",
+              .choices = std::move(choices),
+              .aside = faulty.has_value()},
+             [this, fault, order, helps](int choice) {
+                 hideFaulty();
+                 if (choice < static_cast<int>(helps.size())) {
+                     open(order, helps[choice].mending);
+                     beingMended = Mended{fault, order, helps[choice].button};
+                 }
+             }};
 }
 
 void Editor::State::askAboutRepair() {
     showFaulty(mended->fault, mended->order);
-    asked = {{.title = "The repair is taken back",
-              .text = shortSentence(mended->fault, mended->order) +
-                      ". Without the repair it can't be cut.",
-              .choices = {"Repair again", "Close the model"},
-              .aside = faulty.has_value()},
-             [this](int choice) {
-                 hideFaulty();
-                 if (choice == 0) {
-                     toast.show("Done again: " + std::string(kRepair) + ".", false);
-                 } else {
-                     askBefore("Close the model", [this] { closeScene(); });
-                 }
-             }};
+    asked = {
+        {.title = "Taken back: " + mended->change,
+         .text = shortSentence(mended->fault, mended->order) + ". Without that it can't be cut.",
+         .choices = {"Do it again", "Close the model"},
+         .aside = faulty.has_value()},
+        [this](int choice) {
+            hideFaulty();
+            if (choice == 0) {
+                toast.show("Done again: " + mended->change + ".", false);
+            } else {
+                askBefore("Close the model", [this] { closeScene(); });
+            }
+        }};
     redraw.panels();
 }
 
@@ -150,7 +177,7 @@ void Editor::State::remesh(const ui::Remesh& wanted) {
     ModelReference& reference = referenceOf(start, wanted.model);
     reference.remesh = true;
     const double edge = wanted.edge > 0 ? wanted.edge : scene->proposedEdge(wanted.model);
-    reference.remeshEdge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
+    reference.edge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
     exchangeModel(start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
 }
 
@@ -311,7 +338,7 @@ void Editor::State::describeFaults() {
     ui::PanelModel& model = panels.model;
     if (scene != nullptr) {
         if (mended) {
-            model.changes.rows.insert(model.changes.rows.begin(), ui::ChangeRow{kRepair, 0});
+            model.changes.rows.insert(model.changes.rows.begin(), ui::ChangeRow{mended->change, 0});
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {

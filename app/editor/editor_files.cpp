@@ -18,7 +18,7 @@ enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
 // --- Opening -----------------------------------------------------------------------------------
 
-void Editor::State::open(OpeningOrder order, Mending mending) {
+void Editor::State::open(OpeningOrder order, const Mending& mending) {
     asked.reset();
     beingMended.reset();
     hideFaulty();

@@ -94,10 +94,12 @@ struct Editor::State {
         EditorCamera before;  ///< the camera of what is open
     };
     std::optional<Faulty> faulty;
-    /// The model that is open was mended as it was opened: why, and how it is opened.
+    /// The model that is open was mended as it was opened: why, how it is opened, and what was
+    /// done.
     struct Mended {
         ModelFault fault;
         OpeningOrder order;
+        std::string change;
     };
     std::optional<Mended> mended;
     std::optional<Mended> beingMended;  ///< the same of what is being opened
@@ -175,7 +177,7 @@ struct Editor::State {
     void open(const std::filesystem::path& file) { open(orderOf(file)); }
     /// The same, after a question about work that is not saved. A material is taken at once.
     void openAsked(const std::filesystem::path& file);
-    void open(OpeningOrder order, Mending mending = Mending::none);
+    void open(OpeningOrder order, const Mending& mending = {});
     /// Opens the scene with the model of a file added, or with one of its models taken out.
     void addModel(const std::filesystem::path& file);
     void removeModel(int model);

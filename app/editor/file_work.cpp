@@ -18,7 +18,7 @@ FileWork::~FileWork() {
     behind_.finish();
 }
 
-void FileWork::open(OpeningOrder order, Mending mending) {
+void FileWork::open(OpeningOrder order, const Mending& mending) {
     opening_.start(std::make_unique<DocumentLoading>(std::move(order), mending));
 }
 

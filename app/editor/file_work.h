@@ -27,7 +27,7 @@ class FileWork {
     FileWork& operator=(const FileWork&) = delete;
 
     /// Begins to open something, instead of what was being opened before.
-    void open(OpeningOrder order, Mending mending);
+    void open(OpeningOrder order, const Mending& mending);
     /// What is being opened; null for none.
     const DocumentLoading* opening() const { return opening_.now(); }
     /// Goes on with that file, once a picture. Returns the document once it is ready and `mayTake`.

@@ -19,6 +19,7 @@
 #include "sim/repair/remesher.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_repair.h"
+#include "sim/repair/thickening.h"
 #include "sim/repair/vertex_parting.h"
 
 namespace kerf::app {
@@ -170,12 +171,29 @@ MeshReport united(TriangleSoup& soup, MeshReport before, WorkProgress* progress)
     return found;
 }
 
-/// Fills holes where that is wanted, repairs all there is where that is, and turns what is inside
-/// out.
+/// Gives sheets a thickness. Returns why not, or "".
+std::string thickened(TriangleSoup& soup, double thickness, std::vector<std::string>& repairs) {
+    repair::Thickening done = repair::thicken(soup, thickness);
+    if (done.sheets > 0) {
+        repairs.push_back(fmt::format("gave {} a thickness of {:g}",
+                                      counted(done.sheets, "sheet", "sheets"), done.thickness));
+    }
+    return std::move(done.problem);
+}
+
+/// Does what is wanted but to remesh, and turns what is inside out.
 MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     std::vector<std::string> repairs;
     if (options.repair && !inspectTriangles(soup).cuttable) {
-        repairs = repair::repairSoup(soup);
+        repairs = repair::repairSoup(soup, !options.thicken);
+    }
+    if (options.thicken) {
+        if (std::string problem = thickened(soup, *options.thicken, repairs); !problem.empty()) {
+            MeshReport found = inspectTriangles(soup);
+            found.repairs = std::move(repairs);
+            found.problem = std::move(problem);
+            return found;
+        }
     }
     if (options.fillHoles && inspectTriangles(soup).openEdges > 0) {
         const HoleFilling filled = fillHoles(soup);
@@ -195,7 +213,7 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     return found;
 }
 
-/// See ModelFault::fillableHoles.
+/// See ModelHelp::holes.
 int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
     if (report.openEdges == 0) {
         return 0;
@@ -204,20 +222,39 @@ int holesThatHelp(TriangleSoup soup, const MeshReport& report) {
     return inspectAndTurn(soup, {}).cuttable ? holes : 0;
 }
 
-/// See ModelFault::repairs.
-std::vector<std::string> repairsThatHelp(TriangleSoup soup, WorkProgress* progress) {
-    const MeshReport mended = inspectAndRepair(soup, {.repair = true, .progress = progress});
+/// What a mending does, where it helps.
+std::vector<std::string> repairsThatHelp(TriangleSoup soup, const Mending& mending,
+                                         WorkProgress* progress) {
+    ReadOptions options{mending};
+    options.progress = progress;
+    const MeshReport mended = inspectAndRepair(soup, options);
     roundToFloats(soup);
     const bool helps = mended.cuttable && inspectTriangles(soup).cuttable;
     return helps ? mended.repairs : std::vector<std::string>{};
 }
 
+/// Notes which thickness helps.
+void tryThickening(TriangleSoup soup, WorkProgress* progress, ModelHelp& help) {
+    const TriangleSoup before = soup;
+    repair::repairSoup(soup, false);
+    help.isSheet = repair::isSheet(soup);
+    const double proposed = repair::thicken(soup, 0).thickness;
+    const Mending mending{.repair = true, .thicken = proposed};
+    const bool helps = proposed > 0 && !repairsThatHelp(before, mending, progress).empty();
+    help.thickness = helps ? proposed : 0;
+}
+
 ModelFault faultOf(const fs::path& file, const TriangleSoup& soup, const MeshReport& found,
                    const ReadOptions& options) {
-    const int holes = options.tryFilling ? holesThatHelp(soup, found) : 0;
-    const bool askMore = options.tryRepair && holes == 0;
-    return {shownPath(file) + ": " + found.problem, holes,
-            askMore ? repairsThatHelp(soup, options.progress) : std::vector<std::string>{}};
+    ModelHelp help;
+    help.holes = options.tryFilling ? holesThatHelp(soup, found) : 0;
+    if (options.tryRepair && help.holes == 0) {
+        help.repairs = repairsThatHelp(soup, {.repair = true}, options.progress);
+    }
+    if (options.tryRepair && soup.triangles.size() <= options.findCrossingsUpTo) {
+        tryThickening(soup, options.progress, help);
+    }
+    return ModelFault(shownPath(file) + ": " + found.problem, std::move(help));
 }
 
 /// A picture that can't be shown is left out of the materials.
@@ -361,9 +398,10 @@ ModelMesh meshOf(ImportedModel& model) {
     return built;
 }
 
-void requireMended(const fs::path& file, const MeshReport& found) {
+void requireMended(const fs::path& file, const MeshReport& found, const Mending& mending) {
     if (!found.cuttable) {
-        throw ModelFault(shownPath(file) + ": after the repair still " + found.problem, 0);
+        throw ModelFault(shownPath(file) + (mending.thicken ? ": " : ": after the repair still ") +
+                         found.problem);
     }
 }
 
@@ -373,8 +411,7 @@ void requireSurvivesRounding(const fs::path& file, const MeshReport& found, bool
         throw ModelFault(
             fmt::format("{}: once mended and rounded to the 32-bit numbers of a file, it has {}{}",
                         shownPath(file), found.problem,
-                        remeshed ? ", or ask for longer edges with --edge" : ""),
-            0);
+                        remeshed ? ", or ask for longer edges with --edge" : ""));
     }
 }
 
@@ -402,12 +439,12 @@ std::string remeshed(const fs::path& file, TriangleSoup& soup, double edge,
 MeshReport evened(const fs::path& file, TriangleSoup& soup, const MeshReport& before,
                   const ReadOptions& options) {
     std::vector<std::string> repairs = before.repairs;
-    const double edge = options.edge > 0 ? options.edge : evenEdge(figuresOf(soup));
+    const double edge = options.edge.value_or(evenEdge(figuresOf(soup)));
     repairs.push_back(remeshed(file, soup, edge, options.progress));
     MeshReport found = inspectTriangles(soup);
     found.repairs = std::move(repairs);
     if (!found.cuttable) {
-        throw ModelFault(file.string() + ": with even triangles it has " + found.problem, 0);
+        throw ModelFault(file.string() + ": with even triangles it has " + found.problem);
     }
     return found;
 }
@@ -463,18 +500,18 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
     return built;
 }
 
-MendedModel mendModel(const fs::path& file, ReadOptions options) {
+MendedModel mendModel(const fs::path& file, const Mending& mending) {
     ImportedModel model = importWithLooks(file, ImportLimits{}, nullptr);
+    ReadOptions options{mending};
     takeObject(file, model, options.object);
     options.repair = true;
     MeshReport found = inspectAndRepair(model.soup, options);
-    requireMended(file, found);
+    requireMended(file, found, mending);
     std::vector<std::string> repairs = std::move(found.repairs);
     std::vector<std::string> left = std::move(found.left);
     if (options.remesh) {
         const double proposed = proposedEdge(figuresOf(model.soup), found.bounds.diagonal());
-        repairs.push_back(remeshed(file, model.soup, options.edge > 0 ? options.edge : proposed,
-                                   options.progress));
+        repairs.push_back(remeshed(file, model.soup, options.edge.value_or(proposed), nullptr));
     }
     roundToFloats(model.soup);
     found = inspectTriangles(model.soup);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/memory_means.h"
+#include "app/files/mending.h"
 #include "app/files/model_faults.h"
 #include "app/files/work_progress.h"
 #include "render/scene/appearance.h"
@@ -29,23 +30,26 @@ class InputError : public std::runtime_error {
     explicit InputError(const std::string& sentence) : std::runtime_error(printable(sentence)) {}
 };
 
+/// What would leave nothing that is wrong with a model.
+struct ModelHelp {
+    int holes = 0;                     ///< so many, once filled; 0 where filling is no help
+    std::vector<std::string> repairs;  ///< what a repair would do, one phrase each; empty: no help
+    double thickness = 0;  ///< of its sheets, in the file's unit, with a repair; 0: no help
+    bool isSheet = false;  ///< see repair::isSheet(); else filling or a repair suits it better
+};
+
 /// A model whose triangles could be read but not be cut.
 class ModelFault : public InputError {
   public:
-    ModelFault(const std::string& sentence, int holes, std::vector<std::string> repairs = {})
-        : InputError(sentence), holes_(holes), repairs_(std::move(repairs)) {}
-    /// So many holes, once filled, leave nothing that is wrong; 0 where filling is no help.
-    int fillableHoles() const { return holes_; }
-    /// What a repair would do, one phrase each, to leave nothing that is wrong; empty where it is
-    /// no help.
-    const std::vector<std::string>& repairs() const { return repairs_; }
+    explicit ModelFault(const std::string& sentence, ModelHelp help = {})
+        : InputError(sentence), help_(std::move(help)) {}
+    const ModelHelp& help() const { return help_; }
     /// The model and what is wrong with it where; null unless ReadOptions::findFaults.
     const std::shared_ptr<const FoundFaults>& found() const { return found_; }
     void setFound(std::shared_ptr<const FoundFaults> found) { found_ = std::move(found); }
 
   private:
-    int holes_;
-    std::vector<std::string> repairs_;
+    ModelHelp help_;
     std::shared_ptr<const FoundFaults> found_;
 };
 
@@ -104,16 +108,12 @@ ImportedModel modelOfAnswer(std::string_view answer);
 SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 /// Options for reading a model.
-struct ReadOptions {
-    bool fillHoles = false;   ///< see fillHoles(); named among the repairs
-    bool repair = false;      ///< see repair::repairSoup(); named among the repairs
-    bool remesh = false;      ///< see repair::remesh(); named among the repairs
-    double edge = 0;          ///< that of remesh, in the file's unit; 0: evenEdge()
+struct ReadOptions : Mending {
     int object = 0;           ///< the number of the only object that is read, from 1; 0: all
     bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
     bool tryFilling = false;  ///< to tell in a ModelFault whether filling holes would help
-    /// To tell in a ModelFault what a repair would do where filling is not tried or no help. It is
-    /// done for that, as mendModel() does it.
+    /// To tell in a ModelFault what a repair would do where filling is not tried or no help, and
+    /// which thickness helps, up to findCrossingsUpTo. It is done for that, as mendModel() does it.
     bool tryRepair = false;
     /// In models of so many triangles at most, those that pass through others are counted.
     std::size_t findCrossingsUpTo = 0;
@@ -131,14 +131,15 @@ ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& option
 ModelMesh surfaceOf(const std::filesystem::path& file, ImportedModel model,
                     const ReadOptions& options);
 
-/// A model file as a repair, and a remeshing where that is asked for, leave it.
+/// A model file as a mending leaves it.
 struct MendedModel {
     ModelMesh model;
     MeshReport report;  ///< of the model as it is now, with what was done
 };
-/// Reads a model, repairs it, remeshes it where asked (edge 0: proposedEdge()) and rounds it to
-/// floats, as files hold it. Throws ModelFault where it can't be cut even then.
-MendedModel mendModel(const std::filesystem::path& file, ReadOptions options);
+/// Reads a model, repairs it, thickens it where asked (0: as proposed), remeshes it
+/// where asked (no edge: proposedEdge()) and rounds it to floats, as files hold it. Throws
+/// ModelFault where it can't be cut even then.
+MendedModel mendModel(const std::filesystem::path& file, const Mending& mending);
 
 /// The hidden verb of the child process: reads `file`, writes the triangles to standard output.
 int runImportWorker(const std::filesystem::path& file);

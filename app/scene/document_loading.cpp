@@ -50,13 +50,12 @@ OpeningOrder orderOf(const std::filesystem::path& file) {
             [file](const ReadOptions& options) { return openDocument(file, options); }};
 }
 
-DocumentLoading::DocumentLoading(OpeningOrder order, Mending mending)
+DocumentLoading::DocumentLoading(OpeningOrder order, const Mending& mending)
     : order_(std::move(order)),
       job_([open = order_.open, mending, means = meansNow()](WorkProgress& progress) {
           ReadOptions options = editorReading(means);
-          options.fillHoles = mending == Mending::fillHoles;
-          options.repair = mending == Mending::repair;
-          options.tryFilling = options.tryRepair = mending == Mending::none;
+          options.add(mending);
+          options.tryFilling = options.tryRepair = mending == Mending{};
           options.progress = &progress;
           return prepareDocument(open(options), &progress, means);
       }) {}

@@ -45,8 +45,6 @@ struct OpeningOrder {
     /// scene is kept. Empty: it is another document.
     std::string change = {};
 };
-/// What is done about a model that can't be cut as it is.
-enum class Mending { none, fillHoles, repair };
 /// How the editor reads models: with what is wrong with them, as far as the search is short.
 ReadOptions editorReading(const MemoryMeans& means);
 /// To open a model or a session.
@@ -56,7 +54,7 @@ OpeningOrder orderOf(const std::filesystem::path& file);
 /// the GPU a portion a picture. What is open goes on meanwhile.
 class DocumentLoading {
   public:
-    explicit DocumentLoading(OpeningOrder order, Mending mending = Mending::none);
+    explicit DocumentLoading(OpeningOrder order, const Mending& mending = {});
 
     /// Once a picture, on the thread of the context. Throws InputError where the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.

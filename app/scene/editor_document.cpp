@@ -59,8 +59,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     ModelMesh model = readModel(file, ours);
     Session session;
     session.model.path = std::filesystem::absolute(file);
-    session.model.fillHoles = options.fillHoles;
-    session.model.repair = options.repair;
+    session.model.add(options);
     const UnitGuess guess = guessUnits(file, meshBounds(model.mesh), model.facts.units);
     session.placement = standing(guess, model.mesh.restPositions());
     place(model.mesh, session.placement);
@@ -79,11 +78,9 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
 
 Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
     Session session = readSession(file);
-    session.model.fillHoles |= options.fillHoles;
-    session.model.repair |= options.repair;
+    session.model.add(options);
     for (FurtherModel& further : session.moreModels) {
-        further.model.fillHoles |= options.fillHoles;
-        further.model.repair |= options.repair;
+        further.model.add(options);
     }
     ModelMesh model = loadSessionModel(session, options);
     session = withOrigin(std::move(session), model.origin);
@@ -165,8 +162,7 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     const UnitGuess guess = guessUnits(file, meshBounds(own), read.facts.units);
     FurtherModel added = furtherModel(others);
     added.model.path = std::filesystem::absolute(file);
-    added.model.fillHoles = options.fillHoles;
-    added.model.repair = options.repair;
+    added.model.add(options);
     const Placement stands = standing(guess, own.restPositions());
     const ModelMesh there = loadSessionModel(scene, {});
     scene = withOrigin(std::move(scene), there.origin);

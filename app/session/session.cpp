@@ -67,10 +67,7 @@ class ModelLoading {
         const std::filesystem::path file = reference.file();
         requireDigest(file, reference.sha256);
         options.object = reference.object.value_or(0);
-        options.fillHoles |= reference.fillHoles;
-        options.repair |= reference.repair;
-        options.remesh = reference.remesh;
-        options.edge = reference.remeshEdge.value_or(0);
+        options.add(reference);
         return surfaceOf(file, take(file, options), options);
     }
 

@@ -38,17 +38,12 @@ inline constexpr std::array kReplayFiles{kMetricsFile, kSummaryFile, kMeshFile, 
 /// Moves a mesh at rest: positions and rest positions.
 void place(SurfaceMesh& mesh, const Placement& placement);
 
-/// The model that a session is about.
-struct ModelReference {
+/// The model that a session is about, and what is done to it before it is cut.
+struct ModelReference : Mending {
     std::string builtin;                       ///< name of a builtin model, or
     std::filesystem::path path;                ///< absolute once read
     std::string sha256;                        ///< optional
     std::optional<int> object = std::nullopt;  ///< see ReadOptions
-    bool fillHoles = false;                    ///< see ReadOptions
-    bool repair = false;                       ///< see ReadOptions
-    bool remesh = false;                       ///< see ReadOptions
-    /// See ReadOptions::edge.
-    std::optional<double> remeshEdge = std::nullopt;
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;

@@ -47,11 +47,15 @@ void describe(auto& fields, ModelReference& model) {
                     model.object, kObjectNumbers);
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
     fields.optional({"repair", "Repairs the model before it is cut."}, model.repair);
+    fields.optional({"thicken",
+                     "The thickness that open sheets are given before the model is cut, in the "
+                     "unit of the file."},
+                    model.thicken, kRadii);
     fields.optional({"remesh", "Makes its triangles even before it is cut."}, model.remesh);
     fields.optional({"remesh_edge",
                      "How long their edges are, in the unit of the file; as those of even "
                      "triangles with the same areas where it is left out."},
-                    model.remeshEdge, kRadii);
+                    model.edge, kRadii);
 }
 
 void describe(auto& fields, FurtherModel& further) {

@@ -30,7 +30,7 @@ constexpr double kLooseShare = 0.05;
 /// The steps of a repair, and what they did.
 class Repair {
   public:
-    explicit Repair(TriangleSoup& soup) : soup_(soup) {}
+    Repair(TriangleSoup& soup, bool fills) : soup_(soup), fills_(fills) {}
 
     std::vector<std::string> run() {
         dropUnusable();
@@ -39,9 +39,13 @@ class Repair {
             dissolveFlatTriangles();
             dropDoubles();
             orient();
-            part();
-            dropLooseSheets();
-            fill();
+            if (fills_ || inspectTriangles(soup_).misorientedEdges == 0) {
+                part();
+            }
+            if (fills_) {
+                dropLooseSheets();
+                fill();
+            }
             if (!dropFlatParts()) {
                 break;
             }
@@ -262,13 +266,14 @@ class Repair {
     };
 
     TriangleSoup& soup_;
+    bool fills_;
     std::vector<Deed> done_;
 };
 
 }  // namespace
 
-std::vector<std::string> repairSoup(TriangleSoup& welded) {
-    return Repair(welded).run();
+std::vector<std::string> repairSoup(TriangleSoup& welded, bool fillsHoles) {
+    return Repair(welded, fillsHoles).run();
 }
 
 }  // namespace kerf::repair

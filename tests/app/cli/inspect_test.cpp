@@ -223,6 +223,65 @@ TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
     EXPECT_TRUE(reportOf("sphere768")["proposed_edge"].is_null());
 }
 
+TEST_F(Inspect, GivesASheetAThickness) {
+    write("sheet.obj", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+    const ProgramRun refused = runKerf({"inspect", file("sheet.obj")});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_NE(refused.out.find("would help, with --thickness 0.028"), std::string::npos);
+    EXPECT_NE(refused.errors.find("inspect MODEL --thicken OUT.ply"), std::string::npos);
+    const auto report = reportOf(file("sheet.obj"));
+    EXPECT_EQ(report["thickenable"], true);
+    EXPECT_EQ(report["proposed_thickness"], 0.028);
+    EXPECT_EQ(report["repairable"], false);
+    const auto thicken = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"inspect", file("sheet.obj"), "--thicken", file("out.ply")};
+        words.insert(words.end(), more.begin(), more.end());
+        return runKerf(words);
+    };
+    const ProgramRun proposed = thicken({});
+    EXPECT_EQ(proposed.exitCode, 0) << proposed.errors;
+    EXPECT_NE(proposed.out.find("gave 1 sheet a thickness of 0.028"), std::string::npos);
+    EXPECT_NEAR(reportOf(file("out.ply"))["volume"].get<double>(), 0.028, 1e-7);
+    EXPECT_EQ(thicken({"--thickness", "0.25"}).exitCode, 0);
+    EXPECT_NEAR(reportOf(file("out.ply"))["volume"].get<double>(), 0.25, 1e-7);
+    EXPECT_EQ(reportOf(file("out.ply"))["thickenable"], false);
+    EXPECT_EQ(thicken({"--thickness", "-1"}).exitCode, 2);
+    EXPECT_EQ(thicken({"--repair", file("other.ply")}).exitCode, 2);
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--thickness", "0.1"}).exitCode, 2);
+    EXPECT_EQ(runKerf({"inspect", "sphere80", "--thicken", file("ball.ply")}).exitCode, 0);
+}
+
+TEST_F(Inspect, ASheetThatIsThereForEachSideBecomesOneBody) {
+    TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                      {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+    for (int t = 0; t < 4; ++t) {
+        soup.triangles.push_back(
+            {soup.triangles[t][1], soup.triangles[t][0], soup.triangles[t][2]});
+    }
+    write("both.obj", soup);
+    EXPECT_EQ(reportOf(file("both.obj"))["thickenable"], true);
+    EXPECT_EQ(runKerf({"inspect", file("both.obj"), "--thicken", file("out.ply")}).exitCode, 0);
+    EXPECT_NEAR(reportOf(file("out.ply"))["volume"].get<double>(), 0.028, 1e-7);
+}
+
+TEST_F(Inspect, TooThickASheetIsRefusedWithAThicknessThatDoes) {
+    TriangleSoup bowl = test::icosphereSoup(3);
+    std::erase_if(bowl.triangles,
+                  [&](const Triangle& t) { return bowl.positions[t[0]].y() > 0.1; });
+    write("bowl.obj", weldExactly(bowl));
+    const ProgramRun run =
+        runKerf({"inspect", file("bowl.obj"), "--thicken", file("out.ply"), "--thickness", "1.5"});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_NE(run.errors.find("bowl.obj: a thickness of 1.5 is too much"), std::string::npos);
+    EXPECT_NE(run.errors.find("; 0.38 does"), std::string::npos) << run.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.ply"));
+    EXPECT_EQ(
+        runKerf({"inspect", file("bowl.obj"), "--thicken", file("out.ply"), "--thickness", "0.38"})
+            .exitCode,
+        0);
+}
+
 TEST_F(Inspect, MakesEvenTriangles) {
     ASSERT_EQ(
         runKerf({"inspect", "sphere80", "--remesh", file("fine.ply"), "--edge", "0.1"}).exitCode,

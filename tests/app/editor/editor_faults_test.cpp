@@ -128,16 +128,17 @@ TEST_F(EditorFaultsTest, TheViewCanBeTurnedBesideTheQuestion) {
 }
 
 TEST_F(EditorFaultsTest, WhatNothingMendsIsShownUntilOneGoesBack) {
-    test::writeText(folder / "sheet.obj",
-                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\n"
-                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-    editor->open(folder / "sheet.obj");
+    // A square with both of its sides, and nothing between.
+    test::writeText(folder / "flat.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
+                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
+    editor->open(folder / "flat.obj");
     waitForWork();
     frames(2);
     EXPECT_EQ(panels().question.text, "");
     EXPECT_TRUE(panels().toastIsError);
     EXPECT_TRUE(panels().showsFaulty);
-    EXPECT_THAT(panels().hint.text, HasSubstr("sheet.obj can't be cut"));
+    EXPECT_THAT(panels().hint.text, HasSubstr("flat.obj can't be cut"));
     const std::string state = hash();
     tap(Key::escape);
     frames(2);
@@ -156,7 +157,7 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     EXPECT_THAT(changes(), ElementsAre("Repair"));
     const std::string mended = hash();
     undo();
-    EXPECT_EQ(panels().question.title, "The repair is taken back");
+    EXPECT_EQ(panels().question.title, "Taken back: Repair");
     EXPECT_TRUE(panels().showsFaulty);
     EXPECT_EQ(faultLabels(), shown);
     tap(Key::enter);
@@ -168,6 +169,66 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     frames(2);
     EXPECT_EQ(editor->scene(), nullptr);
     EXPECT_EQ(editor->title(), "Kerf");
+}
+
+/// A bent cloth of 0.8 m.
+TriangleSoup wavySheet() {
+    constexpr int kQuads = 8;
+    TriangleSoup soup;
+    for (int j = 0; j <= kQuads; ++j) {
+        for (int i = 0; i <= kQuads; ++i) {
+            soup.positions.emplace_back(0.1 * i, 0.03 * std::sin(i), 0.1 * j);
+        }
+    }
+    for (int j = 0; j < kQuads; ++j) {
+        for (int i = 0; i < kQuads; ++i) {
+            const int a = j * (kQuads + 1) + i;
+            const int c = a + kQuads + 1;
+            soup.triangles.push_back({a, c, c + 1});
+            soup.triangles.push_back({a, c + 1, a + 1});
+        }
+    }
+    return soup;
+}
+
+TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
+    test::writeText(folder / "cloth.obj", test::objText(wavySheet()));
+    editor->open(folder / "cloth.obj");
+    waitForWork();
+    frames(2);
+    EXPECT_THAT(panels().question.choices,
+                ElementsAre("Give it a thickness", "Fill 1 hole", "Cancel"));
+    EXPECT_THAT(panels().question.text, HasSubstr("As a sheet of 2.3 cm it could be cut"));
+    EXPECT_TRUE(panels().showsFaulty);
+    tap(Key::enter);
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(editor->title(), "Kerf - cloth - 1 piece");
+    EXPECT_THAT(panels().toast, HasSubstr("gave 1 sheet a thickness of 0.023"));
+    EXPECT_THAT(changes(), ElementsAre("Give it a thickness"));
+    const std::string mended = hash();
+    undo();
+    EXPECT_EQ(panels().question.title, "Taken back: Give it a thickness");
+    EXPECT_TRUE(panels().showsFaulty);
+    tap(Key::enter);
+    frames(2);
+    EXPECT_EQ(hash(), mended);
+    cut();
+    tap(Key::s, {.control = true});
+    frames(2);
+    type("sheet");
+    tap(Key::enter);
+    waitForWork();
+    const Session session = readSession(folder / "sheet.kerf.json");
+    EXPECT_EQ(session.model.thicken, 0.023);
+    expectReplayed(session, loadSessionModel(session));
+}
+
+TEST_F(EditorFaultsTest, ABallWithAHoleIsOfferedToBeFilledFirst) {
+    openBroken({"hole of one triangle"});
+    ASSERT_EQ(panels().question.choices.size(), 3U);
+    EXPECT_EQ(panels().question.choices[0], "Fill 1 hole");
+    EXPECT_EQ(panels().question.choices[1], "Give it a thickness");
 }
 
 TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
@@ -207,7 +268,7 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     frames(2);
     EXPECT_GT(panels().triangles, 2000);
     EXPECT_THAT(panels().toast, HasSubstr("12 triangles became"));
-    EXPECT_EQ(editor->scene()->document().session.model.remeshEdge, 0.0693);
+    EXPECT_EQ(editor->scene()->document().session.model.edge, 0.0693);
     undo();
     EXPECT_EQ(panels().triangles, 12);
 }
@@ -220,7 +281,7 @@ TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
     drag(middle, middle + Vec2(60, 0), 6);
     frames(12);
     even();
-    EXPECT_GT(editor->scene()->document().session.model.remeshEdge, 1.1 * proposed);
+    EXPECT_GT(editor->scene()->document().session.model.edge, 1.1 * proposed);
     EXPECT_LT(panels().triangles, 700);
 }
 

@@ -278,10 +278,10 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_THAT(panels().question.text, HasSubstr("12 open edges"));
-    ASSERT_EQ(panels().question.choices.size(), 2U);
+    ASSERT_EQ(panels().question.choices.size(), 3U);
     EXPECT_EQ(panels().question.choices[0], "Fill 1 hole");
     frames(3);
-    click("question.1");
+    click("question.2");
     EXPECT_EQ(panels().question.text, "");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
 
@@ -302,10 +302,11 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
 }
 
 TEST_F(EditorFilesTest, NothingIsOfferedWhereItIsNoHelp) {
-    test::writeText(folder / "sheet.obj",
-                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\n"
-                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
-    editor->open(folder / "sheet.obj");
+    // A square with both of its sides, and nothing between.
+    test::writeText(folder / "flat.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
+                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
+    editor->open(folder / "flat.obj");
     waitForWork();
     EXPECT_EQ(panels().question.text, "");
     EXPECT_TRUE(panels().toastIsError);

@@ -233,7 +233,8 @@ TEST(SessionWriter, RoundTripKeepsEveryBit) {
 
 TEST(SessionWriter, ModelPathsAreRelativeToTheFolder) {
     Session session = parseSession(sessionWith(""), "/");
-    session.model = {"", "/data/models/a.obj", ""};
+    session.model.builtin = "";
+    session.model.path = "/data/models/a.obj";
     const std::string text = formatSession(session, "/data/sessions");
     EXPECT_NE(text.find(R"("path":"../models/a.obj")"), std::string::npos);
     EXPECT_EQ(parseSession(text, "/data/sessions").model.path, "/data/models/a.obj");
@@ -243,17 +244,19 @@ TEST(SessionWriter, KeepsWhatMendsItsModels) {
     const std::string text = R"({"format": "kerf-session", "version": 1, "steps": 1,
         "model": {"builtin": "sphere20", "remesh": true, "remesh_edge": 0.2},
         "more_models": [{"builtin": "banana", "repair": true, "remesh": true},
-                        {"builtin": "banana", "fill_holes": true}]})";
+                        {"builtin": "banana", "fill_holes": true, "thicken": 0.5}]})";
     const Session read = parseSession(text, "/");
     const Session again = parseSession(formatSession(read), "/");
     for (const Session& session : {read, again}) {
         EXPECT_TRUE(session.warnings.empty());
         EXPECT_TRUE(session.model.remesh);
-        EXPECT_EQ(session.model.remeshEdge, 0.2);
+        EXPECT_EQ(session.model.edge, 0.2);
         EXPECT_FALSE(session.model.repair);
         EXPECT_TRUE(session.moreModels.at(0).model.remesh);
         EXPECT_TRUE(session.moreModels.at(0).model.repair);
         EXPECT_FALSE(session.moreModels.at(1).model.remesh);
+        EXPECT_EQ(session.moreModels.at(1).model.thicken, 0.5);
+        EXPECT_FALSE(session.model.thicken);
     }
     EXPECT_EQ(formatSession(parseSession(sessionWith(""), "/")).find("remesh"), std::string::npos);
 }
@@ -265,7 +268,7 @@ TEST(SessionLoading, EvenTrianglesAreTheSameEachTimeAndOfOneSize) {
     const SurfaceMesh first = loadSessionModel(session).mesh;
     const SurfaceMesh second = loadSessionModel(session).mesh;
     EXPECT_EQ(first.restPositions(), second.restPositions());
-    session.model.remeshEdge = 0.05;
+    session.model.edge = 0.05;
     EXPECT_LT(loadSessionModel(session).mesh.aliveTriangles(), first.aliveTriangles());
     session.model.remesh = false;
     const SurfaceMesh asItIs = loadSessionModel(session).mesh;
@@ -281,7 +284,8 @@ TEST(SessionWriter, RefusesWhatIsNotFinite) {
 
 TEST(SessionWriter, RefusesANameThatIsNotUtf8) {
     Session session = parseSession(sessionWith(""), "/");
-    session.model = {"", "/data/\xff.obj", ""};
+    session.model.builtin = "";
+    session.model.path = "/data/\xff.obj";
     EXPECT_THROW(formatSession(session, "/data"), InputError);
 }
 

@@ -67,6 +67,9 @@ FuzzOutcome buildSurface(const app::ImportedModel& model) {
     }
     options.repair = small;
     options.fillHoles = small;
+    if (small && model.soup.triangles.size() % 2 == 1) {
+        options.thicken = 0;  // as proposed
+    }
     try {
         return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
     } catch (const app::InputError& error) {
