@@ -67,7 +67,8 @@ std::string fileLength(double length, const ModelFault& fault, const OpeningOrde
     if (!isModelFile(order.file) || fault.found() == nullptr) {
         return fmt::format("{:g} in the unit of its file", length);
     }
-    const UnitGuess guess = guessUnits(order.file, repair::boundsOf(fault.found()->soup));
+    const UnitGuess guess =
+        guessUnits(order.file, repair::boundsOf(fault.found()->soup), fault.found()->units);
     return lengthText(length * infoOf(guess.unit).metres);
 }
 
