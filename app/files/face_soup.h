@@ -31,9 +31,6 @@ class FaceSoup {
     TriangleSoup triangles();
 
   private:
-    bool isThere(int vertex) const {
-        return vertex >= 0 && static_cast<std::size_t>(vertex) < positions.size();
-    }
     void requireCorners() const;
     std::vector<Triangle> divided(std::size_t first, std::size_t end) const;
     void addTriangle(std::size_t face, const Triangle& corners);
@@ -47,6 +44,14 @@ class FaceSoup {
     std::vector<int> materials_;     ///< by face
     bool hasMaterials_ = false;
 };
+
+/// A colour and its opacity, from what displays take to linear light.
+Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
+/// Of colours in a file that says not how: shares, or bytes where any number is above 1. White
+/// stands for kNoColor.
+void makeLinear(std::vector<Eigen::Vector4f>& display);
+/// Of a vertex or a face that has none, until makeLinear().
+inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);
 
 /// Rounds positions near the origin to floats, for a text that says as much; those far from it
 /// would make another shape.

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <cerrno>
 #include <cstdint>
 #include <map>
@@ -24,7 +26,6 @@
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
 #include "app/files/stl_reader.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -61,18 +62,12 @@ CornerUvs uvsOf(const aiMesh& mesh, const aiFace& face) {
     return uvs;
 }
 
-/// From what displays take to linear light, apart from the opacity.
-Eigen::Vector4f linearOf(const aiColor4D& color) {
-    const Vec3f linear = render::toLinear(Vec3(color.r, color.g, color.b));
-    return {linear.x(), linear.y(), linear.z(), color.a};
-}
-
 CornerColors colorsOf(const aiMesh& mesh, const aiFace& face) {
     CornerColors colors;
     for (unsigned i = 0; i < 3; ++i) {
         const aiColor4D color =
             mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[i]] : aiColor4D(1, 1, 1, 1);
-        colors[i] = linearOf(color);
+        colors[i] = linearOf({color.r, color.g, color.b, color.a});
     }
     return colors;
 }
@@ -117,7 +112,8 @@ std::string plainReason(const std::string& message) {
     const auto says = [&](std::string_view part) {
         return message.find(part) != std::string::npos;
     };
-    if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces")) {
+    if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces") ||
+        says("No faces loaded")) {
         return "there is no surface in it";
     }
     if (says("bad_alloc")) {
@@ -126,14 +122,54 @@ std::string plainReason(const std::string& message) {
     return message;
 }
 
+/// What is not read of meshes, as remarks.
+void tellLeftOut(const aiScene& scene, std::vector<std::string>& remarks) {
+    const std::span meshes(scene.mMeshes, scene.mNumMeshes);
+    if (std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasBones(); })) {
+        remarks.emplace_back("The pose of its bones was left out: it has the shape without them.");
+    }
+    if (std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->mNumAnimMeshes > 0; })) {
+        remarks.emplace_back("Its shape keys were left out: it has the shape without them.");
+    }
+}
+
+/// Takes up what assimp leaves out of a file and tells in its log alone.
+class LeftOutParts : public Assimp::LogStream {
+  public:
+    explicit LeftOutParts(std::vector<std::string>& remarks) : remarks_(remarks) {
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+        Assimp::DefaultLogger::get()->attachStream(this, Assimp::Logger::Warn);
+    }
+    ~LeftOutParts() override {
+        Assimp::DefaultLogger::get()->detachStream(this, Assimp::Logger::Warn);
+        Assimp::DefaultLogger::kill();
+    }
+    LeftOutParts(const LeftOutParts&) = delete;
+    LeftOutParts& operator=(const LeftOutParts&) = delete;
+
+    void write(const char* message) override {
+        const std::string_view text(message);
+        if (const std::size_t at = text.find("Unable to find geometry"); at != text.npos) {
+            remarks_.push_back("A part was left out: " + printable(std::string(text.substr(at))));
+        }
+    }
+
+  private:
+    std::vector<std::string>& remarks_;
+};
+
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readByAssimp(const std::filesystem::path& file) {
+    ImportedModel model;
+    const LeftOutParts leftOut(model.remarks);
     Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene != nullptr) {
+        tellLeftOut(*scene, model.remarks);
         dividePolygons(*scene);
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                              aiProcess_PreTransformVertices |
@@ -144,12 +180,14 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
     }
     const std::span<aiMesh* const> meshes(scene->mMeshes, scene->mNumMeshes);
     const SceneHas has = contentOf(meshes);
-    ImportedModel model;
     std::vector<int> triangles;  // by mesh
     for (const aiMesh* mesh : meshes) {
         const std::size_t before = model.soup.triangles.size();
         appendMesh(*mesh, has, model.soup);
         triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
+    }
+    if (model.soup.triangles.empty()) {
+        throw InputError("there is no surface in it");
     }
     addAppearance(*scene, file, triangles, model);
     requireFineFloats(model.soup.positions);

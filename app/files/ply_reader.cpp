@@ -19,7 +19,6 @@
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
 #include "app/files/text_lines.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -78,8 +77,8 @@ enum class Encoding { text, littleEndian, bigEndian };
 struct Header {
     Encoding encoding = Encoding::text;
     std::vector<Element> elements;
-    std::string image;     ///< the name of its file, or ""
-    std::size_t size = 0;  ///< [bytes]
+    std::vector<std::string> images;  ///< the names of their files
+    std::size_t size = 0;             ///< [bytes]
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -122,7 +121,7 @@ Property propertyOf(std::istringstream& words) {
 void readComment(const std::string& line, Header& header) {
     constexpr std::string_view kTexture = "TextureFile ";
     if (const std::size_t at = line.find(kTexture); at != std::string::npos) {
-        header.image = line.substr(at + kTexture.size());
+        header.images.push_back(line.substr(at + kTexture.size()));
     }
 }
 
@@ -153,9 +152,9 @@ bool readLine(const std::string& line, Header& header) {
 
 /// Lines end as the first one does. A byte order mark may stand before it.
 Header headerOf(std::string_view bytes) {
-    constexpr std::string_view kMark = "\xef\xbb\xbf";
     Header header;
-    std::size_t at = bytes.starts_with(kMark) ? kMark.size() : 0;
+    const std::size_t first = bytes.size() - withoutMark(bytes).size();
+    std::size_t at = first;
     const std::size_t firstEnd = std::min(bytes.find_first_of("\r\n", at), bytes.size());
     const char end =
         bytes.substr(firstEnd, 1) == "\r" && bytes.substr(firstEnd, 2) != "\r\n" ? '\r' : '\n';
@@ -167,7 +166,7 @@ Header headerOf(std::string_view bytes) {
         }
         line = bytes.substr(at, next - at);
         line.erase(line.find_last_not_of(" \t\r") + 1);
-        if (at <= kMark.size() && line != "ply") {
+        if (at == first && line != "ply") {
             fail("it does not begin with a line \"ply\"");
         }
         at = next + 1;
@@ -185,7 +184,9 @@ class Numbers {
     std::optional<double> next(const Scalar& type) {
         return encoding_ == Encoding::text ? word() : number(type);
     }
-    std::size_t left() const { return rest_.size(); }
+    bool isAtEnd() const {
+        return rest_.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos;
+    }
 
   private:
     std::optional<double> word() {
@@ -265,13 +266,15 @@ struct Places {
                  element.find({"blue", "b", "diffuse_blue"}),
                  element.find({"alpha", "a", "diffuse_alpha"})}},
           corners(element.find({"vertex_indices", "vertex_index"})),
-          cornerUvs(element.find({"texcoord"})) {}
+          cornerUvs(element.find({"texcoord"})),
+          image{{element.find({"texnumber"})}} {}
 
     Group at;
     Group uv;
     Group color;
     int corners;
     int cornerUvs;
+    Group image;
 };
 
 /// From what displays take to linear light, apart from the opacity.
@@ -280,8 +283,7 @@ Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& r
         const int place = color.places[i];
         return place < 0 ? 1 : color.of(row, i) / element.properties[place].type->most;
     };
-    const Vec3f linear = render::toLinear(Vec3(share(0), share(1), share(2)));
-    return {linear.x(), linear.y(), linear.z(), static_cast<float>(share(3))};
+    return linearOf({share(0), share(1), share(2), share(3)});
 }
 
 int indexOf(double number) {
@@ -303,10 +305,7 @@ class PlyModel {
         Row row;
         const std::uint64_t count = element.properties.empty() ? 0 : element.count;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!readRow(element, numbers, row)) {
-                fail("it ends within its element \"" + printable(element.name) + "\": " +
-                     std::to_string(i) + " of " + std::to_string(element.count) + " are there");
-            }
+            requireRow(element, i, numbers, row);
             if (isVertex) {
                 addVertex(element, places, row);
             } else if (isFace && places.corners >= 0) {
@@ -321,6 +320,19 @@ class PlyModel {
     TriangleSoup triangles() { return faces_.triangles(); }
 
   private:
+    static void requireRow(const Element& element, std::uint64_t i, Numbers& numbers, Row& row) {
+        std::string problem = "it ends";
+        try {
+            if (readRow(element, numbers, row)) {
+                return;
+            }
+        } catch (const InputError& error) {
+            problem = error.what();
+        }
+        fail(problem + " within its element \"" + printable(element.name) + "\": " +
+             std::to_string(i) + " of " + std::to_string(element.count) + " are there");
+    }
+
     void addVertex(const Element& element, const Places& places, const Row& row) {
         const Vec3 at(places.at.of(row, 0), places.at.of(row, 1), places.at.of(row, 2));
         faces_.positions.push_back(at);
@@ -348,7 +360,7 @@ class PlyModel {
             faces_.faceColors.resize(faces_.faceCount(), Eigen::Vector4f::Ones());
             faces_.faceColors.push_back(colorOf(element, places.color, row));
         }
-        faces_.endFace();
+        faces_.endFace(indexOf(places.image.of(row, 0)));
     }
 
     /// Every other triangle of a strip is turned over; a negative number begins another strip.
@@ -370,6 +382,19 @@ class PlyModel {
     FaceSoup faces_;
 };
 
+/// A material for each image, by the numbers that faces have for them.
+void addImages(const std::filesystem::path& file, const std::vector<std::string>& names,
+               ImportedModel& model) {
+    ModelImages images(file, model);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        render::Material material;
+        material.name = "image" + (i == 0 ? "" : std::to_string(i + 1));
+        images.add(std::move(material), names[i]);
+    }
+    std::vector<int>& materials = model.soup.skin.materials;
+    materials.resize(names.empty() ? 0 : model.soup.triangles.size(), 0);
+}
+
 }  // namespace
 
 ImportedModel readPly(const std::filesystem::path& file) {
@@ -384,10 +409,12 @@ ImportedModel readPly(const std::filesystem::path& file) {
                                     "\" was left out: Kerf does not know it.");
         }
     }
-    model.soup = read.triangles();
-    if (!header.image.empty()) {
-        addImageMaterial(file, header.image, model);
+    if (!numbers.isAtEnd()) {
+        model.remarks.emplace_back(
+            "What stands behind its last element was left out: its header counts no more.");
     }
+    model.soup = read.triangles();
+    addImages(file, header.images, model);
     return model;
 }
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace kerf::app {
+
+/// A text without the byte order mark that programs put before it. Throws InputError for UTF-16.
+std::string_view withoutMark(std::string_view text);
 
 /// The lines of a text file, whatever ends them: behind a byte order mark, if there is one. Lines
 /// of numbers in an OBJ that a backslash continues are one. Blanks around a line are left out.
@@ -29,6 +32,9 @@ class TextLines {
     std::size_t number_ = 0;
     std::size_t read_ = 0;
 };
+
+/// Calls `read`. Where that throws InputError, so does this, and names the line.
+void namingLine(const TextLines& lines, const std::function<void()>& read);
 
 /// Takes the first word, between blanks, off a text; "" where there is none.
 std::string_view takeWord(std::string_view& text);
