@@ -167,9 +167,8 @@ class GltfMaterials {
     int numberOf(std::uint64_t index) {
         const auto [place, isNew] = numbers_.try_emplace(index, FaceSoup::kNone);
         if (isNew) {
-            place->second = orRemark("A material was left out: ", [&] {
-                return add(file_.item("materials", index), index);
-            });
+            place->second = orRemark("A material was left out: ",
+                                     [&] { return add(file_.item("materials", index), index); });
         }
         return place->second;
     }
@@ -206,10 +205,9 @@ class GltfMaterials {
         const double metallic = isOld ? 0 : valueOf<double>(look, "metallicFactor", 1);
         material.metallic = static_cast<float>(std::clamp(metallic, 0.0, 1.0));
         if (const Json* texture = find(look, isOld ? "diffuseTexture" : "baseColorTexture")) {
-            material.image =
-                orRemark("The image of the material \"" + printable(material.name) +
-                             "\" was left out: ",
-                         [&] { return imageOf(*texture, material.name); });
+            material.image = orRemark(
+                "The image of the material \"" + printable(material.name) + "\" was left out: ",
+                [&] { return imageOf(*texture, material.name); });
             uses_[index] = useOf(*texture);
         }
         const bool plain = material.name.empty() && material.image < 0 &&

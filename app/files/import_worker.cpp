@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <assimp/DefaultLogger.hpp>
+#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <span>
 #include <string>
@@ -26,6 +29,7 @@
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
 #include "app/files/stl_reader.h"
+#include "app/files/text_lines.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -43,7 +47,14 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     Assimp::IOStream* Open(const char* name, const char* mode) override {
         const bool reads = std::string_view(mode).starts_with('r') &&
                            std::string_view(mode).find('+') == std::string_view::npos;
-        return reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+        Assimp::IOStream* const stream =
+            reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+        std::array<char, kByteOrderMark.size()> first{};
+        if (stream != nullptr && (stream->Read(first.data(), 1, first.size()) < first.size() ||
+                                  std::string_view(first.data(), first.size()) != kByteOrderMark)) {
+            stream->Seek(0, aiOrigin_SET);
+        }
+        return stream;
     }
 
   private:
@@ -133,24 +144,30 @@ void tellLeftOut(const aiScene& scene, std::vector<std::string>& remarks) {
     }
 }
 
-/// Takes up what assimp leaves out of a file and tells in its log alone.
-class LeftOutParts : public Assimp::LogStream {
+/// Makes remarks of what assimp tells in its log alone where it leaves out a part of a file, or
+/// changes it.
+class DamageLog : public Assimp::LogStream {
   public:
-    explicit LeftOutParts(std::vector<std::string>& remarks) : remarks_(remarks) {
+    explicit DamageLog(std::vector<std::string>& remarks) : remarks_(remarks) {
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
         Assimp::DefaultLogger::get()->attachStream(this, Assimp::Logger::Warn);
     }
-    ~LeftOutParts() override {
+    ~DamageLog() override {
         Assimp::DefaultLogger::get()->detachStream(this, Assimp::Logger::Warn);
         Assimp::DefaultLogger::kill();
     }
-    LeftOutParts(const LeftOutParts&) = delete;
-    LeftOutParts& operator=(const LeftOutParts&) = delete;
+    DamageLog(const DamageLog&) = delete;
+    DamageLog& operator=(const DamageLog&) = delete;
 
     void write(const char* message) override {
-        const std::string_view text(message);
-        if (const std::size_t at = text.find("Unable to find geometry"); at != text.npos) {
-            remarks_.push_back("A part was left out: " + printable(std::string(text.substr(at))));
+        const std::string_view text(message, std::strcspn(message, "\n"));
+        for (const std::string_view words :
+             {"Unable to find geometry", "failed to read source object for incoming Model link",
+              "duplicate object id", "Vertex index overflow"}) {
+            if (text.find(words) != std::string_view::npos) {
+                remarks_.push_back("A part of it is damaged, and left out or changed: " +
+                                   std::string(text.substr(text.find(": ") + 2)));
+            }
         }
     }
 
@@ -161,7 +178,7 @@ class LeftOutParts : public Assimp::LogStream {
 /// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readByAssimp(const std::filesystem::path& file) {
     ImportedModel model;
-    const LeftOutParts leftOut(model.remarks);
+    const DamageLog log(model.remarks);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
@@ -187,7 +204,8 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
         triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
     }
     if (model.soup.triangles.empty()) {
-        throw InputError("there is no surface in it");
+        throw InputError(model.remarks.empty() ? "there is no surface in it"
+                                               : model.remarks.front());
     }
     addAppearance(*scene, file, triangles, model);
     requireFineFloats(model.soup.positions);

@@ -177,8 +177,8 @@ class Libraries {
             }
         } catch (const InputError& error) {
             complete_ = false;
-            remarks_.push_back("The materials of \"" + printable(name) + "\" were left out: " +
-                               error.what() + ".");
+            remarks_.push_back("The materials of \"" + printable(name) +
+                               "\" were left out: " + error.what() + ".");
         }
         return file.has_value();
     }

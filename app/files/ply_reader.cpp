@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <span>
 #include <sstream>
 #include <type_traits>
@@ -180,27 +179,30 @@ class Numbers {
   public:
     Numbers(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
 
-    /// Nothing at the end.
-    std::optional<double> next(const Scalar& type) {
-        return encoding_ == Encoding::text ? word() : number(type);
-    }
+    /// Throws InputError at the end.
+    double next(const Scalar& type) { return encoding_ == Encoding::text ? word() : number(type); }
     bool isAtEnd() const {
         return rest_.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos;
     }
 
   private:
-    std::optional<double> word() {
+    static void requireThere(bool there) {
+        if (!there) {
+            throw InputError("it ends");
+        }
+    }
+
+    double word() {
         constexpr std::string_view kSpace = " \t\r\n";
         rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
         const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
         rest_.remove_prefix(word.size());
-        return word.empty() ? std::nullopt : std::optional(numberOf(word));
+        requireThere(!word.empty());
+        return numberOf(word);
     }
 
-    std::optional<double> number(const Scalar& type) {
-        if (rest_.size() < type.bytes) {
-            return std::nullopt;
-        }
+    double number(const Scalar& type) {
+        requireThere(rest_.size() >= type.bytes);
         std::array<char, 8> bytes{};
         std::memcpy(bytes.data(), rest_.data(), type.bytes);
         rest_.remove_prefix(type.bytes);
@@ -219,26 +221,19 @@ class Numbers {
 /// What one item of an element holds, by property; one number for each that is no list.
 using Row = std::vector<std::vector<double>>;
 
-/// False where the file ends within it.
-bool readRow(const Element& element, Numbers& numbers, Row& row) {
+void readRow(const Element& element, Numbers& numbers, Row& row) {
     row.resize(element.properties.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
         const Property& property = element.properties[i];
-        const double count =
-            property.count == nullptr ? 1 : numbers.next(*property.count).value_or(-1);
+        const double count = property.count == nullptr ? 1 : numbers.next(*property.count);
         row[i].clear();
         for (double k = 0; k < count; ++k) {
-            const std::optional<double> value = numbers.next(*property.type);
-            if (!value) {
-                return false;
-            }
-            row[i].push_back(*value);
+            row[i].push_back(numbers.next(*property.type));
         }
         if (!(count >= 0)) {
-            return false;
+            throw InputError("a list has " + formatNumber(count) + " items");
         }
     }
-    return true;
 }
 
 /// Some properties of one kind, such as the coordinates, by their places in an element.
@@ -305,7 +300,13 @@ class PlyModel {
         Row row;
         const std::uint64_t count = element.properties.empty() ? 0 : element.count;
         for (std::uint64_t i = 0; i < count; ++i) {
-            requireRow(element, i, numbers, row);
+            try {
+                readRow(element, numbers, row);
+            } catch (const InputError& error) {
+                fail(std::string(error.what()) + " within its element \"" +
+                     printable(element.name) + "\": " + std::to_string(i) + " of " +
+                     std::to_string(element.count) + " are there");
+            }
             if (isVertex) {
                 addVertex(element, places, row);
             } else if (isFace && places.corners >= 0) {
@@ -320,19 +321,6 @@ class PlyModel {
     TriangleSoup triangles() { return faces_.triangles(); }
 
   private:
-    static void requireRow(const Element& element, std::uint64_t i, Numbers& numbers, Row& row) {
-        std::string problem = "it ends";
-        try {
-            if (readRow(element, numbers, row)) {
-                return;
-            }
-        } catch (const InputError& error) {
-            problem = error.what();
-        }
-        fail(problem + " within its element \"" + printable(element.name) + "\": " +
-             std::to_string(i) + " of " + std::to_string(element.count) + " are there");
-    }
-
     void addVertex(const Element& element, const Places& places, const Row& row) {
         const Vec3 at(places.at.of(row, 0), places.at.of(row, 1), places.at.of(row, 2));
         faces_.positions.push_back(at);

@@ -25,11 +25,10 @@ bool continues(std::string_view line) {
 }  // namespace
 
 std::string_view withoutMark(std::string_view text) {
-    constexpr std::string_view kMark = "\xef\xbb\xbf";
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
         throw InputError("it is a text in UTF-16, which is not read; export it as UTF-8");
     }
-    return text.substr(text.starts_with(kMark) ? kMark.size() : 0);
+    return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
 }
 
 TextLines::TextLines(std::string_view text) : rest_(withoutMark(text)) {}

@@ -7,7 +7,9 @@
 
 namespace kerf::app {
 
-/// A text without the byte order mark that programs put before it. Throws InputError for UTF-16.
+/// What programs put before a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+/// A text without that. Throws InputError for one in UTF-16.
 std::string_view withoutMark(std::string_view text);
 
 /// The lines of a text file, whatever ends them: behind a byte order mark, if there is one. Lines

@@ -174,9 +174,9 @@ std::string toText(const std::map<std::string, std::map<Verdict, int>>& counts) 
 
 TEST(FormatCorners, EveryFileIsReadRightOrRefusedByName) {
     const test::TemporaryFolder folder;
-    const std::string script =
-        "/usr/bin/python3 -B '" KERF_SOURCE_DIR "/tests/app/files/format_corners' '" +
-        folder.path().string() + "'";
+    const std::string script = "/usr/bin/python3 -B '" KERF_SOURCE_DIR
+                               "/tests/app/files/format_corners' '" +
+                               folder.path().string() + "'";
     ASSERT_EQ(std::system(script.c_str()), 0);
     const Json rows = Json::parse(test::readBytes(folder / "corners.json"));
     std::map<std::string, std::map<Verdict, int>> counts;

@@ -95,11 +95,11 @@ def add_corners(table):
     add_sources(read, refused)
     add_deformed(read, refused)
     add_looks(table, read)
-    refused("cut-off", plain[: plain.index("</polylist>")], "")
-    refused("no-scene", dae(scene=None), "")
+    refused("cut-off", plain[: plain.index("</polylist>")], "malformed XML")
+    refused("no-scene", dae(scene=None), "empty")
     refused("empty", dae("", nodes=""), "no surface")
-    refused("not-collada", "<html><body/></html>", "")
-    refused("utf16", plain.replace("utf-8", "utf-16").encode("utf-16"), "")
+    refused("not-collada", "<html><body/></html>", "Collada")
+    refused("utf16", plain.replace("utf-8", "utf-16").encode("utf-16"), "malformed XML")
 
 
 def add_units(read):
@@ -158,16 +158,16 @@ def add_sources(read, refused):
     swapped = with_normals.replace('offset="0"', 'offset="2"')
     read("offsets-swapped", dae(geometry(faces=polylist(BOX, swapped, "7 0 {0}"), sources=normals)))
     plain = dae()
-    refused("index-beyond", plain.replace("<p>0 2 3", "<p>0 8 3"), "")
-    refused("index-negative", plain.replace("<p>0 2 3", "<p>0 -1 3"), "")
-    refused("source-missing", plain.replace('source="#s"', 'source="#t"'), "")
-    refused("array-short", plain.replace("1 2 3</float", "1 2</float"), "")
-    refused("vcount-long", plain.replace("<vcount>4", "<vcount>5"), "")
-    refused("corners-missing", plain.replace(" 7 5</p>", "</p>"), "")
-    refused("nan", plain.replace("1 2 3</float", "1 nan 3</float"), "")
+    refused("index-beyond", plain.replace("<p>0 2 3", "<p>0 8 3"), "index (8/8)")
+    refused("index-negative", plain.replace("<p>0 2 3", "<p>0 -1 3"), "open edges")
+    refused("source-missing", plain.replace('source="#s"', 'source="#t"'), '"t"')
+    refused("array-short", plain.replace("1 2 3</float", "1 2</float"), "float_array")
+    refused("vcount-long", plain.replace("<vcount>4", "<vcount>5"), "<p>")
+    refused("corners-missing", plain.replace(" 7 5</p>", "</p>"), "<p>")
+    refused("nan", plain.replace("1 2 3</float", "1 nan 3</float"), "not a finite number")
     read("comma", plain.replace("1 2 3</float", "1,0 2,0 3,0</float"))
-    refused("ind", plain.replace("1 2 3</float", "1 -1.#IND 3</float"), "")
-    refused("geometry-missing", plain.replace('url="#g"', 'url="#h"'), "")
+    refused("ind", plain.replace("1 2 3</float", "1 -1.#IND 3</float"), "#IND")
+    refused("geometry-missing", plain.replace('url="#g"', 'url="#h"'), "geometry", '"h"')
 
 
 def add_looks(table, read):
@@ -248,4 +248,4 @@ def add_deformed(read, refused):
         nodes = '<node id="n"><instance_controller url="#c"/></node>'
         return dae(geometry() + other, nodes, libraries=f"<library_controllers>{morph}</library_controllers>")
 
-    refused("morph", morphed(1), "no surface")
+    refused("morph", morphed(1), "geometry", '"c"')

@@ -159,15 +159,14 @@ def add_containers(table):
         read(f"unit-{name}-binary", binary(one(unit=factor)), unit=unit, up="y", **awaited)
     read("z-up", text(one(up=2)), unit="cm", up="z", awaited="FBX files name their axes")
     refused("old", text(one(version=6100), 6100), "version")
-    refused("cut-off", plain[: plain.index("PolygonVertexIndex") + 40], "")
-    refused("cut-off-binary", binary(one())[:400], "")
+    refused("cut-off", plain[: plain.index("PolygonVertexIndex") + 40], "end of file")
+    refused("cut-off-binary", binary(one())[:400], "offset")
     refused("no-objects", text(scene([], [])), "no surface")
     refused("not-linked", text(scene([geometry(1), model(2)], [(2, 0)])), "no surface")
-    refused("index-beyond", plain.replace("a: 0,2,3,-2", "a: 0,2,8,-2"), "")
-    refused("comma", plain.replace("0.0", "0,0"), "")
-    refused("nan", plain.replace("a: 0.0", "a: nan"), "")
-    refused("three-numbers", plain.replace("*24 {\n\t\t\ta: 0.0,", "*23 {\n\t\t\ta: ", 1), "")
-    refused("no-end-of-face", plain.replace(",-6\n", ",5\n"), "")
+    refused("index-beyond", plain.replace("a: 0,2,3,-2", "a: 0,2,8,-2"), "damaged", "line ")
+    refused("nan", plain.replace("a: 0.0", "a: nan"), "not a finite number")
+    refused("three-numbers", plain.replace("*24 {\n\t\t\ta: 0.0,", "*23 {\n\t\t\ta: ", 1), "damaged", "line ")
+    refused("no-end-of-face", plain.replace(",-6\n", ",5\n"), "open edges")
 
 
 def add_faces(table):
@@ -221,6 +220,10 @@ def add_nodes(table):
     put("instanced", TWO, [part, model(2), away], [(2, 0), (3, 0), (1, 2), (1, 3)])
     put("two-geometries", TWO, [part, geometry(4, BOX.moved(5)), model(2), model(5)],
         [(2, 0), (5, 0), (1, 2), (4, 5)])  # fmt: skip
+    halves = text(scene([part, geometry(4, BOX.moved(5)), model(2), model(5)], [(2, 0), (5, 0), (1, 2), (4, 5)]))
+    before, corners, behind = halves.rpartition("a: 0,2,3,-2")
+    table.read("fbx/half-damaged.fbx", before + corners.replace("3", "8") + behind, remarks=["line "])
+    put("number-twice", BOX, [geometry(1, BOX.moved(5)), part, model(2)], [(2, 0), (1, 2)], remarks=["duplicate"])
     touching = model(3, *lcl((1, 0, 0)))
     put("touching", TOUCHING, [part, model(2), touching], [(2, 0), (3, 0), (1, 2), (1, 3)],
         awaited="objects become pieces of their own")  # fmt: skip

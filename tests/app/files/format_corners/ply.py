@@ -190,7 +190,7 @@ def add_bodies(table):
     refused("cut-off-vertices", little[: little.index(b"end_header\n") + 40], '"vertex"', "2 of 8")
     refused("faces-missing", box.replace("face 6", "face 7"), '"face"', "6 of 7")
     refused("vertices-missing", box.replace("vertex 8", "vertex 9"), "face")
-    refused("vertices-more", box.replace("vertex 8", "vertex 7"), "")
+    refused("vertices-more", box.replace("vertex 8", "vertex 7"), "vertex 7", "there are 7")
     refused("huge-count", little.replace(b"vertex 8", b"vertex 4000000000"), '"vertex"')
     refused("index-beyond", box.replace("4 0 2", "4 8 2"), "vertex 8", "there are 8")
     refused("index-negative", box.replace("4 0 2", "4 -1 2"), "vertex -1")

@@ -66,7 +66,7 @@ def add_binary(table):
     refused("binary-empty", binary(count=0)[:84], "no surface")
     refused("binary-nan", binary(BOX.scaled(float("nan"), 1, 1)), "not a finite number")
     refused("binary-far", binary(BOX.moved(1e6)), "32-bit")
-    refused("short", b"solid", "")
+    refused("short", b"solid", "endsolid")
 
 
 def add_text(table):
@@ -123,4 +123,4 @@ def add_text(table):
     refused("no-solid", lines(), "solid")
     refused("utf16", box.encode("utf-16"), "UTF-16")
     refused("nothing", "solid\nendsolid\n", "no surface")
-    refused("hole", f"solid\n{lines()[149:]}endsolid\n", "")
+    refused("hole", f"solid\n{lines()[149:]}endsolid\n", "open edges")

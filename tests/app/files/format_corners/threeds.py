@@ -88,15 +88,15 @@ def add_corners(table):
     family = keyframer(key_node("box", number=0), key_node("other", position=(5, 0, 0), number=1, parent=0))
     read("keys-nested", threeds(mesh(), mesh(name="other"), keys=family), TWO)
     add_looks(table, read)
-    refused("cut-off", plain[:-40], "")
-    refused("cut-off-in-points", plain[:80], "")
-    refused("count-large", threeds(mesh(count=9)), "")
+    refused("cut-off", plain[:-40], "Chunk is too large")
+    refused("cut-off-in-points", plain[:80], "Chunk is too large")
+    refused("count-large", threeds(mesh(count=9)), "End of file")
     beyond = mesh(BOX).replace(struct.pack("<4H", 0, 2, 3, 7), struct.pack("<4H", 0, 8, 3, 7))
-    refused("index-beyond", threeds(beyond), "")
+    refused("index-beyond", threeds(beyond), "open edges")
     refused("no-mesh", threeds(light), "no surface")
-    refused("nan", threeds(mesh(BOX.mapped(lambda x, y, z: (float("nan") if x else x, y, z)))), "")
+    refused("nan", threeds(mesh(BOX.mapped(lambda x, y, z: (float("nan") if x else x, y, z)))), "not a finite number")
     refused("bytes-behind", plain + b"\0" * 20, "Chunk is too large")
-    refused("not-3ds", b"MM" + b"\xff" * 40, "")
+    refused("not-3ds", b"MM" + b"\xff" * 40, "Chunk is too large")
 
 
 def add_looks(table, read):
