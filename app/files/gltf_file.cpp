@@ -85,7 +85,8 @@ void requireVersion(const std::string& version) {
 }
 
 Json parsed(std::string_view text) {
-    Json json = Json::parse(withoutMark(text), nullptr, false);
+    text = text.substr(0, text.find_last_not_of('\0') + 1);  // zeros where blanks should fill up
+    const Json json = Json::parse(withoutMark(text), nullptr, false);
     if (!json.is_object()) {
         throw InputError("its description is no JSON object");
     }

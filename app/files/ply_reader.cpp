@@ -36,13 +36,14 @@ struct Scalar {
     std::string_view name;
     std::string_view other;
     std::size_t bytes;
-    double most;                    ///< that of a colour; 1 where colours are shares
+    double most;                    ///< that of a colour; 1 where it says not which
     double (*number)(const char*);  ///< in so many bytes of this machine's order
 };
 template <class T>
 constexpr Scalar scalar(std::string_view name, std::string_view other) {
-    const double most =
-        std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1;
+    const double most = std::is_integral_v<T> && sizeof(T) < 4
+                            ? static_cast<double>(std::numeric_limits<T>::max())
+                            : 1;
     return {name, other, sizeof(T), most, numberIn<T>};
 }
 constexpr std::array<Scalar, 8> kScalars{
@@ -272,13 +273,13 @@ struct Places {
     Group image;
 };
 
-/// From what displays take to linear light, apart from the opacity.
+/// As displays take it, with the opacity.
 Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& row) {
     const auto share = [&](std::size_t i) {
         const int place = color.places[i];
         return place < 0 ? 1 : color.of(row, i) / element.properties[place].type->most;
     };
-    return linearOf({share(0), share(1), share(2), share(3)});
+    return Eigen::Vector4d(share(0), share(1), share(2), share(3)).cast<float>();
 }
 
 int indexOf(double number) {
@@ -318,7 +319,11 @@ class PlyModel {
         return isVertex || isFace || isStrip;
     }
 
-    TriangleSoup triangles() { return faces_.triangles(); }
+    TriangleSoup triangles() {
+        makeLinear(faces_.vertexColors);
+        makeLinear(faces_.faceColors);
+        return faces_.triangles();
+    }
 
   private:
     void addVertex(const Element& element, const Places& places, const Row& row) {
@@ -345,7 +350,7 @@ class PlyModel {
                              hasUv ? static_cast<int>(faces_.uvs.size()) - 1 : FaceSoup::kNone);
         }
         if (places.color.isThere(3)) {
-            faces_.faceColors.resize(faces_.faceCount(), Eigen::Vector4f::Ones());
+            faces_.faceColors.resize(faces_.faceCount(), kNoColor);
             faces_.faceColors.push_back(colorOf(element, places.color, row));
         }
         faces_.endFace(indexOf(places.image.of(row, 0)));

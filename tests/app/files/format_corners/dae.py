@@ -81,6 +81,8 @@ def add_corners(table):
     caps = [[0, 1, 5], [0, 5, 4], [2, 6, 7], [2, 7, 3]]
     read("strips", dae(geometry(faces=of_lists("tristrips", [strip, *caps]))))
     read("fans", dae(geometry(faces=of_lists("trifans", BOX.faces))))
+    hole = f'<polygons count="1">{VERTEX}<ph><p>0 2 3 1</p><h>4 5 7 6</h></ph></polygons>'
+    refused("holes", dae(geometry(faces=hole + polylist(type(BOX)(BOX.points, BOX.faces[1:])))), "<h>")
     lines = f'<lines count="1">{VERTEX}<p>0 7</p></lines>'
     read("lines", dae(geometry(faces=lines + polylist(BOX))))
     for name, solid in (("concave", CONCAVE), ("star", STAR), ("straight", STRAIGHT), ("two", TWO),

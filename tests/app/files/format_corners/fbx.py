@@ -148,7 +148,7 @@ def add_containers(table):
     read("blanks", plain.replace("\t", "   ").replace(",", " , "))
     read("comments", plain.replace("Objects:", "; so\nObjects:").replace("Vertices", "; the corners\nVertices"))
     read("wrapped", plain.replace(",", ",\n"))
-    for version in (7100, 7200, 7300, 7500):
+    for version in (7100, 7200, 7300, 7500, 7700):
         read(f"text-{version}", text(one(version=version), version))
         read(f"binary-{version}", binary(one(version=version), version))
     read("binary", binary(one(), packed=False))

@@ -121,6 +121,7 @@ def add_containers(table):
     read("text.glb", Gltf().gltf())
     read("binary.gltf", Gltf().glb())
     read("unpadded.glb", Gltf().glb(padding=b""))
+    read("padded-zeros.glb", Gltf().glb(padding=b"\0"))
     read("length-short.glb", Gltf().glb(length=12))
     read("length-long.glb", Gltf().glb(length=10**6))
     read("more-chunks.glb", Gltf().glb(behind=struct.pack("<I4s", 4, b"ABCD") + b"1234"))

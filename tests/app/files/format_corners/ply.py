@@ -214,6 +214,10 @@ def add_looks(table):
          colors=[RED])  # fmt: skip
     read("colors-float", vertices(properties=PLACE + rgb("float"), behind=(1, 0, 0.5)), faces(),
          colors=[[1, 0, linear(0.5), 1]])  # fmt: skip
+    read("colors-int", vertices(properties=PLACE + rgb("int"), behind=(255, 0, 128)), faces(),
+         colors=[[1, 0, half, 1]])  # fmt: skip
+    read("colors-float-bytes", vertices(properties=PLACE + rgb("float"), behind=(255, 0, 128)), faces(),
+         colors=[[1, 0, half, 1]])  # fmt: skip
     read("colors-alpha", vertices(properties=PLACE + [*rgb("uchar"), "uchar alpha"],
          behind=(255, 0, 0, 51)), faces(), colors=[[1, 0, 0, 0.2]])  # fmt: skip
     diffuse = ("diffuse_red", "diffuse_green", "diffuse_blue")
