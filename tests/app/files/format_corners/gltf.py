@@ -90,7 +90,7 @@ class Gltf:
     def glb(self, version=2, padding=b" ", length=None, behind=b""):
         self.json["buffers"] = [{"byteLength": len(self.bytes)}]
         text = json.dumps(self.json).encode()
-        text += padding * (-len(text) % 4)
+        text += padding * (4 - len(text) % 4)
         self.bytes += b"\0" * (-len(self.bytes) % 4) if padding else b""
         chunks = struct.pack("<I4s", len(text), b"JSON") + text
         chunks += struct.pack("<I4s", len(self.bytes), b"BIN\0") + self.bytes + behind
