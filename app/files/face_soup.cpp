@@ -118,11 +118,12 @@ Eigen::Vector4f linearOf(const Eigen::Vector4d& display) {
 }
 
 void makeLinear(std::vector<Eigen::Vector4f>& display) {
+    constexpr float kMostShare = 2;
     const bool bytes = std::ranges::any_of(
-        display, [](const Eigen::Vector4f& color) { return color.maxCoeff() > 1; });
+        display, [](const Eigen::Vector4f& color) { return color.maxCoeff() > kMostShare; });
     for (Eigen::Vector4f& color : display) {
         const Eigen::Vector4d shares = color.cast<double>() / (bytes ? 255 : 1);
-        const double opacity = color.w() > 1 ? shares.w() : color.w();
+        const double opacity = color.w() > kMostShare ? shares.w() : color.w();
         color = color == kNoColor ? Eigen::Vector4f(Eigen::Vector4f::Ones())
                                   : linearOf({shares.x(), shares.y(), shares.z(), opacity});
     }

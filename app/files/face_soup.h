@@ -47,8 +47,8 @@ class FaceSoup {
 
 /// A colour and its opacity, from what displays take to linear light.
 Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
-/// Of colours in a file that says not how: shares, or bytes where any number is above 1. White
-/// stands for kNoColor.
+/// Of colours in a file that says not how: shares, of which some may be a little above 1, or bytes.
+/// kNoColor becomes white.
 void makeLinear(std::vector<Eigen::Vector4f>& display);
 /// Of a vertex or a face that has none, until makeLinear().
 inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);

@@ -86,7 +86,7 @@ void requireVersion(const std::string& version) {
 
 Json parsed(std::string_view text) {
     text = text.substr(0, text.find_last_not_of('\0') + 1);  // zeros where blanks should fill up
-    const Json json = Json::parse(withoutMark(text), nullptr, false);
+    Json json = Json::parse(withoutMark(text), nullptr, false);
     if (!json.is_object()) {
         throw InputError("its description is no JSON object");
     }

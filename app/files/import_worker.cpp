@@ -144,8 +144,8 @@ void tellLeftOut(const aiScene& scene, std::vector<std::string>& remarks) {
     }
 }
 
-/// Makes remarks of what assimp tells in its log alone where it leaves out a part of a file, or
-/// changes it.
+/// Makes a remark of the first that assimp tells in its log alone where it leaves out a part of a
+/// file, or changes it.
 class DamageLog : public Assimp::LogStream {
   public:
     explicit DamageLog(std::vector<std::string>& remarks) : remarks_(remarks) {
@@ -164,7 +164,7 @@ class DamageLog : public Assimp::LogStream {
         for (const std::string_view words :
              {"Unable to find geometry", "failed to read source object for incoming Model link",
               "duplicate object id", "Vertex index overflow"}) {
-            if (text.find(words) != std::string_view::npos) {
+            if (remarks_.empty() && text.find(words) != std::string_view::npos) {
                 remarks_.push_back("A part of it is damaged, and left out or changed: " +
                                    std::string(text.substr(text.find(": ") + 2)));
             }

@@ -218,6 +218,8 @@ def add_looks(table):
          colors=[[1, 0, half, 1]])  # fmt: skip
     read("colors-float-bytes", vertices(properties=PLACE + rgb("float"), behind=(255, 0, 128)), faces(),
          colors=[[1, 0, half, 1]])  # fmt: skip
+    bright = PLACE + rgb("float")
+    read("colors-float-bright", vertices(properties=bright, behind=(1.000001, 0, 1)), faces(), colors=[[1, 0, 1, 1]])
     read("colors-alpha", vertices(properties=PLACE + [*rgb("uchar"), "uchar alpha"],
          behind=(255, 0, 0, 51)), faces(), colors=[[1, 0, 0, 0.2]])  # fmt: skip
     diffuse = ("diffuse_red", "diffuse_green", "diffuse_blue")
