@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/model_source.h"
+#include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/temporary_folder.h"
 
