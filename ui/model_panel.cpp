@@ -232,6 +232,16 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
             "Triangles pass through others. Makes one surface of pieces that cross, so that their "
             "material counts once");
     }
+    if (model.objects > 1) {
+        if (ImGui::Button("Part into models")) {
+            actions.emplace_back(ActionId::partModel);
+        }
+        noteItem("model.part");
+        itemTooltip(fmt::format(
+            "The file has {} objects. Makes a model of each, to be placed and made of a material "
+            "of its own. The scene begins anew; undo brings it back",
+            model.objects));
+    }
     if (model.faultCount > 0) {
         DisplaySettings display = model.display;
         if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {

@@ -138,6 +138,7 @@ struct Hint {
 struct PanelModel {
     std::string name;                ///< of what is open; empty while nothing is
     std::vector<ModelState> models;  ///< of the scene, by number
+    int objects = 0;                 ///< of the only model's file; fewer than two: nothing to part
     std::vector<MaterialRow> materials;
     bool untouched = true;   ///< no cut was made that a placement would undo
     bool liveModels = true;  ///< small enough to follow a drag

@@ -1,14 +1,15 @@
 #include "app/cli/inspect_verb.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@
 #include "app/files/exit_codes.h"
 #include "app/files/export.h"
 #include "app/files/file_io.h"
+#include "app/files/import_process.h"
+#include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "app/files/model_units.h"
 #include "app/files/shell_union.h"
@@ -25,6 +28,7 @@
 #include "app/scene/keyframes.h"
 #include "app/scene/triangle_text.h"
 #include "gpu/context.h"
+#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
@@ -37,19 +41,55 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kIndent = 11;  // of what is told of a model, beside its name
 constexpr const char* kRepairHelps = ". Or have it repaired: kerf inspect MODEL --repair OUT.ply.";
 
 /// A report, and the sentence why the model is refused (empty where it is not).
 struct Inspection {
     MeshReport report;
+    FileFacts facts;
     std::string refusal;
     std::vector<std::string> mending;  ///< what `--repair` would do about it; empty: no help
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
     std::string mended;                        ///< the file that is to be written, if any
     TriangleFigures triangles;                 ///< none of a model that is refused
+    std::vector<double> volumes;               ///< of the largest pieces; none of such a model
+    Json looks;                                ///< see looksJson()
+    std::vector<std::string> remarks;          ///< what was left out, and what else is to be known
     bool isCoarse() const { return kerf::isCoarse(triangles, report.bounds.diagonal()); }
     double proposedEdge() const { return kerf::proposedEdge(triangles, report.bounds.diagonal()); }
 };
+
+/// What a model has besides its shape, as `--json` tells it. Pictures that are not decoded have no
+/// size.
+Json looksJson(const render::Appearance* appearance, const SkinAttributes& skin) {
+    Json looks = {{"materials", Json::array()},
+                  {"images", Json::array()},
+                  {"texture_coordinates", !skin.uvs.empty()},
+                  {"vertex_colors", !skin.colors.empty()}};
+    if (appearance != nullptr) {
+        for (const render::Material& material : appearance->materials) {
+            looks["materials"].push_back({{"name", material.name}});
+        }
+        for (const auto& [name, bytes, pixels] : appearance->images) {
+            looks["images"].push_back({{"name", name}});
+            if (!pixels.pixels.empty()) {
+                looks["images"].back().update({{"width", pixels.width}, {"height", pixels.height}});
+            }
+        }
+    }
+    return looks;
+}
+
+/// Of the largest pieces, falling.
+std::vector<double> largestVolumes(const SurfaceMesh& mesh) {
+    constexpr std::size_t kMost = 5;
+    std::vector<double> volumes;
+    std::ranges::transform(findPieces(mesh).pieces, std::back_inserter(volumes), &Piece::volume);
+    std::ranges::sort(volumes, std::greater{});
+    volumes.resize(std::min(volumes.size(), kMost));
+    return volumes;
+}
 
 TriangleSoup soupOf(const SurfaceMesh& mesh) {
     TriangleSoup soup;
@@ -66,9 +106,17 @@ std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
     return std::make_shared<const FoundFaults>(FoundFaults{std::move(soup), std::move(faults)});
 }
 
+/// Fills in what a model tells that can be cut.
+void describe(const ModelMesh& model, const InspectArguments& arguments, Inspection& inspection) {
+    inspection.found = arguments.picture.empty() ? nullptr : faultsOf(model.mesh);
+    inspection.triangles = figuresOf(soupOf(model.mesh));
+    inspection.volumes = largestVolumes(model.mesh);
+    inspection.looks = looksJson(model.looks.appearance.get(), model.looks.skin);
+    inspection.remarks = model.remarks;
+}
+
 std::filesystem::path modelFile(const std::filesystem::path& model) {
-    const auto& names = builtinModels();
-    const bool builtin = std::find(names.begin(), names.end(), model.string()) != names.end();
+    const bool builtin = std::ranges::count(builtinModels(), model.string()) > 0;
     return builtin && !std::filesystem::exists(model) ? builtinModelFile(model.string()) : model;
 }
 
@@ -86,7 +134,6 @@ std::filesystem::path mendedFile(const InspectArguments& arguments) {
 
 /// The model as a repair leaves it. What can't be repaired throws.
 Inspection mend(const std::filesystem::path& file, const InspectArguments& arguments) {
-    const bool remesh = !arguments.remeshed.empty();
     const std::filesystem::path out = mendedFile(arguments);
     const std::optional<MeshFormat> format = meshFormatOf(out);
     if (!format) {
@@ -95,19 +142,17 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
-    const MendedModel mended = mendModel(file, {.remesh = remesh, .edge = arguments.edge});
-    for (const std::string& remark : mended.model.remarks) {
-        spdlog::warn("{}: {}", file.string(), remark);
-    }
+    const MendedModel mended =
+        mendModel(file, {.remesh = !arguments.remeshed.empty(), .edge = arguments.edge});
     const SurfaceMesh& mesh = mended.model.mesh;
     ExportLooks looks;
     looks.own = mended.model.looks;
-    return {mended.report,
-            "",
-            {},
-            arguments.picture.empty() ? nullptr : faultsOf(mesh),
-            encodeMesh(mesh, findPieces(mesh), *format, looks),
-            figuresOf(soupOf(mesh))};
+    Inspection inspection;
+    inspection.report = mended.report;
+    inspection.facts = mended.model.facts;
+    inspection.mended = encodeMesh(mesh, findPieces(mesh), *format, looks);
+    describe(mended.model, arguments, inspection);
+    return inspection;
 }
 
 /// A file that can't be read at all has no report and throws.
@@ -116,15 +161,15 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
     try {
         ReadOptions options;
         options.report = &inspection.report;
+        options.facts = &inspection.facts;
         options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
         options.tryRepair = true;
         options.findFaults = !arguments.picture.empty();
-        const ModelMesh model = readModel(file, options);
-        for (const std::string& remark : model.remarks) {
-            spdlog::warn("{}: {}", file.string(), remark);
-        }
-        inspection.triangles = figuresOf(soupOf(model.mesh));
-        inspection.found = options.findFaults ? faultsOf(model.mesh) : nullptr;
+        ImportedModel imported = importWithLooks(file, options);
+        inspection.looks = looksJson(&imported.appearance, imported.soup.skin);
+        inspection.remarks = imported.remarks;
+        const ModelMesh model = surfaceOf(file, std::move(imported), options);
+        describe(model, arguments, inspection);
         if (inspection.report.crossingTriangles > 0) {
             inspection.mending = unionsToMake(soupOf(model.mesh));
         }
@@ -143,6 +188,11 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
 
 Json toJson(const Vec3& v) {
     return Json::array({v.x(), v.y(), v.z()});
+}
+
+/// Along each of the axes of its file [m].
+Vec3 sizeOf(const Bounds& own, const UnitGuess& guess) {
+    return (own.high - own.low) * infoOf(guess.unit).metres;
 }
 
 Json toJson(const UnitGuess& guess) {
@@ -170,12 +220,17 @@ Json memoryJson(const MeshReport& report) {
             {"free", freeMemory()}};
 }
 
-Json toJson(const MeshReport& report, const std::filesystem::path& file) {
+Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
+    const MeshReport& report = inspection.report;
+    const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
     return {{"file", file.string()},
+            {"format", lowerCase(file.extension().string()).substr(1)},
             {"vertices", report.vertices},
             {"triangles", report.triangles},
             {"bounds", {{"low", toJson(report.bounds.low)}, {"high", toJson(report.bounds.high)}}},
-            {"guess", toJson(guessUnits(file, report.bounds))},
+            {"objects", inspection.facts.objects},
+            {"size", toJson(sizeOf(report.bounds, guess))},
+            {"guess", toJson(guess)},
             {"closed", report.closed},
             {"manifold", report.manifold},
             {"oriented", report.oriented},
@@ -194,29 +249,69 @@ Json toJson(const MeshReport& report, const std::filesystem::path& file) {
             {"repairs", report.repairs},
             {"left", report.left},
             {"cuttable", report.cuttable},
-            {"problem", report.problem}};
+            {"problem", report.problem},
+            {"largest_pieces", inspection.volumes},
+            {"looks", inspection.looks},
+            {"remarks", inspection.remarks},
+            {"repairable", !inspection.mending.empty()},
+            {"proposed_edge", inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json()}};
 }
 
 std::string lengths(const Vec3& v) {
-    return formatNumber(static_cast<float>(v.x())) + " " + formatNumber(static_cast<float>(v.y())) +
-           " " + formatNumber(static_cast<float>(v.z()));
+    return joined(v, " ", [](double x) { return formatNumber(static_cast<float>(x)); });
 }
 
-const char* yesNo(bool value) {
-    return value ? "yes" : "no";
+/// Each line in at most 100 columns; what is left of one stands below its text.
+std::string wrapped(const std::string& lines) {
+    constexpr std::size_t kWidth = 100;
+    std::string text;
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line); text.append(line).append("\n")) {
+        const auto blank = [&line] { return line.substr(0, kWidth + 1).find_last_of(' ') + 1; };
+        for (std::size_t end = 0; line.size() > kWidth && (end = blank()) > kIndent + 1;) {
+            text.append(line, 0, end - 1).append("\n");
+            line.replace(0, end, kIndent, ' ');
+        }
+    }
+    return text;
+}
+
+/// "2: tile.png (16 x 16), wood.jpg (512 x 512)"; of many the first ones.
+std::string listed(const Json& items) {
+    constexpr std::size_t kMost = 6;
+    std::string text = std::to_string(items.size());
+    for (std::size_t i = 0; i < std::min(items.size(), kMost); ++i) {
+        const int width = items[i].value("width", 0);
+        text += (i == 0 ? ": " : ", ") + items[i]["name"].get<std::string>();
+        text += width == 0 ? "" : fmt::format(" ({} x {})", width, items[i].value("height", 0));
+    }
+    return text + (items.size() > kMost ? ", ..." : "");
 }
 
 void printForPeople(const Inspection& inspection, const std::filesystem::path& file,
                     std::ostream& out) {
     const MeshReport& report = inspection.report;
-    const auto line = [&out](const char* name) -> std::ostream& {
-        return out << std::left << std::setw(11) << name;
+    const Json& looks = inspection.looks;
+    const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
+    std::ostringstream text;
+    const auto line = [&text](const char* name) -> std::ostream& {
+        return text << std::left << std::setw(kIndent) << name;
     };
-    line("file") << file.string() << "\n";
+    const auto is = [](bool yes) { return yes ? "" : "not "; };
+    const auto lines = [&line](const char* name, const std::vector<std::string>& texts) {
+        for (const std::string& each : texts) line(name) << each << "\n";
+    };
+    line("size") << joined(sizeOf(report.bounds, guess), " x ", lengthText)
+                 << (guess.certain ? "" : ", as guessed") << "\n";
+    line("unit") << guess.sentence << "\n";
+    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
     line("vertices") << report.vertices << "\n";
     line("triangles") << report.triangles << "\n";
-    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
-    line("guess") << guessUnits(file, report.bounds).sentence << "\n";
+    line("surface") << is(report.closed) << "closed, " << is(report.manifold) << "manifold, "
+                    << is(report.oriented) << "oriented\n";
+    if (inspection.facts.objects.size() > 1) {
+        line("objects") << inspection.facts.objects.size() << "\n";
+    }
     line("pieces") << report.pieces << "\n";
     if (report.cavities > 0) {
         line("cavities") << report.cavities << "\n";
@@ -224,18 +319,22 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     if (report.crossingTriangles > 0) {
         line("crossing") << counted(report.crossingTriangles, "triangle", "triangles") << "\n";
     }
-    line("volume") << formatNumber(static_cast<float>(report.volume)) << "\n";
-    line("closed") << yesNo(report.closed) << "\n";
-    line("manifold") << yesNo(report.manifold) << "\n";
-    line("oriented") << yesNo(report.oriented) << "\n";
-    for (const std::string& repair : report.repairs) {
-        line("repaired") << repair << "\n";
+    line("volume") << formatNumber(static_cast<float>(report.volume)) << " " << nameOf(guess.unit)
+                   << "\u00b3";
+    if (inspection.volumes.size() > 1) {
+        text << fmt::format("; the largest pieces: {:.3g}", fmt::join(inspection.volumes, ", "));
     }
-    for (const std::string& left : report.left) {
-        line("left") << left << "\n";
+    text << "\n";
+    for (const char* name : {"materials", "images"}) {
+        if (!looks[name].empty()) line(name) << listed(looks[name]) << "\n";
     }
+    line("skin") << (looks["texture_coordinates"] ? "with" : "no") << " texture coordinates, "
+                 << (looks["vertex_colors"] ? "with" : "no") << " colours of vertices\n";
+    lines("repaired", report.repairs);
+    lines("left", report.left);
+    lines("remark", inspection.remarks);
     line("memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
-    line("cuttable") << yesNo(inspection.refusal.empty()) << "\n";
+    line("cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
     if (inspection.isCoarse()) {
         line("remark") << fmt::format(
             "{}; --remesh OUT.ply --edge {:.2g} makes it bend and cut well.\n",
@@ -246,6 +345,8 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     if (!inspection.mending.empty()) {
         line("--repair") << "would help: " << joined(inspection.mending, "; ") << "\n";
     }
+    out << std::left << std::setw(kIndent) << "file" << file.string() << "\n"
+        << wrapped(text.str());
 }
 
 void writeFaultPicture(const Inspection& inspection, const std::filesystem::path& file,
@@ -280,14 +381,12 @@ std::vector<ui::PieceRow> pieceRows(const SurfaceMesh& mesh) {
     const PieceShells shells(mesh);
     for (const int triangle : firstTriangles(mesh, findPieces(mesh))) {
         const PieceFigures piece = figuresOfPiece(mesh, shells, triangle);
-        ui::PieceRow row;
-        row.triangles = piece.triangles;
-        row.volume = piece.volume;
-        row.share = 1;
-        row.shareOfAll = all > 0 ? piece.volume / all : 0;
-        row.bounds = piece.bounds;
-        row.sums = ui::PieceSums{piece.skinArea, piece.cutArea, piece.centroid};
-        rows.push_back(row);
+        rows.push_back({.triangles = piece.triangles,
+                        .volume = piece.volume,
+                        .share = 1,
+                        .shareOfAll = all > 0 ? piece.volume / all : 0,
+                        .bounds = piece.bounds,
+                        .sums = ui::PieceSums{piece.skinArea, piece.cutArea, piece.centroid}});
     }
     return rows;
 }
@@ -309,10 +408,8 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
         writeOutputFile(mendedFile(arguments), inspection.mended);
     }
     if (arguments.json) {
-        Json json = toJson(inspection.report, file);
-        json["repairable"] = !inspection.mending.empty();
-        json["proposed_edge"] = inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json();
-        out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+        out << toJson(inspection, file).dump(-1, ' ', false, Json::error_handler_t::replace)
+            << "\n";
     } else {
         printForPeople(inspection, file, out);
     }

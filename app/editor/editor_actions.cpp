@@ -282,6 +282,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::cancel, Needs::nothing, cancel},
     Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
     Handler{ActionId::remesh, Needs::body, [](State& s) { s.remesh({}); }},
+    Handler{ActionId::partModel, Needs::body, [](State& s) { s.partModel(); }},
     Handler{ActionId::toolStroke, Needs::scene, take<Tool::stroke>},
     Handler{ActionId::toolScalpel, Needs::scene, take<Tool::scalpel>},
     Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},

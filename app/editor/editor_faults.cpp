@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* kRemesh = "Remesh";
 constexpr const char* kUnite = "Unite pieces";
+constexpr const char* kPart = "Part into models";
 constexpr const char* kRepair = "Repair";
 
 ModelReference& referenceOf(Session& session, int model) {
@@ -163,9 +164,15 @@ void Editor::State::tellOfModel(std::string note) {
                             coarseText(model.triangles, lengthText(model.triangles.longestEdge)),
                             lengthText(proposedEdge(model.triangles, diagonal)));
     }
+    const std::size_t objects = scene->document().objects.size();
+    if (scene->document().guess && objects > 1) {
+        note += fmt::format(" Its file has {} objects.", objects);
+    }
     if (!note.empty()) {
         spdlog::info("{}: {}", scene->document().name, note);
-        coarse ? toast.offer(note, {ui::ActionId::remesh, kRemesh}) : toast.show(note, false);
+        coarse        ? toast.offer(note, {ui::ActionId::remesh, kRemesh})
+        : objects > 1 ? toast.offer(note, {ui::ActionId::partModel, kPart})
+                      : toast.show(note, false);
     }
 }
 
@@ -175,6 +182,18 @@ void Editor::State::unitePieces(int model) {
     reference.repair = true;
     exchangeModel(start, reference, fmt::format("Uniting the pieces of {}", reference.name()),
                   kUnite);
+}
+
+void Editor::State::partModel() {
+    const auto objects = static_cast<int>(scene->document().objects.size());
+    if (objects > kMostModels) {
+        toast.show(fmt::format("The file has {} objects, and a scene holds {} models at most.",
+                               objects, kMostModels),
+                   true);
+        return;
+    }
+    const Session start = parted(scene->startOfScene(), objects);
+    exchangeModel(start, start.model, "Parting into models", kPart);
 }
 
 void Editor::State::exchangeModel(const Session& start, const ModelReference& model,

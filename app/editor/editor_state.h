@@ -200,6 +200,8 @@ struct Editor::State {
     /// Shows what is told of what was opened, and offers to remesh a model whose skin is coarse.
     void tellOfModel(std::string note);
     void unitePieces(int model);
+    /// Exchanges the only model for one for each object of its file.
+    void partModel();
     /// Opens the scene anew with `model` of `start`, as a change that undo takes back.
     void exchangeModel(const Session& start, const ModelReference& model, const std::string& doing,
                        const std::string& change);

@@ -1,7 +1,10 @@
 #include "app/files/companion_names.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
+#include <functional>
+#include <string_view>
 
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
@@ -14,16 +17,15 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostLetters = 100;
 constexpr std::size_t kMarkWithin = 8;  // first bytes: "# Kerf" in texts
 
-/// No folders, nothing hidden, no letters that file systems or readers stumble over.
+bool isPlain(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
+}
+
+/// No folders, nothing hidden, and only letters that need no escape in a URI: VTK and Open3D look
+/// for a file of the name "tile%20one.png".
 std::string safeName(const std::string& wanted) {
     std::string name = wanted.substr(wanted.find_last_of("/\\") + 1);
-    std::ranges::replace_if(
-        name,
-        [](char c) {
-            return (c >= 0 && c < ' ') ||
-                   std::string_view("<>:\"|?*#%").find(c) != std::string_view::npos;
-        },
-        '_');
+    std::ranges::replace_if(name, std::not_fn(isPlain), '_');
     if (name.starts_with('.') || name.empty()) {
         name.insert(0, "_");
     }

@@ -13,8 +13,8 @@ class CompanionNames {
     /// They will lie in this folder.
     explicit CompanionNames(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// `wanted`, made safe as a name in a folder; or that with a number where a file of the name is
-    /// neither the same nor an earlier one of Kerf.
+    /// `wanted`, made safe as a name in a folder and in a URI; or that with a number where a file
+    /// of the name is neither the same nor an earlier one of Kerf.
     std::string nameFor(const std::string& wanted, std::string_view bytes) const;
     /// Whether that very file is there already.
     bool isThere(const std::string& name, std::string_view bytes) const;

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
 #include "app/files/base64.h"
 #include "app/files/companion_names.h"
@@ -104,21 +102,6 @@ Primitive primitiveOf(const ExportMesh& part) {
     return out;
 }
 
-/// A name as a part of a URI.
-std::string escaped(const std::string& name) {
-    std::string uri;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || std::string_view("-._~").find(c) != std::string_view::npos) {
-            uri += c;
-        } else {
-            constexpr const char* kDigits = "0123456789ABCDEF";
-            uri.append({'%', kDigits[byte / 16U], kDigits[byte % 16U]});
-        }
-    }
-    return uri;
-}
-
 /// The JSON and the buffer of a file, as they grow.
 class GltfFile {
   public:
@@ -200,10 +183,8 @@ class GltfFile {
         const auto [place, isNew] = textures_.try_emplace(image, next);
         if (isNew) {
             const render::ModelImage& from = mesh.appearance->images[image];
-            Json json = {{"uri", names == nullptr ? "" : escaped((*names)[image])}};
-            if (names == nullptr) {
-                json = inBuffer(from);
-            }
+            Json json =
+                names == nullptr ? inBuffer(from) : Json::object({{"uri", (*names)[image]}});
             json_["images"].push_back(std::move(json));
             json_["textures"].push_back({{"source", next}});
         }
@@ -339,7 +320,7 @@ std::string encodeGltf(const ExportMesh& mesh) {
 std::string encodeGltfBeside(const ExportMesh& mesh, const std::vector<std::string>& images,
                              const std::function<std::string(std::string)>& nameOf) {
     GltfFile file = gather(mesh, &images);
-    return file.text(escaped(nameOf(file.bytes())));
+    return file.text(nameOf(file.bytes()));
 }
 
 }  // namespace kerf::app

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
 #include "render/scene/body_look.h"
 #include "sim/base/boxes.h"
@@ -14,6 +15,26 @@
 #include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
+
+void FaceSoup::enterObject(const std::string& name) {
+    if (objectNames_.empty() && !ends_.empty()) {
+        objectNames_.emplace_back();  // of the faces before
+    }
+    const auto [place, isNew] =
+        objectNumbers_.try_emplace(name, static_cast<int>(objectNames_.size()));
+    object_ = place->second;
+    if (isNew) {
+        objectNames_.push_back(name);
+    }
+}
+
+void FaceSoup::beginObject(const std::string& name) {
+    std::string free = name;
+    for (std::size_t number = objectNames_.size() + 1; objectNumbers_.contains(free); ++number) {
+        free = name + " " + std::to_string(number);
+    }
+    enterObject(free);
+}
 
 void FaceSoup::addCorner(int vertex, int uv) {
     corners_.push_back(vertex);
@@ -30,6 +51,7 @@ void FaceSoup::endFace(int material) {
     ends_.push_back(corners_.size());
     materials_.push_back(material);
     hasMaterials_ |= material >= 0;
+    objects_.push_back(object_);
 }
 
 TriangleSoup FaceSoup::triangles() {
@@ -96,6 +118,9 @@ void FaceSoup::addTriangle(std::size_t face, const Triangle& corners) {
     if (hasMaterials_) {
         soup_.skin.materials.push_back(materials_[face]);
     }
+    if (!objectNames_.empty()) {
+        soup_.objects.push_back(objects_[face]);
+    }
 }
 
 Eigen::Vector2f FaceSoup::uvAt(std::size_t corner) const {
@@ -127,6 +152,11 @@ void makeLinear(std::vector<Eigen::Vector4f>& display) {
         color = color == kNoColor ? Eigen::Vector4f(Eigen::Vector4f::Ones())
                                   : linearOf({shares.x(), shares.y(), shares.z(), opacity});
     }
+}
+
+void takeFaces(FaceSoup& faces, ImportedModel& model) {
+    model.soup = faces.triangles();
+    model.facts.objects = faces.objectNames();
 }
 
 void roundNearOrigin(TriangleSoup& soup) {

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::app {
+
+struct ImportedModel;
 
 /// Vertices and faces of a file in whatever order they come, until they become triangles.
 class FaceSoup {
@@ -19,6 +23,13 @@ class FaceSoup {
     std::vector<Eigen::Vector4f> vertexColors;  ///< linear, by vertex; fewer at the end, or none
     std::vector<Eigen::Vector4f> faceColors;    ///< the same by face, where vertices have none
 
+    /// The faces that end from now on are of the object of that name.
+    void enterObject(const std::string& name);
+    /// The same for another object than all before, whose name becomes another one where it is
+    /// taken.
+    void beginObject(const std::string& name);
+    /// By the numbers in the triangles; none where no object was entered.
+    const std::vector<std::string>& objectNames() const { return objectNames_; }
     /// Adds a corner to the face that is being made; both are indices, `uv` perhaps kNone.
     void addCorner(int vertex, int uv = kNone);
     /// Ends the face; one with fewer than three corners is left out. `material`: its index, or
@@ -43,6 +54,10 @@ class FaceSoup {
     std::vector<std::size_t> ends_;  ///< where the corners of each face end
     std::vector<int> materials_;     ///< by face
     bool hasMaterials_ = false;
+    std::vector<int> objects_;  ///< by face
+    int object_ = 0;
+    std::vector<std::string> objectNames_;
+    std::map<std::string, int> objectNumbers_;
 };
 
 /// A colour and its opacity, from what displays take to linear light.
@@ -53,6 +68,8 @@ void makeLinear(std::vector<Eigen::Vector4f>& display);
 /// Of a vertex or a face that has none, until makeLinear().
 inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);
 
+/// The triangles and objects of the faces become those of a model. Throws as triangles().
+void takeFaces(FaceSoup& faces, ImportedModel& model);
 /// Rounds positions near the origin to floats, for a text that says as much; those far from it
 /// would make another shape.
 void roundNearOrigin(TriangleSoup& soup);

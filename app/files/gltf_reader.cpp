@@ -495,11 +495,12 @@ ImportedModel readGltf(const std::filesystem::path& path) {
         const Json& node = file.item("nodes", index);
         refuseUnreadable(node);
         if (const auto mesh = indexOf(node, "mesh")) {
+            meshes.faces().beginObject(valueOf<std::string>(node, "name", ""));
             meshes.add(*mesh, {place, indexOf(node, "skin"),
                                valueOf(node, "weights", std::vector<double>{})});
         }
     }
-    model.soup = meshes.faces().triangles();
+    takeFaces(meshes.faces(), model);
     if (model.appearance.materials.empty()) {
         model.soup.skin.materials.clear();
     }

@@ -186,16 +186,13 @@ std::optional<fs::path> fileBeside(const fs::path& model, std::string name) {
     return std::nullopt;
 }
 
-void addAppearance(const aiScene& scene, const fs::path& file, const std::vector<int>& triangles,
-                   ImportedModel& model) {
+void addAppearance(const aiScene& scene, const fs::path& file, ImportedModel& model) {
     AppearanceReader reader(scene, file, model);
-    std::vector<int>& materials = model.soup.skin.materials;
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        const int number = reader.numberOf(scene.mMeshes[i]->mMaterialIndex);
-        materials.insert(materials.end(), triangles[i], number);
+    for (int& material : model.soup.skin.materials) {
+        material = reader.numberOf(material);
     }
     if (model.appearance.materials.empty()) {
-        materials.clear();
+        model.soup.skin.materials.clear();
     }
 }
 

@@ -14,12 +14,11 @@ struct aiScene;
 
 namespace kerf::app {
 
-/// The materials that the meshes of a scene use, and the bytes of their pictures: those in `file`
-/// itself, and regular files of limited size in its folder and below. What is missing there is a
-/// sentence of the answer. Fills in what the triangles of `model` have of them; those come mesh by
-/// mesh, as many of each as `triangles` says. `file` names the model.
-void addAppearance(const aiScene& scene, const std::filesystem::path& file,
-                   const std::vector<int>& triangles, ImportedModel& model);
+/// The materials of a scene that triangles of `model` name by their numbers in it, and the bytes of
+/// their pictures: those in `file` itself, and regular files of limited size in its folder and
+/// below. What is missing there is a sentence of the answer. The triangles name them by their
+/// numbers in the model then. `file` names the model.
+void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
 /// Of formats that know no roughness, that of the exponent of a highlight, as Blender reads it.
 float roughnessOfHighlight(double exponent);

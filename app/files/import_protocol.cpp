@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '3'};
+constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '4'};
 constexpr std::uint64_t kMaxMessage = 1000;
 constexpr std::uint64_t kLeastTriangles = 4;  // a tetrahedron; the sentence below says it
 
@@ -145,6 +145,7 @@ TriangleSoup readSoup(const ImportHeader& head, AnswerReader& reader) {
     soup.skin.uvs = reader.take<CornerUvs>(perTriangle(head.textured));
     soup.skin.colors = reader.take<CornerColors>(perTriangle(head.colored));
     soup.skin.materials = reader.take<int>(perTriangle(head.materials));
+    soup.objects = reader.take<int>(perTriangle(head.objects));
     clearOdd(soup.skin.uvs);
     clearOdd(soup.skin.colors);
     return soup;
@@ -164,7 +165,16 @@ Json toJson(const ImportedModel& model) {
     for (const render::ModelImage& image : model.appearance.images) {
         images.push_back({{"name", image.name}, {"bytes", image.bytes.size()}});
     }
-    return {{"materials", materials}, {"images", images}, {"remarks", model.remarks}};
+    Json units;
+    if (model.facts.units) {
+        units = {{"unit", static_cast<int>(model.facts.units->unit)},
+                 {"up", static_cast<int>(model.facts.units->up)}};
+    }
+    return {{"materials", materials},
+            {"images", images},
+            {"objects", model.facts.objects},
+            {"units", units},
+            {"remarks", model.remarks}};
 }
 
 /// What a file calls something, without what would break a line.
@@ -219,12 +229,25 @@ void readLooks(const Json& json, AnswerReader& reader, ImportedModel& model) {
         model.appearance.materials.push_back(
             materialOf(material, static_cast<int>(model.appearance.images.size())));
     }
+    for (const Json& object : json.at("objects")) {
+        model.facts.objects.push_back(nameIn(object));
+    }
+    if (const Json& units = json.at("units"); !units.is_null()) {
+        const int unit = indexIn(units.at("unit"), std::size(kLengthUnitNames));
+        const int up = indexIn(units.at("up"), std::size(kUpAxisNames));
+        model.facts.units = {static_cast<LengthUnit>(std::max(unit, 0)),
+                             static_cast<UpAxis>(std::max(up, 0))};
+    }
     for (const Json& remark : json.at("remarks")) {
         model.remarks.push_back(nameIn(remark));
     }
 }
 
-void clearOddMaterials(ImportedModel& model) {
+void clearOddNumbers(ImportedModel& model) {
+    const int objects = static_cast<int>(model.facts.objects.size());
+    for (int& object : model.soup.objects) {
+        object = object >= 0 && object < objects ? object : 0;
+    }
     const int count = static_cast<int>(model.appearance.materials.size());
     for (int& material : model.soup.skin.materials) {
         material = material >= 0 && material < count ? material : -1;
@@ -254,6 +277,7 @@ std::string encodeImport(const ImportedModel& model) {
     head.textured = soup.skin.uvs.empty() ? 0 : 1;
     head.colored = soup.skin.colors.empty() ? 0 : 1;
     head.materials = soup.skin.materials.empty() ? 0 : 1;
+    head.objects = soup.objects.empty() ? 0 : 1;
     std::string bytes;
     append(bytes, &head, 1);
     append(bytes, soup.positions.data(), soup.positions.size());
@@ -261,6 +285,7 @@ std::string encodeImport(const ImportedModel& model) {
     append(bytes, soup.skin.uvs.data(), soup.skin.uvs.size());
     append(bytes, soup.skin.colors.data(), soup.skin.colors.size());
     append(bytes, soup.skin.materials.data(), soup.skin.materials.size());
+    append(bytes, soup.objects.data(), soup.objects.size());
     bytes += looks;
     for (const render::ModelImage& image : model.appearance.images) {
         bytes += image.bytes;
@@ -284,7 +309,8 @@ ImportedModel decodeImport(std::string_view answer) {
     }
     checkCounts(head);
     AnswerReader reader(body);
-    ImportedModel model{readSoup(head, reader), {}, {}};
+    ImportedModel model;
+    model.soup = readSoup(head, reader);
     try {
         readLooks(Json::parse(reader.takeBytes(head.messageLength)), reader, model);
     } catch (const Json::exception&) {
@@ -292,7 +318,7 @@ ImportedModel decodeImport(std::string_view answer) {
     }
     reader.end();
     checkIndices(model.soup);
-    clearOddMaterials(model);
+    clearOddNumbers(model);
     return model;
 }
 

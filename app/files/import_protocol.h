@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/files/model_units.h"
 #include "render/scene/appearance.h"
 #include "sim/mesh/triangle_soup.h"
 
@@ -25,16 +27,17 @@ inline constexpr std::uint64_t kMaxImportLooks = 16'000'000;
 /// A model as its file gives it.
 struct ImportedModel {
     TriangleSoup soup;
-    render::Appearance appearance;     ///< pictures are not decoded
-    std::vector<std::string> remarks;  ///< sentences about what was left out
+    FileFacts facts{};                   ///< objects by their numbers in the soup
+    render::Appearance appearance{};     ///< pictures are not decoded
+    std::vector<std::string> remarks{};  ///< sentences about what was left out
 };
 
 /// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte
 /// order. Where `failed` is 1, `messageLength` bytes follow that say why. Else there follow
 /// `vertices` positions of three doubles, `triangles` of three 32-bit indices, then for each
-/// triangle six floats where `textured` is 1, twelve where `colored` is 1, and a 32-bit index where
-/// `materials` is 1, then `messageLength` bytes of JSON (materials, images, remarks), and the bytes
-/// of the images one after the other.
+/// triangle six floats where `textured` is 1, twelve where `colored` is 1, and a 32-bit index each
+/// where `materials` and `objects` are 1, then `messageLength` bytes of JSON (materials, images,
+/// names of objects, units, remarks), and the bytes of the images one after the other.
 struct ImportHeader {
     char magic[8];
     std::uint64_t failed;
@@ -44,8 +47,9 @@ struct ImportHeader {
     std::uint64_t textured;
     std::uint64_t colored;
     std::uint64_t materials;
+    std::uint64_t objects;
 };
-static_assert(sizeof(ImportHeader) == 64);
+static_assert(sizeof(ImportHeader) == 72);
 
 /// Where an answer tells its counts [bytes].
 inline constexpr std::size_t kImportHeadBytes = sizeof(ImportHeader);
@@ -55,7 +59,7 @@ std::uint64_t trianglesByHead(std::string_view head);
 
 /// Most bytes that an answer within the limits can have.
 inline constexpr std::uint64_t kMaxImportAnswer = sizeof(ImportHeader) + kMaxImportVertices * 24 +
-                                                  kMaxImportTriangles * (12 + 24 + 48 + 4) +
+                                                  kMaxImportTriangles * (12 + 24 + 48 + 4 + 4) +
                                                   kMaxImportLooks + kMaxImportImages;
 
 /// Answers of the reader process: the model, or why there is none.

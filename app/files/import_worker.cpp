@@ -10,17 +10,19 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cerrno>
-#include <cstdint>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/files/face_soup.h"
 #include "app/files/gltf_reader.h"
 #include "app/files/import_appearance.h"
-#include "app/files/import_polygons.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
@@ -63,59 +65,95 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     std::filesystem::path folder_;
 };
 
-CornerUvs uvsOf(const aiMesh& mesh, const aiFace& face) {
-    CornerUvs uvs;
-    for (unsigned i = 0; i < 3; ++i) {
-        const aiVector3D uv =
-            mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][face.mIndices[i]] : aiVector3D();
-        uvs[i] = {uv.x, uv.y};
+/// The vertices of a mesh at the place of its node.
+void addVertices(const aiMesh& mesh, const aiMatrix4x4& place, FaceSoup& faces) {
+    const std::size_t first = faces.positions.size();
+    for (const aiVector3D& own : std::span(mesh.mVertices, mesh.mNumVertices)) {
+        const aiVector3D p = place * own;
+        faces.positions.emplace_back(p.x, p.y, p.z);
     }
-    return uvs;
-}
-
-CornerColors colorsOf(const aiMesh& mesh, const aiFace& face) {
-    CornerColors colors;
-    for (unsigned i = 0; i < 3; ++i) {
-        const aiColor4D color =
-            mesh.HasVertexColors(0) ? mesh.mColors[0][face.mIndices[i]] : aiColor4D(1, 1, 1, 1);
-        colors[i] = linearOf({color.r, color.g, color.b, color.a});
-    }
-    return colors;
-}
-
-/// What the meshes of a scene have, at least one of them.
-struct SceneHas {
-    bool uvs;
-    bool colors;
-};
-
-SceneHas contentOf(std::span<const aiMesh* const> meshes) {
-    return {
-        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasTextureCoords(0); }),
-        std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasVertexColors(0); })};
-}
-
-void appendMesh(const aiMesh& mesh, const SceneHas& has, TriangleSoup& soup) {
-    const int first = static_cast<int>(soup.positions.size());
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-        const aiVector3D& p = mesh.mVertices[i];
-        soup.positions.emplace_back(p.x, p.y, p.z);
-    }
-    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-        const aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices != 3) {
-            continue;
-        }
-        soup.triangles.push_back({first + static_cast<int>(face.mIndices[0]),
-                                  first + static_cast<int>(face.mIndices[1]),
-                                  first + static_cast<int>(face.mIndices[2])});
-        if (has.uvs) {
-            soup.skin.uvs.push_back(uvsOf(mesh, face));
-        }
-        if (has.colors) {
-            soup.skin.colors.push_back(colorsOf(mesh, face));
+    if (mesh.HasTextureCoords(0)) {
+        faces.vertexUvs.resize(first, Vec2::Zero());
+        for (const aiVector3D& uv : std::span(mesh.mTextureCoords[0], mesh.mNumVertices)) {
+            faces.vertexUvs.emplace_back(uv.x, uv.y);
         }
     }
+    if (mesh.HasVertexColors(0)) {
+        faces.vertexColors.resize(first, Eigen::Vector4f::Ones());
+        std::ranges::transform(std::span(mesh.mColors[0], mesh.mNumVertices),
+                               std::back_inserter(faces.vertexColors), [](const aiColor4D& c) {
+                                   return linearOf({c.r, c.g, c.b, c.a});
+                               });
+    }
+}
+
+/// A node that mirrors turns them over.
+void addFaces(const aiMesh& mesh, bool mirrored, int first, FaceSoup& faces) {
+    for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+        for (unsigned i = 0; i < face.mNumIndices; ++i) {
+            const unsigned corner = mirrored ? face.mNumIndices - 1 - i : i;
+            faces.addCorner(first + static_cast<int>(face.mIndices[corner]));
+        }
+        faces.endFace(static_cast<int>(mesh.mMaterialIndex));
+    }
+}
+
+/// All that the nodes of a scene show, an object for each node.
+FaceSoup facesOf(const aiScene& scene, const aiMatrix4x4& root) {
+    FaceSoup faces;
+    std::vector<std::pair<const aiNode*, aiMatrix4x4>> waiting{{scene.mRootNode, root}};
+    while (!waiting.empty()) {
+        const auto [node, place] = waiting.back();
+        waiting.pop_back();
+        if (node->mNumMeshes > 0) {
+            faces.beginObject(node->mName.C_Str());
+        }
+        for (const unsigned number : std::span(node->mMeshes, node->mNumMeshes)) {
+            const aiMesh& mesh = *scene.mMeshes[number];
+            const int first = static_cast<int>(faces.positions.size());
+            addVertices(mesh, place, faces);
+            addFaces(mesh, place.Determinant() < 0, first, faces);
+        }
+        for (unsigned i = node->mNumChildren; i > 0; --i) {
+            const aiNode* child = node->mChildren[i - 1];
+            waiting.emplace_back(child, place * child->mTransformation);
+        }
+    }
+    return faces;
+}
+
+// --- What an FBX says of its numbers -------------------------------------------------------------
+
+/// A setting of the whole file; nothing where it has none.
+template <class T>
+std::optional<T> settingOf(const aiScene& scene, const char* name) {
+    T value{};
+    const bool there = scene.mMetaData != nullptr && scene.mMetaData->Get(name, value);
+    return there ? std::optional(value) : std::nullopt;
+}
+
+/// In the order of UpAxis: y, z and x, and the same downwards.
+UpAxis upAxisOf(const aiScene& scene) {
+    constexpr std::array kAxes{UpAxis::x, UpAxis::y, UpAxis::z};
+    constexpr std::array kDownward{UpAxis::minusX, UpAxis::minusY, UpAxis::minusZ};
+    const int axis = std::clamp(settingOf<int>(scene, "UpAxis").value_or(1), 0, 2);
+    return settingOf<int>(scene, "UpAxisSign").value_or(1) < 0 ? kDownward[axis] : kAxes[axis];
+}
+
+/// Brings numbers in a unit that has no name to centimetres.
+FileUnits fbxUnits(const aiScene& scene, double centimetres, std::vector<Vec3>& positions) {
+    constexpr double kSame = 1e-6;
+    constexpr int kUnits = std::size(kLengthUnitNames);
+    for (int unit = 0; unit < kUnits; ++unit) {
+        const double ratio = centimetres / (100 * infoOf(static_cast<LengthUnit>(unit)).metres);
+        if (std::abs(ratio - 1) < kSame) {
+            return {static_cast<LengthUnit>(unit), upAxisOf(scene)};
+        }
+    }
+    for (Vec3& p : positions) {
+        p *= centimetres;
+    }
+    return {LengthUnit::centimetre, upAxisOf(scene)};
 }
 
 /// Says in words of ours what assimp puts into its own.
@@ -175,40 +213,30 @@ class DamageLog : public Assimp::LogStream {
     std::vector<std::string>& remarks_;
 };
 
-/// Node transforms are applied, polygons triangulated, points and lines left out.
 ImportedModel readByAssimp(const std::filesystem::path& file) {
     ImportedModel model;
     const DamageLog log(model.remarks);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene = importer.ReadFile(file.string(), 0);
-    if (scene != nullptr) {
-        tellLeftOut(*scene, model.remarks);
-        dividePolygons(*scene);
-        scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
-                                             aiProcess_PreTransformVertices |
-                                             aiProcess_ValidateDataStructure);
-    }
+    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
     if (scene == nullptr) {
         throw InputError(plainReason(importer.GetErrorString()));
     }
-    const std::span<aiMesh* const> meshes(scene->mMeshes, scene->mNumMeshes);
-    const SceneHas has = contentOf(meshes);
-    std::vector<int> triangles;  // by mesh
-    for (const aiMesh* mesh : meshes) {
-        const std::size_t before = model.soup.triangles.size();
-        appendMesh(*mesh, has, model.soup);
-        triangles.push_back(static_cast<int>(model.soup.triangles.size() - before));
+    tellLeftOut(*scene, model.remarks);
+    // Some versions of assimp turn an FBX at its root, which is not in the file.
+    const auto centimetres = settingOf<float>(*scene, "UnitScaleFactor");
+    FaceSoup faces =
+        facesOf(*scene, centimetres ? aiMatrix4x4() : scene->mRootNode->mTransformation);
+    if (faces.faceCount() == 0 && !model.remarks.empty()) {
+        throw InputError(model.remarks.front());
     }
-    if (model.soup.triangles.empty()) {
-        throw InputError(model.remarks.empty() ? "there is no surface in it"
-                                               : model.remarks.front());
+    requireFineFloats(faces.positions);
+    if (centimetres && *centimetres > 0) {
+        model.facts.units = fbxUnits(*scene, *centimetres, faces.positions);
     }
-    addAppearance(*scene, file, triangles, model);
-    requireFineFloats(model.soup.positions);
+    takeFaces(faces, model);
+    addAppearance(*scene, file, model);
     return model;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/model_units.h"
 #include "render/scene/marks.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/fault_finder.h"
@@ -16,6 +17,7 @@ namespace kerf::app {
 struct FoundFaults {
     TriangleSoup soup;  ///< in the file's numbers
     repair::Faults faults;
+    std::optional<FileUnits> units = std::nullopt;  ///< that the file names
 };
 
 /// "12 open edges": a kind of fault that is there so often, for people.

@@ -17,6 +17,7 @@
 #include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/remesher.h"
+#include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_repair.h"
 #include "sim/repair/vertex_parting.h"
 
@@ -184,9 +185,10 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
     if (options.repair && found.cuttable) {
         found = united(soup, std::move(found), options.progress);
-        // What moves apart may cross then, and what is united may touch itself.
-        constexpr int kMostRounds = 4;
-        for (int i = 0; i < kMostRounds && repair::moveApart(soup) > 0; ++i) {
+        // What moves apart may cross then, and what is united may touch itself. Solids that touch
+        // as the file has them stay.
+        const int rounds = found.repairs.empty() ? 0 : 4;
+        for (int i = 0; i < rounds && repair::moveApart(soup) > 0; ++i) {
             found = united(soup, std::move(found), options.progress);
         }
     }
@@ -252,9 +254,50 @@ OwnLooks looksOf(ImportedModel& model) {
 
 }  // namespace
 
+namespace {
+
+/// Those that hang together have become one, by the number and name of the first of them.
+void numberObjects(ImportedModel& model) {
+    std::vector<int> numbers(model.facts.objects.size(), -1);
+    std::vector<std::string> names;
+    for (int& object : model.soup.objects) {
+        int& number = numbers[object];
+        if (number < 0) {
+            number = static_cast<int>(names.size());
+            names.push_back(model.facts.objects[object]);
+        }
+        object = number;
+    }
+    model.facts.objects = std::move(names);
+}
+
+/// Leaves out the others.
+void takeObject(const fs::path& file, ImportedModel& model, int object) {
+    TriangleSoup& soup = model.soup;
+    if (object > 0) {
+        const int count = std::max<int>(1, static_cast<int>(model.facts.objects.size()));
+        if (object > count) {
+            throw InputError(shownPath(file) + ": object " + std::to_string(object) +
+                             " is wanted, and there are " + std::to_string(count));
+        }
+        std::vector<char> keep;
+        for (const int own : soup.objects) {
+            keep.push_back(own + 1 == object ? 1 : 0);
+        }
+        if (!keep.empty()) {
+            repair::keepTriangles(soup, keep);
+            repair::dropUnusedVertices(soup);
+        }
+    }
+    soup.objects.clear();
+}
+
+}  // namespace
+
 ImportedModel modelOfAnswer(std::string_view answer) {
     ImportedModel model = decodeImport(answer);
-    model.soup = weldExactly(model.soup);
+    model.soup = weldObjects(model.soup);
+    numberObjects(model);
     checkImportedPositions(model.soup);
     return model;
 }
@@ -275,6 +318,10 @@ ImportedModel importFor(const fs::path& file, const ImportLimits& limits,
 ImportedModel importWithLooks(const fs::path& file, const ImportLimits& limits,
                               WorkProgress* progress) {
     return importFor(file, limits, std::nullopt, progress);
+}
+
+ImportedModel importWithLooks(const fs::path& file, const ReadOptions& options) {
+    return importFor(file, ImportLimits{}, options.means, options.progress);
 }
 
 TriangleSoup importModel(const fs::path& file, const ImportLimits& limits, WorkProgress* progress) {
@@ -310,6 +357,7 @@ ModelMesh meshOf(ImportedModel& model) {
     ModelMesh built(SurfaceMesh::fromTriangles(model.soup.positions, model.soup.triangles));
     built.looks = looksOf(model);
     built.remarks = std::move(model.remarks);
+    built.facts = std::move(model.facts);
     return built;
 }
 
@@ -382,12 +430,15 @@ repair::Faults findFaults(const TriangleSoup& soup, MeshReport& found, const Rea
 }  // namespace
 
 ModelMesh readModel(const fs::path& file, const ReadOptions& options) {
-    return surfaceOf(file, importFor(file, ImportLimits{}, options.means, options.progress),
-                     options);
+    return surfaceOf(file, importWithLooks(file, options), options);
 }
 
 ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions& options) {
+    takeObject(file, model, options.object);
     TriangleSoup& soup = model.soup;
+    if (options.facts != nullptr) {
+        *options.facts = model.facts;
+    }
     enter(options.progress, "Looking for faults");
     MeshReport found = inspectAndRepair(soup, options);
     if (found.cuttable && options.remesh) {
@@ -401,7 +452,7 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
         ModelFault fault = faultOf(file, soup, found, options);
         if (options.findFaults) {
             fault.setFound(std::make_shared<const FoundFaults>(
-                FoundFaults{std::move(soup), std::move(faults)}));
+                FoundFaults{std::move(soup), std::move(faults), model.facts.units}));
         }
         throw fault;
     }
@@ -414,6 +465,7 @@ ModelMesh surfaceOf(const fs::path& file, ImportedModel model, const ReadOptions
 
 MendedModel mendModel(const fs::path& file, ReadOptions options) {
     ImportedModel model = importWithLooks(file, ImportLimits{}, nullptr);
+    takeObject(file, model, options.object);
     options.repair = true;
     MeshReport found = inspectAndRepair(model.soup, options);
     requireMended(file, found);

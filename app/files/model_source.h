@@ -68,6 +68,7 @@ struct ModelMesh {
     OwnLooks looks;
     std::vector<std::string> remarks;        ///< sentences about what was left out of them
     std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
+    FileFacts facts{};
     Vec3 origin = Vec3::Zero();  ///< the point of the scene from which places are counted [m]
     /// What is poor about its triangles though it can be cut, by slot; empty unless
     /// ReadOptions::findFaults.
@@ -79,6 +80,7 @@ inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
 
 struct ImportLimits;
 struct ImportedModel;
+struct ReadOptions;
 
 /// Tells whether the file's name ends like that of a model that importModel() reads.
 bool isModelFile(const std::filesystem::path& file);
@@ -92,6 +94,7 @@ TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& 
 /// The same with materials and the bytes of their pictures.
 ImportedModel importWithLooks(const std::filesystem::path& file, const ImportLimits& limits,
                               WorkProgress* progress = nullptr);
+ImportedModel importWithLooks(const std::filesystem::path& file, const ReadOptions& options);
 /// The model in an answer of the child process, welded. Throws InputError with what is wrong,
 /// without the file's name.
 ImportedModel modelOfAnswer(std::string_view answer);
@@ -106,6 +109,7 @@ struct ReadOptions {
     bool repair = false;      ///< see repair::repairSoup(); named among the repairs
     bool remesh = false;      ///< see repair::remesh(); named among the repairs
     double edge = 0;          ///< that of remesh, in the file's unit; 0: evenEdge()
+    int object = 0;           ///< the number of the only object that is read, from 1; 0: all
     bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
     bool tryFilling = false;  ///< to tell in a ModelFault whether filling holes would help
     /// To tell in a ModelFault what a repair would do where filling is not tried or no help. It is
@@ -116,6 +120,7 @@ struct ReadOptions {
     /// The model is read to be cut with these means: of one that is beyond them nothing is taken.
     std::optional<MemoryMeans> means = std::nullopt;
     MeshReport* report = nullptr;  ///< filled for a refused model as well
+    FileFacts* facts = nullptr;    ///< as well
     WorkProgress* progress = nullptr;
 };
 /// loadModel() with the looks that the model has, pictures decoded. A picture that can't be shown

@@ -84,8 +84,14 @@ std::string sentenceFor(const Customs& format, LengthUnit unit, double length) {
 
 }  // namespace
 
-UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own) {
-    const Customs& format = customsOf(file);
+UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own,
+                     const std::optional<FileUnits>& said) {
+    Customs format = customsOf(file);
+    if (said) {
+        format.units = {said->unit};
+        format.up = said->up;
+        format.certain = true;
+    }
     const double length = lengthOf(own);
     const LengthUnit unit = likeliest(format, length);
     return {unit, format.up, format.certain, sentenceFor(format, unit, length)};

@@ -20,9 +20,9 @@ namespace kerf::app {
 namespace {
 
 /// What says nothing about the shape and looks of a surface.
-constexpr std::array<std::string_view, 15> kSaysNothing{
-    "vn",    "l",        "p",        "o",          "g",         "s",      "mg",    "lod",
-    "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
+constexpr std::array<std::string_view, 13> kSaysNothing{
+    "vn",       "l",        "p",          "s",         "mg",     "lod",   "bevel",
+    "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
 constexpr std::size_t kMostNamed = 3;  // unknown words in a remark
 
 /// A number of a list that has `count` so far, which counts from 1, or backwards from its end.
@@ -53,6 +53,8 @@ class ObjModel {
             addUv(line);
         } else if (key == "f" || key == "fo") {
             addFace(line);
+        } else if (key == "o" || key == "g") {
+            enterObject(key, line);
         } else if (std::ranges::find(kSaysNothing, key) == kSaysNothing.end()) {
             unknown.insert(std::string(key));
         }
@@ -67,15 +69,23 @@ class ObjModel {
         }
     }
 
-    TriangleSoup triangles() {
+    FaceSoup& faces() {
         makeLinear(faces_.vertexColors);
-        return faces_.triangles();
+        return faces_;
     }
 
     std::set<std::string> unknown;   ///< words at the beginning of lines
     std::vector<std::string> names;  ///< of materials, by the numbers in the triangles
 
   private:
+    /// A file without objects may have a group for each.
+    void enterObject(std::string_view key, std::string_view name) {
+        hasObjects_ |= key == "o";
+        if (key == "o" || !hasObjects_) {
+            faces_.enterObject(std::string(withoutBlanks(name)));
+        }
+    }
+
     static std::vector<double> numbersIn(std::string_view line) {
         std::vector<double> numbers;
         for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
@@ -123,6 +133,7 @@ class ObjModel {
     }
 
     FaceSoup faces_;
+    bool hasObjects_ = false;
     int material_ = FaceSoup::kNone;
     std::map<std::string, int> numbers_;  ///< of materials, by name
 };
@@ -260,7 +271,7 @@ ImportedModel readObj(const std::filesystem::path& file) {
     ObjModel read;
     Libraries libraries(file, model.remarks);
     readLines(bytes, read, libraries);
-    model.soup = read.triangles();
+    takeFaces(read.faces(), model);
     roundNearOrigin(model.soup);
     addMaterials(read.names, libraries, file, model);
     tellUnknown(read.unknown, model.remarks);

@@ -190,7 +190,7 @@ ImportedModel readOff(const std::filesystem::path& file) {
     namingLine(words.lines(), [&] { readAll(words, faces, model.remarks); });
     makeLinear(faces.vertexColors);
     makeLinear(faces.faceColors);
-    model.soup = faces.triangles();
+    takeFaces(faces, model);
     roundNearOrigin(model.soup);
     return model;
 }

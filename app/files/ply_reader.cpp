@@ -262,6 +262,7 @@ struct Places {
                  element.find({"blue", "b", "diffuse_blue"}),
                  element.find({"alpha", "a", "diffuse_alpha"})}},
           corners(element.find({"vertex_indices", "vertex_index"})),
+          piece{{element.find({"piece"})}},
           cornerUvs(element.find({"texcoord"})),
           image{{element.find({"texnumber"})}} {}
 
@@ -269,6 +270,7 @@ struct Places {
     Group uv;
     Group color;
     int corners;
+    Group piece;  ///< of a cut body, as Kerf writes it
     int cornerUvs;
     Group image;
 };
@@ -319,10 +321,10 @@ class PlyModel {
         return isVertex || isFace || isStrip;
     }
 
-    TriangleSoup triangles() {
+    FaceSoup& faces() {
         makeLinear(faces_.vertexColors);
         makeLinear(faces_.faceColors);
-        return faces_.triangles();
+        return faces_;
     }
 
   private:
@@ -352,6 +354,9 @@ class PlyModel {
         if (places.color.isThere(3)) {
             faces_.faceColors.resize(faces_.faceCount(), kNoColor);
             faces_.faceColors.push_back(colorOf(element, places.color, row));
+        }
+        if (places.piece.isThere(1)) {
+            faces_.enterObject("piece_" + formatNumber(places.piece.of(row, 0) + 1));
         }
         faces_.endFace(indexOf(places.image.of(row, 0)));
     }
@@ -406,7 +411,7 @@ ImportedModel readPly(const std::filesystem::path& file) {
         model.remarks.emplace_back(
             "What stands behind its last element was left out: its header counts no more.");
     }
-    model.soup = read.triangles();
+    takeFaces(read.faces(), model);
     addImages(file, header.images, model);
     return model;
 }

@@ -71,7 +71,12 @@ std::optional<std::uint64_t> binarySize(std::string_view bytes) {
     return size <= bytes.size() ? std::optional(size) : std::nullopt;
 }
 
+/// One behind another is an object of its own.
 void readFacets(std::string_view bytes, FaceSoup& faces) {
+    if (faces.faceCount() > 0) {
+        faces.beginObject("");
+    }
+    const bool hasPieces = bytes.starts_with("Kerf, ");
     const std::optional<Eigen::Vector4f> common = colorInHeader(bytes.substr(0, kHeader));
     for (std::size_t at = kFacetsAt; at < bytes.size(); at += kFacet) {
         for (std::size_t corner = 1; corner <= 3; ++corner) {
@@ -80,6 +85,9 @@ void readFacets(std::string_view bytes, FaceSoup& faces) {
             faces.positions.emplace_back(p[0], p[1], p[2]);
         }
         const auto attribute = valueAt<std::uint16_t>(bytes, at + kFacet - 2);
+        if (hasPieces) {
+            faces.enterObject("piece_" + std::to_string(attribute + 1));
+        }
         const bool marked = (attribute & kIsMarked) != 0;
         if (common || marked) {
             faces.faceColors.resize(faces.faceCount(), Eigen::Vector4f::Ones());
@@ -135,6 +143,9 @@ void readLine(std::string_view line, FaceSoup& faces, bool& open) {
         } else if (word == "endloop") {
             faces.endFace();
         } else if (word.empty() || word == "solid" || word == "endsolid" || isComment(word)) {
+            if (word == "solid") {
+                faces.beginObject(std::string(withoutBlanks(line)));
+            }
             open = word == "solid" || (open && word != "endsolid");
             return;
         }
@@ -163,7 +174,7 @@ ImportedModel readStl(const std::filesystem::path& file) {
     FaceSoup faces;
     ImportedModel model;
     text ? readText(bytes, faces) : readBinary(bytes, faces, model.remarks);
-    model.soup = faces.triangles();
+    takeFaces(faces, model);
     text ? roundNearOrigin(model.soup) : requireFineFloats(model.soup.positions);
     return model;
 }

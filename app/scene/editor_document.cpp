@@ -16,13 +16,6 @@ namespace kerf::app {
 namespace {
 
 constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal
-/// Of models that bring no colours of their own, so that they can be told apart.
-const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
-                                   {0.55, 0.72, 0.38},
-                                   {0.86, 0.60, 0.28},
-                                   {0.66, 0.48, 0.74},
-                                   {0.80, 0.44, 0.46}}};
-
 bool isJson(const std::filesystem::path& file) {
     return lowerCase(file.extension().string()) == ".json";
 }
@@ -55,7 +48,8 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
             std::move(note),
             std::nullopt,
             std::move(model.placed),
-            std::move(model.faults)};
+            std::move(model.faults),
+            std::move(model.facts.objects)};
 }
 
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
@@ -67,7 +61,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     session.model.path = std::filesystem::absolute(file);
     session.model.fillHoles = options.fillHoles;
     session.model.repair = options.repair;
-    const UnitGuess guess = guessUnits(file, meshBounds(model.mesh));
+    const UnitGuess guess = guessUnits(file, meshBounds(model.mesh), model.facts.units);
     session.placement = standing(guess, model.mesh.restPositions());
     place(model.mesh, session.placement);
     model.placed = {{session.placement, 0}};
@@ -110,7 +104,31 @@ Placement beside(const Bounds& others, const Placement& placement, const std::ve
                     {others.high.x() + gap + half, others.low.y(), others.center().z()});
 }
 
+/// With a colour of its own, so that models that bring none can be told apart.
+FurtherModel furtherModel(std::size_t number) {
+    static const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
+                                              {0.55, 0.72, 0.38},
+                                              {0.86, 0.60, 0.28},
+                                              {0.66, 0.48, 0.74},
+                                              {0.80, 0.44, 0.46}}};
+    FurtherModel further;
+    further.color = kColors[(number - 1) % kColors.size()];
+    return further;
+}
+
 }  // namespace
+
+Session parted(Session scene, int objects) {
+    scene.model.object = 1;
+    for (int object = 2; object <= objects; ++object) {
+        FurtherModel further = furtherModel(scene.moreModels.size() + 1);
+        further.model = scene.model;
+        further.model.object = object;
+        further.placement = scene.placement;
+        scene.moreModels.push_back(std::move(further));
+    }
+    return scene;
+}
 
 MemoryNeed memoryNeedOf(const Document& document) {
     const Session& session = document.session;
@@ -142,13 +160,13 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     MeshReport report;
     ReadOptions ours = options;
     ours.report = &report;
-    const SurfaceMesh own = readModel(file, ours).mesh;
-    const UnitGuess guess = guessUnits(file, meshBounds(own));
-    FurtherModel added;
+    const ModelMesh read = readModel(file, ours);
+    const SurfaceMesh& own = read.mesh;
+    const UnitGuess guess = guessUnits(file, meshBounds(own), read.facts.units);
+    FurtherModel added = furtherModel(others);
     added.model.path = std::filesystem::absolute(file);
     added.model.fillHoles = options.fillHoles;
     added.model.repair = options.repair;
-    added.color = kColors[(others - 1) % kColors.size()];
     const Placement stands = standing(guess, own.restPositions());
     const ModelMesh there = loadSessionModel(scene, {});
     scene = withOrigin(std::move(scene), there.origin);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/files/model_units.h"
 #include "app/session/session.h"
@@ -23,6 +24,7 @@ struct Document {
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
     std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
     repair::Faults faults = {};                     ///< see ModelMesh
+    std::vector<std::string> objects = {};          ///< of the file of a scene of one model
     bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
 };
 
@@ -41,6 +43,9 @@ Document openScene(const std::string& name, Session scene, const ReadOptions& op
 /// openDocument(), and InputError for a session.
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
                        const ReadOptions& options = {});
+
+/// A scene of one model, whose file has so many objects, with a model for each.
+Session parted(Session scene, int objects);
 
 /// Opens what the editor shows without a file, assets/sessions/drop-in.kerf.json. Throws
 /// InputError.

@@ -900,6 +900,7 @@ void EditorScene::describeModels(ui::PanelModel& model) const {
         model.models.push_back(std::move(state));
     }
     model.models.front().guess = document_.guess ? document_.guess->sentence : "";
+    model.objects = static_cast<int>(document_.objects.size());
     model.faultCount = 0;
     for (const repair::FaultPlaces& places : document_.faults.places) {
         model.faultCount += places.count();

@@ -38,7 +38,7 @@ TriangleSoup placed(const FoundFaults& found, const std::filesystem::path& file)
     if (points.empty()) {
         return soup;
     }
-    const PlacementMap map(standing(guessUnits(file, boundsOf(points)), points));
+    const PlacementMap map(standing(guessUnits(file, boundsOf(points), found.units), points));
     for (Vec3& p : soup.positions) {
         p = map.toScene(p);
     }

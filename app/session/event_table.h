@@ -66,10 +66,11 @@ inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  //
 inline constexpr Limits kHands{0, 99};                                        // their numbers
 inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  // from 0
 inline constexpr Limits kModelNumbers{0, kMostModels - 1};                    // from 0
-inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};            // [m]
-inline constexpr Limits kTurns = within(kLargestBoxTurn);                     // [degrees]
-inline constexpr Limits kPictureSizes{1, kMaxPictureSize};                    // [pixels]
-inline constexpr Limits kFieldsOfView{1, 150};                                // [degrees]
+inline constexpr Limits kObjectNumbers{1, 1e6};
+inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};  // [m]
+inline constexpr Limits kTurns = within(kLargestBoxTurn);           // [degrees]
+inline constexpr Limits kPictureSizes{1, kMaxPictureSize};          // [pixels]
+inline constexpr Limits kFieldsOfView{1, 150};                      // [degrees]
 inline constexpr double kLeastSineOfUp = 1e-6;  // between the line of sight and the camera's up
 inline constexpr HexDigits kStateHashDigits{16};
 inline constexpr ShortText kLabels{60};

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "app/files/builtin_models.h"
+#include "app/files/import_protocol.h"
 #include "app/files/joined_models.h"
 #include "app/files/sha256.h"
 #include "sim/mesh/invariants.h"
@@ -47,22 +48,44 @@ std::filesystem::path ModelReference::file() const {
 }
 
 std::string ModelReference::name() const {
-    return builtin.empty() ? path.stem().string() : builtin;
+    const std::string whole = builtin.empty() ? path.stem().string() : builtin;
+    return object ? whole + " " + std::to_string(*object) : whole;
 }
 
 namespace {
 
-/// A model of a session, in the numbers of its file.
-ModelMesh load(const ModelReference& reference, const ReadOptions& options) {
-    const std::filesystem::path file = reference.file();
-    requireDigest(file, reference.sha256);
-    ReadOptions ours = options;
-    ours.fillHoles |= reference.fillHoles;
-    ours.repair |= reference.repair;
-    ours.remesh = reference.remesh;
-    ours.edge = reference.remeshEdge.value_or(0);
-    return readModel(file, ours);
-}
+/// The models of a session, in the numbers of their files, each of which is read once.
+class ModelLoading {
+  public:
+    explicit ModelLoading(const Session& session) {
+        for (const std::filesystem::path& file : modelFiles(session)) {
+            ++wanted_[file];
+        }
+    }
+
+    ModelMesh load(const ModelReference& reference, ReadOptions options) {
+        const std::filesystem::path file = reference.file();
+        requireDigest(file, reference.sha256);
+        options.object = reference.object.value_or(0);
+        options.fillHoles |= reference.fillHoles;
+        options.repair |= reference.repair;
+        options.remesh = reference.remesh;
+        options.edge = reference.remeshEdge.value_or(0);
+        return surfaceOf(file, take(file, options), options);
+    }
+
+  private:
+    ImportedModel take(const std::filesystem::path& file, const ReadOptions& options) {
+        auto found = read_.find(file);
+        if (found == read_.end()) {
+            found = read_.emplace(file, importWithLooks(file, options)).first;
+        }
+        return --wanted_[file] == 0 ? std::move(found->second) : found->second;
+    }
+
+    std::map<std::filesystem::path, int> wanted_;
+    std::map<std::filesystem::path, ImportedModel> read_;
+};
 
 /// Where a model lies in the scene.
 Bounds boundsOf(const ModelMesh& model, const Placement& placement) {
@@ -113,10 +136,11 @@ void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& plac
 }  // namespace
 
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
-    std::vector<ModelMesh> models{load(session.model, options)};
+    ModelLoading loading(session);
+    std::vector<ModelMesh> models{loading.load(session.model, options)};
     std::vector<Placement> placements{session.placement};
     for (const FurtherModel& further : session.moreModels) {
-        models.push_back(load(further.model, options));
+        models.push_back(loading.load(further.model, options));
         placements.push_back(further.placement);
         if (further.color) {
             paint(models.back(), further.model.name(), *further.color);

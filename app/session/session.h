@@ -40,12 +40,13 @@ void place(SurfaceMesh& mesh, const Placement& placement);
 
 /// The model that a session is about.
 struct ModelReference {
-    std::string builtin;         ///< name of a builtin model, or
-    std::filesystem::path path;  ///< absolute once read
-    std::string sha256;          ///< optional
-    bool fillHoles = false;      ///< see ReadOptions
-    bool repair = false;         ///< see ReadOptions
-    bool remesh = false;         ///< see ReadOptions
+    std::string builtin;                       ///< name of a builtin model, or
+    std::filesystem::path path;                ///< absolute once read
+    std::string sha256;                        ///< optional
+    std::optional<int> object = std::nullopt;  ///< see ReadOptions
+    bool fillHoles = false;                    ///< see ReadOptions
+    bool repair = false;                       ///< see ReadOptions
+    bool remesh = false;                       ///< see ReadOptions
     /// See ReadOptions::edge.
     std::optional<double> remeshEdge = std::nullopt;
 

@@ -41,6 +41,10 @@ void describe(auto& fields, ModelReference& model) {
                      "The SHA-256 that the file must have: 64 lower-case hexadecimal "
                      "digits."},
                     model.sha256, kSha256Digits);
+    fields.optional({"object",
+                     "The only object of the file that is taken, by its number from 1; all where "
+                     "it is left out."},
+                    model.object, kObjectNumbers);
     fields.optional({"fill_holes", "Fills holes before the model is cut."}, model.fillHoles);
     fields.optional({"repair", "Repairs the model before it is cut."}, model.repair);
     fields.optional({"remesh", "Makes its triangles even before it is cut."}, model.remesh);

@@ -1,11 +1,17 @@
 #include "sim/mesh/triangle_soup.h"
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/base/placement.h"
+#include "sim/mesh/union_find.h"
 
 namespace kerf {
 
@@ -31,30 +37,207 @@ struct PositionBitsHash {
     }
 };
 
+/// By vertex: the first one at the same place.
+std::vector<int> firstAtPlace(const std::vector<Vec3>& positions) {
+    std::unordered_map<PositionBits, int, PositionBitsHash> places;
+    std::vector<int> first;
+    first.reserve(positions.size());
+    for (const Vec3& p : positions) {
+        first.push_back(
+            places.try_emplace(bitsOf(p), static_cast<int>(first.size())).first->second);
+    }
+    return first;
+}
+
+/// The same soup with other corners, without the vertices that none of them uses. Corner c is at
+/// the place of vertex `source[c]`.
+TriangleSoup withCorners(const TriangleSoup& soup, std::vector<Triangle> corners,
+                         const std::vector<int>& source) {
+    TriangleSoup welded{{}, std::move(corners), soup.skin, soup.objects};
+    std::vector<int> numbers(source.size(), -1);
+    for (Triangle& t : welded.triangles) {
+        for (int& corner : t) {
+            int& number = numbers[corner];
+            if (number < 0) {
+                number = static_cast<int>(welded.positions.size());
+                welded.positions.push_back(soup.positions[source[corner]]);
+            }
+            corner = number;
+        }
+    }
+    return welded;
+}
+
+/// The lowest corner first; the way around stays.
+Triangle turned(Triangle t) {
+    std::ranges::rotate(t, std::ranges::min_element(t));
+    return t;
+}
+
+/// Decides which corners become one vertex.
+class ObjectWelding {
+  public:
+    explicit ObjectWelding(const TriangleSoup& soup)
+        : soup_(soup),
+          place_(firstAtPlace(soup.positions)),
+          corners_(soup.triangles),
+          source_(soup.positions.size()),
+          open_(soup.triangles.size()) {
+        std::iota(source_.begin(), source_.end(), 0);
+        std::iota(open_.begin(), open_.end(), 0);
+    }
+
+    TriangleSoup weld() {
+        const auto shared = [&](const Triangle& t) { return isShared(t); };
+        if (!soup_.objects.empty() || std::ranges::any_of(soup_.triangles, shared)) {
+            keepClosed();
+            if (!soup_.objects.empty()) {
+                weldOpen([&](int t) { return soup_.objects[t]; });
+                keepClosed();
+            }
+            openAlike();
+            weldOpen([](int) { return 0; });
+        }
+        return withCorners(soup_, std::move(corners_), source_);
+    }
+
+  private:
+    bool isShared(const Triangle& t) const {
+        return std::ranges::any_of(t, [&](int v) { return place_[v] != v; });
+    }
+    Triangle placesOf(int t) const {
+        Triangle places = soup_.triangles[t];
+        std::ranges::transform(places, places.begin(), [&](int v) { return place_[v]; });
+        return places;
+    }
+    bool isFlat(int t) const {
+        const auto [a, b, c] = placesOf(t);
+        return a == b || b == c || c == a;
+    }
+
+    /// The open triangles of one group get one vertex at each place.
+    void weldOpen(auto&& groupOf) {
+        std::ranges::stable_sort(open_, {}, groupOf);
+        std::vector<int> group(place_.size(), -1);  // by place: the last one that met it
+        std::vector<int> vertex(place_.size());
+        for (const int t : open_) {
+            for (int i = 0; i < 3; ++i) {
+                const int v = soup_.triangles[t][i];
+                const int place = place_[v];
+                if (group[place] != groupOf(t)) {
+                    group[place] = groupOf(t);
+                    vertex[place] = static_cast<int>(source_.size());
+                    source_.push_back(v);
+                }
+                corners_[t][i] = vertex[place];
+            }
+        }
+    }
+
+    /// By corner: a number of the part that these triangles make there.
+    UnionFind partsOf(const std::vector<int>& triangles) const {
+        UnionFind parts(source_.size());
+        for (const int t : triangles) {
+            parts.join(corners_[t][0], corners_[t][1]);
+            parts.join(corners_[t][0], corners_[t][2]);
+        }
+        return parts;
+    }
+
+    /// What has two triangles at each edge is open no more.
+    void keepClosed() {
+        UnionFind parts = partsOf(open_);
+        std::vector<char> isOpen(source_.size(), 0);  // by root
+        std::vector<std::pair<int, int>> edges;
+        edges.reserve(3 * open_.size());
+        for (const int t : open_) {
+            for (int i = 0; i < 3; ++i) {
+                edges.emplace_back(std::minmax({corners_[t][i], corners_[t][(i + 1) % 3]}));
+            }
+            char& open = isOpen[parts.root(corners_[t][0])];
+            open = isFlat(t) ? 1 : open;
+        }
+        std::ranges::sort(edges);
+        for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+            for (end = i; end < edges.size() && edges[end] == edges[i]; ++end) {
+            }
+            char& open = isOpen[parts.root(edges[i].first)];
+            open = end - i == 2 ? open : 1;
+        }
+        std::erase_if(open_, [&](int t) { return isOpen[parts.root(corners_[t][0])] == 0; });
+    }
+
+    /// Solids that have the same triangle twice are no neighbours: one is there twice, or within
+    /// the other.
+    void openAlike() {
+        std::vector<int> order = closedTriangles();
+        UnionFind parts = partsOf(order);
+        const auto key = [&](int t) { return turned(placesOf(t)); };
+        std::ranges::sort(order, {}, key);
+        std::vector<char> isAlike(source_.size(), 0);  // by root
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            if (key(order[i - 1]) == key(order[i])) {
+                isAlike[parts.root(corners_[order[i - 1]][0])] = 1;
+                isAlike[parts.root(corners_[order[i]][0])] = 1;
+            }
+        }
+        std::ranges::copy_if(order, std::back_inserter(open_),
+                             [&](int t) { return isAlike[parts.root(corners_[t][0])] != 0; });
+    }
+
+    std::vector<int> closedTriangles() const {
+        std::vector<char> isOpen(soup_.triangles.size(), 0);
+        for (const int t : open_) {
+            isOpen[t] = 1;
+        }
+        std::vector<int> closed;
+        for (std::size_t t = 0; t < isOpen.size(); ++t) {
+            if (isOpen[t] == 0) {
+                closed.push_back(static_cast<int>(t));
+            }
+        }
+        return closed;
+    }
+
+    const TriangleSoup& soup_;
+    std::vector<int> place_;  ///< by vertex: the first one there
+    std::vector<Triangle> corners_;
+    std::vector<int> source_;  ///< by corner: the vertex at its place
+    std::vector<int> open_;    ///< triangles that are in no closed part yet
+};
+
+/// Objects that have a vertex in common become one; numbered in the order of the first of each.
+void joinObjects(TriangleSoup& welded) {
+    if (welded.objects.empty()) {
+        return;
+    }
+    UnionFind together(*std::ranges::max_element(welded.objects) + 1);
+    std::vector<int> objectAt(welded.positions.size(), -1);
+    for (std::size_t t = 0; t < welded.triangles.size(); ++t) {
+        for (const int v : welded.triangles[t]) {
+            objectAt[v] = objectAt[v] < 0 ? welded.objects[t] : objectAt[v];
+            together.join(objectAt[v], welded.objects[t]);
+        }
+    }
+    for (int& object : welded.objects) {
+        object = together.root(object);
+    }
+}
+
 }  // namespace
 
 TriangleSoup weldExactly(const TriangleSoup& soup) {
-    TriangleSoup welded;
-    std::unordered_map<PositionBits, int, PositionBitsHash> places;
-    std::vector<int> newIndex(soup.positions.size(), -1);
-    const auto weld = [&](int v) {
-        if (newIndex[v] < 0) {
-            const int next = static_cast<int>(welded.positions.size());
-            const auto [place, isNew] = places.try_emplace(bitsOf(soup.positions[v]), next);
-            if (isNew) {
-                welded.positions.push_back(soup.positions[v]);
-            }
-            newIndex[v] = place->second;
-        }
-        return newIndex[v];
-    };
-    welded.triangles.reserve(soup.triangles.size());
-    for (const auto& [a, b, c] : soup.triangles) {
-        const int first = weld(a);
-        const int second = weld(b);
-        welded.triangles.push_back({first, second, weld(c)});
+    const std::vector<int> place = firstAtPlace(soup.positions);
+    std::vector<Triangle> corners = soup.triangles;
+    for (Triangle& t : corners) {
+        std::ranges::transform(t, t.begin(), [&](int v) { return place[v]; });
     }
-    welded.skin = soup.skin;
+    return withCorners(soup, std::move(corners), place);
+}
+
+TriangleSoup weldObjects(const TriangleSoup& soup) {
+    TriangleSoup welded = ObjectWelding(soup).weld();
+    joinObjects(welded);
     return welded;
 }
 
@@ -67,7 +250,7 @@ void roundToFloats(TriangleSoup& soup) {
     for (Vec3& p : soup.positions) {
         p = origin + nearestFloats(p - origin);
     }
-    soup = weldExactly(soup);
+    soup = weldObjects(soup);
 }
 
 void turnTriangle(TriangleSoup& soup, int t) {

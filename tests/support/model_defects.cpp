@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/float_rounding.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::test {
@@ -147,7 +148,7 @@ Defects makeDefects() {
                  s.triangles.push_back({v, first + 1, first + 3});
                  s.triangles.push_back({v, first + 3, first});
              }
-             roundToFloats(s);
+             std::ranges::transform(s.positions, s.positions.begin(), nearestFloats);
          }},
         {"boxes that share an edge",
          [](TriangleSoup& s) {

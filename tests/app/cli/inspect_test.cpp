@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "render/scene/image.h"
 #include "tests/support/model_defects.h"
@@ -66,10 +67,10 @@ TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
     }
     // Thinner than what is parted at a vertex moves apart.
     models["a spike at a corner"] =
-        test::joined(test::boxSoup(),
-                     {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
-                      {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
-                     Vec3::Constant(0.5));
+        weldExactly(test::joined(test::boxSoup(),
+                                 {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
+                                  {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
+                                 Vec3::Constant(0.5)));
     models["a sheet"] = {{{0, 0, 0}, {0.9, 0.1, 0.3}, {1.5, 1.1, 0.8}, {0.6, 1, 0.5}},
                          {{0, 1, 2}, {0, 2, 3}}};
     models["a sheet"] = test::joined(models["a sheet"], models["a sheet"], Vec3(0, 0, 1));
@@ -90,6 +91,61 @@ TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
     EXPECT_NE(run.out.find("would help: united 2 pieces that cross"), std::string::npos) << run.out;
     EXPECT_TRUE(reportOf(file("two.obj"))["repairable"]);
     EXPECT_FALSE(reportOf("sphere80")["repairable"]);
+}
+
+/// Two boxes with a material and an image each, of which one is missing.
+std::string writePainted(const std::filesystem::path& folder, bool open) {
+    render::writePng({3, 2, std::vector<std::uint8_t>(24, 255)}, folder / "tile.png");
+    test::writeText(folder / "paint.mtl",
+                    "newmtl wood\nmap_Kd tile.png\nnewmtl stone\nmap_Kd gone.png\n");
+    TriangleSoup second = test::boxSoup(Vec3(1, 1, 2));
+    second.triangles.resize(second.triangles.size() - (open ? 1 : 0));
+    const std::string text = test::objText(test::joined(test::boxSoup(), second, Vec3(3, 0, 0)));
+    const auto faces = text.find("f ");
+    const auto last = text.rfind("f ");
+    test::writeText(folder / "painted.obj",
+                    "mtllib paint.mtl\n" + text.substr(0, faces) + "usemtl wood\nvt 0 0\n" +
+                        text.substr(faces, last - faces) + "usemtl stone\n" + text.substr(last));
+    return folder / "painted.obj";
+}
+
+TEST_F(Inspect, TellsInOneScreenWhatAModelHas) {
+    for (const bool open : {false, true}) {
+        const ProgramRun run = runKerf({"inspect", writePainted(folder.path(), open)});
+        EXPECT_EQ(run.exitCode, open ? 3 : 0) << run.errors;
+        std::istringstream lines(run.out);
+        int count = 0;
+        for (std::string line; std::getline(lines, line); ++count) {
+            EXPECT_TRUE(line.size() <= 100 || line.starts_with("file ")) << line;
+        }
+        EXPECT_LE(count, 24) << run.out;
+        for (const char* part : {"\nmaterials  2: wood, stone\n", "tile.png",
+                                 "\nsize       4 m x 1 m x 2 m, as guessed\n",
+                                 "\nremark     The image \"gone.png\" of the material \"stone\""}) {
+            EXPECT_NE(run.out.find(part), std::string::npos) << part << run.out;
+        }
+        EXPECT_EQ(run.errors.find("gone.png"), std::string::npos) << run.errors;
+    }
+}
+
+TEST_F(Inspect, TellsProgramsTheSame) {
+    const auto report = reportOf(writePainted(folder.path(), false));
+    EXPECT_EQ(report["format"], "obj");
+    EXPECT_EQ(report["size"], nlohmann::json::array({4, 1, 2}));
+    ASSERT_EQ(report["largest_pieces"].size(), 2U);
+    EXPECT_NEAR(report["largest_pieces"][0].get<double>(), 2, 1e-9);
+    EXPECT_NEAR(report["largest_pieces"][1].get<double>(), 1, 1e-9);
+    ASSERT_EQ(report["remarks"].size(), 1U);
+    const auto& looks = report["looks"];
+    EXPECT_EQ(looks["materials"],
+              nlohmann::json::parse(R"([{"name": "wood"}, {"name": "stone"}])"));
+    EXPECT_EQ(looks["images"],
+              nlohmann::json::parse(R"([{"name": "tile.png", "width": 3, "height": 2}])"));
+    EXPECT_EQ(looks["vertex_colors"], false);
+    const auto refused = reportOf(writePainted(folder.path(), true));
+    EXPECT_EQ(refused["looks"]["materials"], looks["materials"]);
+    EXPECT_EQ(refused["looks"]["images"][0]["name"], "tile.png");
+    EXPECT_EQ(refused["remarks"], report["remarks"]);
 }
 
 TEST_F(Inspect, LeavesTheModelAsItIs) {
@@ -155,7 +211,7 @@ TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
     const ProgramRun run = runKerf({"inspect", file("cube.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("The skin is coarse: 12 triangles, edges up to 1.41; --remesh OUT.ply "
-                           "--edge 0.069 makes it bend and cut well."),
+                           "--edge 0.069 makes\n           it bend and cut well.\n"),
               std::string::npos)
         << run.out;
     EXPECT_NEAR(reportOf(file("cube.obj"))["proposed_edge"].get<double>(), 0.0693, 1e-4);

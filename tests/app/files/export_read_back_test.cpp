@@ -1,4 +1,4 @@
-// Exports read back by assimp, as other programs would read them.
+// Exports read back, by Kerf itself and by assimp, as other programs would read them.
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <gmock/gmock.h>
@@ -69,6 +69,27 @@ struct CutBox {
     PieceMap pieces;
     ExportLooks looks;
 };
+
+Vec3 placeOf(const aiVector3D& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Six times the volume that the triangles of the node's own meshes and of those below it enclose.
+double sixfoldVolume(const aiScene& scene, const aiNode& node) {
+    double sum = 0;
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const unsigned* corners = mesh.mFaces[f].mIndices;
+            const auto at = [&](int i) { return placeOf(mesh.mVertices[corners[i]]); };
+            sum += at(0).dot(at(1).cross(at(2)));
+        }
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+        sum += sixfoldVolume(scene, *node.mChildren[i]);
+    }
+    return sum;
+}
 
 class ExportReadBack : public ::testing::TestWithParam<const char*> {
   protected:
@@ -142,6 +163,18 @@ TEST_P(ExportReadBack, TextureCoordinatesComeBackWhereTheFormatHasThem) {
     }
 }
 
+TEST_P(ExportReadBack, AssimpFindsEachTriangle) {
+    const CutBox box;
+    const aiScene* scene = read(write(box, false));
+    ASSERT_NE(scene, nullptr);
+    unsigned faces = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+        faces += scene->mMeshes[i]->mNumFaces;
+    }
+    EXPECT_EQ(static_cast<int>(faces), box.mesh.aliveTriangles());
+    EXPECT_NEAR(sixfoldVolume(*scene, *scene->mRootNode) / 6, 1, 1e-5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, ExportReadBack,
                          ::testing::Values(".obj", ".ply", ".stl", ".glb", ".gltf"),
                          [](const auto& format) { return std::string(format.param + 1); });
@@ -164,7 +197,46 @@ TEST_P(ExportGroups, WallsAreAMeshOfTheirOwnInEachPiece) {
     EXPECT_EQ(faces["cut"], box.count(SurfaceKind::wall));
 }
 
+TEST_P(ExportGroups, SkinKeepsItsTextureCoordinates) {
+    const CutBox box;
+    const aiScene* scene = read(write(box, false));
+    ASSERT_NE(scene, nullptr);
+    int seen = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene->mMeshes[i];
+        ASSERT_TRUE(mesh.HasTextureCoords(0));
+        if (scene->mMaterials[mesh.mMaterialIndex]->GetName() == aiString("cut")) {
+            continue;
+        }
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const aiVector3D& uv = mesh.mTextureCoords[0][v];
+            const Eigen::Vector2f wanted = CutBox::uvAt(CutBox::closed(placeOf(mesh.mVertices[v])));
+            EXPECT_LT((Eigen::Vector2f(uv.x, uv.y) - wanted).norm(), 1e-4);
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 100);
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, ExportGroups, ::testing::Values(".obj", ".glb", ".gltf"),
+                         [](const auto& format) { return std::string(format.param + 1); });
+
+/// Of an .obj assimp keeps groups alone.
+class ExportNodes : public ExportReadBack {};
+
+TEST_P(ExportNodes, PiecesAreNodesWithTheirVolume) {
+    const CutBox box;
+    const aiScene* scene = read(write(box, false));
+    ASSERT_NE(scene, nullptr);
+    for (int piece = 0; piece < 2; ++piece) {
+        const std::string name = "piece_" + std::to_string(piece + 1);
+        const aiNode* node = scene->mRootNode->FindNode(name.c_str());
+        ASSERT_NE(node, nullptr) << name;
+        EXPECT_NEAR(sixfoldVolume(*scene, *node) / 6, box.pieces.pieces[piece].volume, 1e-5);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ExportNodes, ::testing::Values(".glb", ".gltf"),
                          [](const auto& format) { return std::string(format.param + 1); });
 
 }  // namespace

@@ -12,7 +12,7 @@ UnitGuess guessOf(const char* file, double length) {
     Bounds bounds;
     bounds.add(Vec3(5, 5, 5));
     bounds.add(Vec3(5 + 0.5 * length, 5 + length, 5 + 0.2 * length));
-    return guessUnits(file, bounds);
+    return guessUnits(file, bounds, std::nullopt);
 }
 
 TEST(UnitGuess, FollowsTheFormat) {

@@ -270,6 +270,19 @@ TEST_F(Beside, AnEarlierOneOfKerfIsReplaced) {
     EXPECT_THAT(test::readBytes(folder / "out" / "slice.mtl"), HasSubstr("newmtl paint\n"));
 }
 
+TEST_F(Beside, NamesNeedNoEscapeInAUri) {
+    fs::rename(folder / "in" / "tile.png", folder / "in" / "ein Grün 100%.png");
+    const ModelMesh model = readModel(writeBox(folder / "in", "ein Grün 100%.png"), {});
+    const auto files = encodeExport({folder / "out" / "my slice.gltf"}, model.mesh,
+                                    findPieces(model.mesh), {model.looks, {}});
+    ASSERT_EQ(files.size(), 3U);
+    EXPECT_EQ(files[0].file.filename(), "my slice.gltf");
+    EXPECT_EQ(files[1].file.filename(), "ein_Gr__n_100_.png");
+    EXPECT_EQ(files[2].file.filename(), "my_slice.bin");
+    EXPECT_THAT(files[0].bytes, HasSubstr(R"({"uri":"ein_Gr__n_100_.png"})"));
+    EXPECT_THAT(files[0].bytes, HasSubstr(R"("uri":"my_slice.bin")"));
+}
+
 TEST(ExportedLook, IsThatOfTheModel) {
     const SurfaceMesh box = test::box();
     const ExportLooks looks{{}, render::lookFor("octopus")};

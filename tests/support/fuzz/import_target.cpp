@@ -91,7 +91,7 @@ app::ImportedModel modelIn(const fs::path& file) {
 
 /// A textured box of two materials.
 app::ImportedModel paintedBox() {
-    app::ImportedModel model{boxSoup(), {}, {"A remark."}};
+    app::ImportedModel model{boxSoup(), {}, {}, {"A remark."}};
     model.soup.skin.uvs.resize(12, {Eigen::Vector2f(0, 0), {1, 0}, {0.5F, 1}});
     model.soup.skin.colors.resize(12, {Eigen::Vector4f(1, 1, 1, 1), {1, 0, 0, 1}, {0, 0, 1, 1}});
     for (int t = 0; t < 12; ++t) {
@@ -120,11 +120,11 @@ FuzzOutcome readAnswerBytes(const std::string& bytes) {
 }
 
 std::vector<std::string> answerTexts() {
-    app::ImportedModel open{icosphereSoup(0), {}, {}};
+    app::ImportedModel open{icosphereSoup(0)};
     open.soup.triangles.pop_back();
-    app::ImportedModel turned{test::turned(boxSoup()), {}, {}};
+    app::ImportedModel turned{test::turned(boxSoup())};
     std::swap(turned.soup.triangles[3][0], turned.soup.triangles[3][1]);
-    return {app::encodeImport(paintedBox()), app::encodeImport({boxSoup(), {}, {}}),
+    return {app::encodeImport(paintedBox()), app::encodeImport({boxSoup()}),
             app::encodeImport(open), app::encodeImport(turned),
             app::encodeImportFailure("it is broken")};
 }

@@ -8,7 +8,6 @@ remarks     for each remark words of it; without: there is none
 materials   name to base colour (linear) and opacity
 images      how many; colors, uvs: all that corners have, each once
 unit, up    as kerf inspect guesses them
-awaited     why it is not right as yet
 """
 
 import json

@@ -140,8 +140,7 @@ def add_nodes(read):
     library = f"<library_nodes>{part}</library_nodes>"
     inside = '<instance_node url="#part"/>'
     read("instance-node", dae(libraries=library, nodes=node("", inside, "a") + node(move, inside, "b")), TWO)
-    read("touching", dae(nodes=NODE + node("<translate>1 0 0</translate>", name="m")), TOUCHING,
-         awaited="objects become pieces of their own")  # fmt: skip
+    read("touching", dae(nodes=NODE + node("<translate>1 0 0</translate>", name="m")), TOUCHING)
     other = f'<visual_scene id="other"><node id="x"><scale>9 9 9</scale>{NODE}</node></visual_scene>'
     read("scene-chosen", dae().replace("<library_visual_scenes>", "<library_visual_scenes>" + other))
     read("not-in-scene", dae(geometry() + geometry(BOX.scaled(9), name="h").replace('"s"', '"s2"').replace(

@@ -154,10 +154,9 @@ def add_containers(table):
     read("binary", binary(one(), packed=False))
     read("binary-packed", binary(one()))
     for name, factor, unit in (("cm", 1, "cm"), ("inch", 2.54, "in"), ("metre", 100, "m"), ("mm", 0.1, "mm")):
-        awaited = {} if unit == "cm" else {"awaited": "FBX files name their unit"}
-        read(f"unit-{name}", text(one(unit=factor)), unit=unit, up="y", **awaited)
-        read(f"unit-{name}-binary", binary(one(unit=factor)), unit=unit, up="y", **awaited)
-    read("z-up", text(one(up=2)), unit="cm", up="z", awaited="FBX files name their axes")
+        read(f"unit-{name}", text(one(unit=factor)), unit=unit, up="y")
+        read(f"unit-{name}-binary", binary(one(unit=factor)), unit=unit, up="y")
+    read("z-up", text(one(up=2)), unit="cm", up="z")
     refused("old", text(one(version=6100), 6100), "version")
     refused("cut-off", plain[: plain.index("PolygonVertexIndex") + 40], "end of file")
     refused("cut-off-binary", binary(one())[:400], "offset")
@@ -225,8 +224,7 @@ def add_nodes(table):
     table.read("fbx/half-damaged.fbx", before + corners.replace("3", "8") + behind, remarks=["line "])
     put("number-twice", BOX, [geometry(1, BOX.moved(5)), part, model(2)], [(2, 0), (1, 2)], remarks=["duplicate"])
     touching = model(3, *lcl((1, 0, 0)))
-    put("touching", TOUCHING, [part, model(2), touching], [(2, 0), (3, 0), (1, 2), (1, 3)],
-        awaited="objects become pieces of their own")  # fmt: skip
+    put("touching", TOUCHING, [part, model(2), touching], [(2, 0), (3, 0), (1, 2), (1, 3)])
 
 
 def add_deformed(table):

@@ -55,8 +55,7 @@ def add_lines(table):
     read("objects", vertices() + "o a b\ng ä ö\ns off\n" + faces())
     read("two-objects", "o a\n" + whole(TWO), TWO)
     second = vertices(BOX.moved(1)) + faces(shift=9)
-    read("touching", "o a\n" + box + "o b\n" + second, TOUCHING,
-         awaited="objects become pieces of their own")  # fmt: skip
+    read("touching", "o a\n" + box + "o b\n" + second, TOUCHING)
     read("smoothing", "s 1\nmg 1 2\nlod 3\n" + box)
     read("curves", vertices() + "cstype bezier\ndeg 3\ncurv 0 1 1 2 3 4\nparm u 0 1\nend\n" + faces(),
          remarks=["curv"])  # fmt: skip

@@ -108,8 +108,7 @@ def add_elements(table):
         read("strips", vertices(), strips)
     pieces = [*CORNERS, "int piece"]
     apart = Element("face", pieces, [[f, i // 6] for i, f in enumerate(TOUCHING.faces)])
-    table.read("ply/touching.ply", ply(vertices(TOUCHING), apart), TOUCHING,
-               awaited="objects become pieces of their own")  # fmt: skip
+    table.read("ply/touching.ply", ply(vertices(TOUCHING), apart), TOUCHING)
 
 
 def add_headers(table):

@@ -94,8 +94,7 @@ def add_text(table):
     read("comment-first", "# a comment\n; another\n// and one\n" + box)
     read("comments", box.replace("endfacet", "endfacet\n; so"))
     read("two", text() + text(BOX.moved(5)), TWO)
-    read("touching", text() + text(BOX.moved(1)), TOUCHING,
-         awaited="objects become pieces of their own")  # fmt: skip
+    read("touching", text() + text(BOX.moved(1)), TOUCHING)
     read("empty-solid", "solid nothing\nendsolid nothing\n" + box)
     read("end-unnamed", box.replace("endsolid a box", "endsolid"))
     read("end-apart", box.replace("endsolid", "end solid").replace("endfacet", "end facet").replace(

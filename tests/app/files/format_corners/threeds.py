@@ -66,8 +66,7 @@ def add_corners(table):
     read("tetrahedron", threeds(mesh(TETRAHEDRON)), TETRAHEDRON)
     read("two-shells", threeds(mesh(TWO)), TWO)
     read("two", threeds(mesh(), mesh(BOX.moved(5), "other")), TWO)
-    read("touching", threeds(mesh(), mesh(BOX.moved(1), "other")), TOUCHING,
-         awaited="objects become pieces of their own")  # fmt: skip
+    read("touching", threeds(mesh(), mesh(BOX.moved(1), "other")), TOUCHING)
     read("inside-out", threeds(mesh(BOX.turned())))
     read("umlaut", threeds(mesh(name="k\xe4stchen")))
     read("unnamed", threeds(mesh(name="")))
