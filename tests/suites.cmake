@@ -10,6 +10,7 @@ set(cost_of_TestVerb 30)
 set(cost_of_SimulationTest 20)
 set(cost_of_KeptSessions 20)
 set(cost_of_OwnLooksTest 20)
+set(cost_of_FormatCorners 10)
 # What says most about a driver: .ci/run has these on zink, too (label "driver"). The solver runs once
 # more by the way of kernels that GPUs take. By night so do contact and cutting, which KernelWays
 # compares by day.

@@ -8,6 +8,7 @@
 
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "render/scene/body_look.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/base/placement.h"
@@ -70,12 +71,20 @@ TriangleSoup FaceSoup::triangles() {
     return std::move(soup_);
 }
 
+/// A file whose corners name texture coordinates, and which has none at all, has no texture.
 void FaceSoup::requireCorners() const {
-    const auto missing =
-        std::ranges::find_if(corners_, [&](int vertex) { return !isThere(vertex); });
-    if (missing != corners_.end()) {
-        throw InputError("a face names vertex " + std::to_string(*missing) + ", counted from 0, " +
-                         "and there are " + std::to_string(positions.size()));
+    const auto require = [](const std::vector<int>& named, std::size_t count, int least,
+                            const char* what) {
+        const auto missing = std::ranges::find_if(
+            named, [&](int i) { return i < least || i >= static_cast<long long>(count); });
+        if (missing != named.end()) {
+            throw InputError(std::string("a face names ") + what + " " + std::to_string(*missing) +
+                             ", counted from 0, and there are " + std::to_string(count));
+        }
+    };
+    require(corners_, positions.size(), 0, "vertex");
+    if (!uvs.empty()) {
+        require(cornerUvs_, uvs.size(), kNone, "texture coordinate");
     }
 }
 
@@ -116,8 +125,7 @@ void FaceSoup::addTriangle(std::size_t face, const Triangle& corners) {
 
 Eigen::Vector2f FaceSoup::uvAt(std::size_t corner) const {
     const auto in = [](const std::vector<Vec2>& list, int number) {
-        return number >= 0 && static_cast<std::size_t>(number) < list.size() ? list[number]
-                                                                             : Vec2(Vec2::Zero());
+        return static_cast<std::size_t>(number) < list.size() ? list[number] : Vec2(Vec2::Zero());
     };
     const int own = cornerUvs_[corner];
     return (own >= 0 ? in(uvs, own) : in(vertexUvs, corners_[corner])).cast<float>();
@@ -127,6 +135,23 @@ Eigen::Vector4f FaceSoup::colorAt(std::size_t face, int vertex) const {
     const std::vector<Eigen::Vector4f>& list = vertexColors.empty() ? faceColors : vertexColors;
     const std::size_t number = vertexColors.empty() ? face : vertex;
     return number < list.size() ? list[number] : Eigen::Vector4f(Eigen::Vector4f::Ones());
+}
+
+Eigen::Vector4f linearOf(const Eigen::Vector4d& display) {
+    const Vec3f linear = render::toLinear(display.head<3>());
+    return {linear.x(), linear.y(), linear.z(), static_cast<float>(display.w())};
+}
+
+void makeLinear(std::vector<Eigen::Vector4f>& display) {
+    constexpr float kMostShare = 2;
+    const bool bytes = std::ranges::any_of(
+        display, [](const Eigen::Vector4f& color) { return color.maxCoeff() > kMostShare; });
+    for (Eigen::Vector4f& color : display) {
+        const Eigen::Vector4d shares = color.cast<double>() / (bytes ? 255 : 1);
+        const double opacity = color.w() > kMostShare ? shares.w() : color.w();
+        color = color == kNoColor ? Eigen::Vector4f(Eigen::Vector4f::Ones())
+                                  : linearOf({shares.x(), shares.y(), shares.z(), opacity});
+    }
 }
 
 void takeFaces(FaceSoup& faces, ImportedModel& model) {
@@ -144,6 +169,9 @@ void requireFineFloats(std::span<const Vec3> positions) {
     constexpr double kStep = 0x1p-24;       // of a float, as a share of it
     constexpr double kMostOfLength = 1e-3;  // that a step may be
     const Bounds bounds = boxOf(positions);
+    if (bounds.empty()) {
+        return;  // No number at all.
+    }
     const double reach =
         std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());
     const double length = (bounds.high - bounds.low).maxCoeff();

@@ -42,9 +42,6 @@ class FaceSoup {
     TriangleSoup triangles();
 
   private:
-    bool isThere(int vertex) const {
-        return vertex >= 0 && static_cast<std::size_t>(vertex) < positions.size();
-    }
     void requireCorners() const;
     std::vector<Triangle> divided(std::size_t first, std::size_t end) const;
     void addTriangle(std::size_t face, const Triangle& corners);
@@ -62,6 +59,14 @@ class FaceSoup {
     std::vector<std::string> objectNames_;
     std::map<std::string, int> objectNumbers_;
 };
+
+/// A colour and its opacity, from what displays take to linear light.
+Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
+/// Of colours in a file that says not how: shares, of which some may be a little above 1, or bytes.
+/// kNoColor becomes white.
+void makeLinear(std::vector<Eigen::Vector4f>& display);
+/// Of a vertex or a face that has none, until makeLinear().
+inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);
 
 /// The triangles and objects of the faces become those of a model. Throws as triangles().
 void takeFaces(FaceSoup& faces, ImportedModel& model);

@@ -11,6 +11,7 @@
 #include "app/files/file_io.h"
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
+#include "app/files/text_lines.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -76,13 +77,20 @@ std::string_view partOf(std::string_view bytes, std::uint64_t at, std::uint64_t 
     return bytes.substr(at, length);
 }
 
+void requireVersion(const std::string& version) {
+    if (!version.starts_with('2')) {
+        throw InputError("it is glTF of version " + printable(version.substr(0, 20)) +
+                         ", and 2 is read; export it again as 2.0");
+    }
+}
+
 Json parsed(std::string_view text) {
-    constexpr std::string_view kMark = "\xef\xbb\xbf";
-    text.remove_prefix(text.starts_with(kMark) ? kMark.size() : 0);
-    Json json = Json::parse(text, nullptr, false);
+    text = text.substr(0, text.find_last_not_of('\0') + 1);  // zeros where blanks should fill up
+    Json json = Json::parse(withoutMark(text), nullptr, false);
     if (!json.is_object()) {
         throw InputError("its description is no JSON object");
     }
+    requireVersion(valueOf<std::string>(json.value("asset", Json::object()), "version", "2.0"));
     return json;
 }
 
@@ -92,10 +100,7 @@ struct Chunks {
     std::string_view binary;
 
     explicit Chunks(std::string_view bytes) {
-        if (const auto version = numberAt<std::uint32_t>(bytes, 4); version != 2) {
-            throw InputError("it is glTF of version " + std::to_string(version) +
-                             ", and 2 is read; export it again as 2.0");
-        }
+        requireVersion(std::to_string(numberAt<std::uint32_t>(bytes, 4)));
         for (std::size_t at = kHead; at + kChunkHead <= bytes.size();) {
             const std::uint64_t length = numberAt<std::uint32_t>(bytes, at);
             const auto type = numberAt<std::uint32_t>(bytes, at + 4);

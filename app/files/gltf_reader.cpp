@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -23,10 +24,12 @@ namespace {
 using Json = GltfFile::Json;
 using Transform = Eigen::Affine3d;
 
-/// Extensions that change the shape of what needs them, and are not read.
-constexpr std::array<std::string_view, 4> kUnreadable{
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
-    "EXT_mesh_gpu_instancing"};
+/// Extensions that change the shape of what has them, and are not read.
+constexpr std::array<std::string_view, 2> kUnreadable{"KHR_draco_mesh_compression",
+                                                      "EXT_mesh_gpu_instancing"};
+/// What is in the names of extensions that a file may need: they are read, or change no shape.
+constexpr std::array<std::string_view, 6> kHarmless{
+    "KHR_mesh_quantization", "_materials_", "_texture_", "_lights_", "_xmp", "_animation_"};
 
 const Json* find(const Json& object, const char* key) {
     const auto found = object.is_object() ? object.find(key) : object.end();
@@ -38,11 +41,15 @@ const Json* extensionOf(const Json& object, std::string_view name) {
     return all == nullptr ? nullptr : find(*all, std::string(name).c_str());
 }
 
+[[noreturn]] void refuse(std::string_view extension) {
+    throw InputError("it needs the glTF extension " + printable(std::string(extension)) +
+                     ", which Kerf does not know; export it without");
+}
+
 void refuseUnreadable(const Json& object) {
     for (const std::string_view name : kUnreadable) {
         if (extensionOf(object, name) != nullptr) {
-            throw InputError("it needs the glTF extension " + std::string(name) +
-                             ", which Kerf does not know; export it without");
+            refuse(name);
         }
     }
 }
@@ -160,7 +167,8 @@ class GltfMaterials {
     int numberOf(std::uint64_t index) {
         const auto [place, isNew] = numbers_.try_emplace(index, FaceSoup::kNone);
         if (isNew) {
-            place->second = add(file_.item("materials", index), index);
+            place->second = orRemark("A material was left out: ",
+                                     [&] { return add(file_.item("materials", index), index); });
         }
         return place->second;
     }
@@ -170,6 +178,16 @@ class GltfMaterials {
     }
 
   private:
+    /// What `add` returns; -1 where it throws, which is a remark: the shape is right without it.
+    int orRemark(const std::string& what, const std::function<int()>& add) {
+        try {
+            return add();
+        } catch (const InputError& error) {
+            model_.remarks.push_back(what + error.what() + ".");
+            return FaceSoup::kNone;
+        }
+    }
+
     int add(const Json& from, std::uint64_t index) {
         static const Json kNothing = Json::object();
         const Json* const old = extensionOf(from, "KHR_materials_pbrSpecularGlossiness");
@@ -187,7 +205,9 @@ class GltfMaterials {
         const double metallic = isOld ? 0 : valueOf<double>(look, "metallicFactor", 1);
         material.metallic = static_cast<float>(std::clamp(metallic, 0.0, 1.0));
         if (const Json* texture = find(look, isOld ? "diffuseTexture" : "baseColorTexture")) {
-            material.image = imageOf(*texture, material.name);
+            material.image = orRemark(
+                "The image of the material \"" + printable(material.name) + "\" was left out: ",
+                [&] { return imageOf(*texture, material.name); });
             uses_[index] = useOf(*texture);
         }
         const bool plain = material.name.empty() && material.image < 0 &&
@@ -212,12 +232,10 @@ class GltfMaterials {
         const Json& texture = file_.item("textures", valueOf<std::uint64_t>(use, "index", 0));
         const std::optional<std::uint64_t> source = indexOf(texture, "source");
         if (!source) {
-            model_.remarks.push_back("The image of the material \"" + printable(material) +
-                                     "\" was left out: it is neither PNG nor JPEG.");
-            return -1;
+            throw InputError("it is neither PNG nor JPEG");
         }
-        return images_.numberOf(std::to_string(*source),
-                                [&] { return read(file_.item("images", *source), material); });
+        const Json& image = file_.item("images", *source);
+        return images_.numberOf(std::to_string(*source), [&] { return read(image, material); });
     }
 
     /// A name that tells the kind, as of a file.
@@ -455,9 +473,10 @@ class GltfMeshes {
 void refuseNeeded(const GltfFile& file) {
     for (const std::string& name :
          valueOf(file.top(), "extensionsRequired", std::vector<std::string>{})) {
-        if (std::ranges::find(kUnreadable, name) != kUnreadable.end()) {
-            throw InputError("it needs the glTF extension " + name +
-                             ", which Kerf does not know; export it without");
+        if (std::ranges::none_of(kHarmless, [&](std::string_view part) {
+                return name.find(part) != std::string::npos;
+            })) {
+            refuse(name);
         }
     }
 }

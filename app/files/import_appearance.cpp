@@ -37,13 +37,12 @@ Eigen::Vector4f colorOf(const aiMaterial& material) {
     return out.allFinite() ? out : Eigen::Vector4f(Eigen::Vector4f::Ones());
 }
 
-/// Of files that know no roughness, that of the highlight of their exponent, as Blender reads it.
 float roughnessOf(const aiMaterial& material) {
     float roughness = render::Material{}.roughness;
     float shininess = 0;
     if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != aiReturn_SUCCESS &&
         material.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS && shininess > 0) {
-        roughness = 1 - std::sqrt(std::min(shininess, 900.0F)) / 30;
+        roughness = roughnessOfHighlight(shininess);
     }
     return std::isfinite(roughness) ? std::clamp(roughness, 0.0F, 1.0F) : 1;
 }
@@ -123,6 +122,10 @@ class AppearanceReader {
 
 }  // namespace
 
+float roughnessOfHighlight(double exponent) {
+    return static_cast<float>(1 - std::sqrt(std::clamp(exponent, 0.0, 900.0)) / 30);
+}
+
 bool isFileBelow(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     return leadsInside(folder, file) && fs::is_regular_file(file, error) &&
@@ -181,13 +184,6 @@ std::optional<fs::path> fileBeside(const fs::path& model, std::string name) {
         }
     }
     return std::nullopt;
-}
-
-void addImageMaterial(const fs::path& file, const std::string& image, ImportedModel& model) {
-    render::Material material;
-    material.name = "image";
-    ModelImages(file, model).add(std::move(material), image);
-    model.soup.skin.materials.assign(model.soup.triangles.size(), 0);
 }
 
 void addAppearance(const aiScene& scene, const fs::path& file, ImportedModel& model) {

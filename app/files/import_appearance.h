@@ -20,6 +20,9 @@ namespace kerf::app {
 /// numbers in the model then. `file` names the model.
 void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
+/// Of formats that know no roughness, that of the exponent of a highlight, as Blender reads it.
+float roughnessOfHighlight(double exponent);
+
 /// Takes materials and the bytes of their images into a model, each image once.
 class ModelImages {
   public:
@@ -43,11 +46,6 @@ class ModelImages {
     std::map<std::string, int> images_;
     std::uint64_t bytes_ = 0;
 };
-
-/// Gives all triangles of a model in `file` one material with the picture of that name. One that is
-/// missing is a sentence of the answer.
-void addImageMaterial(const std::filesystem::path& file, const std::string& image,
-                      ImportedModel& model);
 
 /// The file beside a model that a name in it means: written with either slash, or with a folder of
 /// another machine before it. None where there is none in the model's folder or below.

@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -27,7 +31,7 @@
 #include "app/files/ply_reader.h"
 #include "app/files/process_limits.h"
 #include "app/files/stl_reader.h"
-#include "render/scene/body_look.h"
+#include "app/files/text_lines.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -45,7 +49,14 @@ class FolderFiles : public Assimp::DefaultIOSystem {
     Assimp::IOStream* Open(const char* name, const char* mode) override {
         const bool reads = std::string_view(mode).starts_with('r') &&
                            std::string_view(mode).find('+') == std::string_view::npos;
-        return reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+        Assimp::IOStream* const stream =
+            reads && isAllowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+        std::array<char, kByteOrderMark.size()> first{};
+        if (stream != nullptr && (stream->Read(first.data(), 1, first.size()) < first.size() ||
+                                  std::string_view(first.data(), first.size()) != kByteOrderMark)) {
+            stream->Seek(0, aiOrigin_SET);
+        }
+        return stream;
     }
 
   private:
@@ -53,12 +64,6 @@ class FolderFiles : public Assimp::DefaultIOSystem {
 
     std::filesystem::path folder_;
 };
-
-/// From what displays take to linear light, apart from the opacity.
-Eigen::Vector4f linearOf(const aiColor4D& color) {
-    const Vec3f linear = render::toLinear(Vec3(color.r, color.g, color.b));
-    return {linear.x(), linear.y(), linear.z(), color.a};
-}
 
 /// The vertices of a mesh at the place of its node.
 void addVertices(const aiMesh& mesh, const aiMatrix4x4& place, FaceSoup& faces) {
@@ -76,7 +81,9 @@ void addVertices(const aiMesh& mesh, const aiMatrix4x4& place, FaceSoup& faces) 
     if (mesh.HasVertexColors(0)) {
         faces.vertexColors.resize(first, Eigen::Vector4f::Ones());
         std::ranges::transform(std::span(mesh.mColors[0], mesh.mNumVertices),
-                               std::back_inserter(faces.vertexColors), linearOf);
+                               std::back_inserter(faces.vertexColors), [](const aiColor4D& c) {
+                                   return linearOf({c.r, c.g, c.b, c.a});
+                               });
     }
 }
 
@@ -154,7 +161,8 @@ std::string plainReason(const std::string& message) {
     const auto says = [&](std::string_view part) {
         return message.find(part) != std::string::npos;
     };
-    if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces")) {
+    if (says("mNumMeshes is 0") || says("No meshes remaining") || says("contains no faces") ||
+        says("No faces loaded")) {
         return "there is no surface in it";
     }
     if (says("bad_alloc")) {
@@ -163,19 +171,67 @@ std::string plainReason(const std::string& message) {
     return message;
 }
 
+/// What is not read of meshes, as remarks.
+void tellLeftOut(const aiScene& scene, std::vector<std::string>& remarks) {
+    const std::span meshes(scene.mMeshes, scene.mNumMeshes);
+    if (std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->HasBones(); })) {
+        remarks.emplace_back("The pose of its bones was left out: it has the shape without them.");
+    }
+    if (std::ranges::any_of(meshes, [](const aiMesh* mesh) { return mesh->mNumAnimMeshes > 0; })) {
+        remarks.emplace_back("Its shape keys were left out: it has the shape without them.");
+    }
+}
+
+/// Makes a remark of the first that assimp tells in its log alone where it leaves out a part of a
+/// file, or changes it.
+class DamageLog : public Assimp::LogStream {
+  public:
+    explicit DamageLog(std::vector<std::string>& remarks) : remarks_(remarks) {
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+        Assimp::DefaultLogger::get()->attachStream(this, Assimp::Logger::Warn);
+    }
+    ~DamageLog() override {
+        Assimp::DefaultLogger::get()->detachStream(this, Assimp::Logger::Warn);
+        Assimp::DefaultLogger::kill();
+    }
+    DamageLog(const DamageLog&) = delete;
+    DamageLog& operator=(const DamageLog&) = delete;
+
+    void write(const char* message) override {
+        const std::string_view text(message, std::strcspn(message, "\n"));
+        for (const std::string_view words :
+             {"Unable to find geometry", "failed to read source object for incoming Model link",
+              "duplicate object id", "Vertex index overflow"}) {
+            if (remarks_.empty() && text.find(words) != std::string_view::npos) {
+                remarks_.push_back("A part of it is damaged, and left out or changed: " +
+                                   std::string(text.substr(text.find(": ") + 2)));
+            }
+        }
+    }
+
+  private:
+    std::vector<std::string>& remarks_;
+};
+
 ImportedModel readByAssimp(const std::filesystem::path& file) {
+    ImportedModel model;
+    const DamageLog log(model.remarks);
     Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
     if (scene == nullptr) {
         throw InputError(plainReason(importer.GetErrorString()));
     }
+    tellLeftOut(*scene, model.remarks);
     // Some versions of assimp turn an FBX at its root, which is not in the file.
     const auto centimetres = settingOf<float>(*scene, "UnitScaleFactor");
     FaceSoup faces =
         facesOf(*scene, centimetres ? aiMatrix4x4() : scene->mRootNode->mTransformation);
+    if (faces.faceCount() == 0 && !model.remarks.empty()) {
+        throw InputError(model.remarks.front());
+    }
     requireFineFloats(faces.positions);
-    ImportedModel model;
     if (centimetres && *centimetres > 0) {
         model.facts.units = fbxUnits(*scene, *centimetres, faces.positions);
     }

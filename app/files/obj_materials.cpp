@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/files/import_appearance.h"
 #include "app/files/text_lines.h"
 
 namespace kerf::app {
@@ -50,11 +51,6 @@ void readImage(std::string_view rest, ObjMaterial& material) {
     }
 }
 
-/// As Blender reads the exponent of a highlight.
-float roughnessOf(double exponent) {
-    return static_cast<float>(1 - std::sqrt(std::clamp(exponent, 0.0, 900.0)) / 30);
-}
-
 float share(double number) {
     return std::isfinite(number) ? static_cast<float>(std::clamp(number, 0.0, 1.0)) : 1;
 }
@@ -63,9 +59,6 @@ float share(double number) {
 void readColor(std::string_view rest, render::Material& material) {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = takeWord(rest);
-        if (!isNumber(word) && i == 0) {
-            return;
-        }
         material.baseColor[i] =
             word.empty() ? material.baseColor[i - 1] : static_cast<float>(numberOf(word));
     }
@@ -105,7 +98,7 @@ struct MaterialLines {
             hasRoughness = true;
         } else if (key == "Ns" && !hasRoughness) {
             const double exponent = lastNumber(rest);
-            material.roughness = exponent > 0 ? roughnessOf(exponent) : material.roughness;
+            material.roughness = exponent > 0 ? roughnessOfHighlight(exponent) : material.roughness;
         } else if (key == "Pm") {
             material.metallic = share(lastNumber(rest));
         } else if (key == "map_Kd") {
@@ -119,9 +112,11 @@ struct MaterialLines {
 std::vector<ObjMaterial> readObjMaterials(std::string_view text) {
     MaterialLines lines;
     TextLines file(text);
-    while (file.next()) {
-        lines.read(file.line());
-    }
+    namingLine(file, [&] {
+        while (file.next()) {
+            lines.read(file.line());
+        }
+    });
     return std::move(lines.all);
 }
 

@@ -14,7 +14,6 @@
 #include "app/files/model_source.h"
 #include "app/files/obj_materials.h"
 #include "app/files/text_lines.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -71,10 +70,7 @@ class ObjModel {
     }
 
     FaceSoup& faces() {
-        for (Eigen::Vector4f& color : faces_.vertexColors) {
-            const Vec3f display = color.head<3>() / (brightest_ > 1 ? 255.0F : 1.0F);
-            color.head<3>() = render::toLinear(Vec3(display.cast<double>())).cast<float>();
-        }
+        makeLinear(faces_.vertexColors);
         return faces_;
     }
 
@@ -107,11 +103,9 @@ class ObjModel {
         }
         const double weight = numbers.size() == 4 && numbers[3] != 0 ? numbers[3] : 1;
         if (numbers.size() >= 6) {
-            const Vec3f color = Vec3(numbers[3], numbers[4], numbers[5]).cast<float>();
-            brightest_ = std::max(brightest_, color.maxCoeff());
-            const float white = brightest_ > 1 ? 255 : 1;
-            faces_.vertexColors.resize(faces_.positions.size(), {white, white, white, 1});
-            faces_.vertexColors.emplace_back(color.x(), color.y(), color.z(), 1);
+            faces_.vertexColors.resize(faces_.positions.size(), kNoColor);
+            faces_.vertexColors.push_back(
+                Eigen::Vector4d(numbers[3], numbers[4], numbers[5], 1).cast<float>());
         }
         faces_.positions.emplace_back(Vec3(numbers[0], numbers[1], numbers[2]) / weight);
     }
@@ -140,7 +134,6 @@ class ObjModel {
 
     FaceSoup faces_;
     bool hasObjects_ = false;
-    float brightest_ = 0;  ///< number of a colour
     int material_ = FaceSoup::kNone;
     std::map<std::string, int> numbers_;  ///< of materials, by name
 };
@@ -187,10 +180,16 @@ class Libraries {
   private:
     bool read(const std::string& name) {
         const std::optional<std::filesystem::path> file = fileBeside(model_, name);
-        if (file) {
-            for (ObjMaterial& material : readObjMaterials(readInputFile(*file, kMaxImportLooks))) {
+        try {
+            for (ObjMaterial& material :
+                 file ? readObjMaterials(readInputFile(*file, kMaxImportLooks))
+                      : std::vector<ObjMaterial>{}) {
                 materials_.try_emplace(material.material.name, std::move(material));
             }
+        } catch (const InputError& error) {
+            complete_ = false;
+            remarks_.push_back("The materials of \"" + printable(name) +
+                               "\" were left out: " + error.what() + ".");
         }
         return file.has_value();
     }
@@ -215,13 +214,11 @@ void readStatement(std::string_view line, ObjModel& read, Libraries& libraries) 
 
 void readLines(std::string_view text, ObjModel& read, Libraries& libraries) {
     TextLines lines(text);
-    while (lines.next()) {
-        try {
+    namingLine(lines, [&] {
+        while (lines.next()) {
             readStatement(lines.line(), read, libraries);
-        } catch (const InputError& error) {
-            throw InputError("line " + std::to_string(lines.number()) + ": " + error.what());
         }
-    }
+    });
 }
 
 /// Numbers the materials that triangles have anew, in the order in which these first use them.

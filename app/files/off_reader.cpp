@@ -8,55 +8,31 @@
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/text_lines.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {
-
-/// What the vertices of a file have, by its first word: [ST][C][N][4][n]OFF.
-struct OffHead {
-    bool uvs = false;
-    bool colors = false;
-    bool normals = false;
-    bool weights = false;
-
-    static OffHead of(std::string_view word) {
-        const auto has = [&](std::string_view letters) {
-            const bool found = word.starts_with(letters);
-            word.remove_prefix(found ? letters.size() : 0);
-            return found;
-        };
-        OffHead head;
-        head.uvs = has("ST");
-        head.colors = has("C");
-        head.normals = has("N");
-        head.weights = has("4");
-        if (has("n")) {
-            throw InputError("it has other than three dimensions");
-        }
-        if (word != "OFF") {
-            throw InputError("it does not begin with OFF");
-        }
-        return head;
-    }
-};
 
 /// The words of a text, without comments.
 class OffWords {
   public:
     explicit OffWords(std::string_view text) : lines_(text) {}
 
-    std::string_view next() {
-        while (true) {
-            if (const std::string_view word = takeWord(line_); !word.empty()) {
-                return word;
-            }
+    bool isAtEnd() {
+        while (withoutBlanks(line_).empty()) {
             if (!lines_.next()) {
-                throw InputError("it ends too early");
+                return true;
             }
-            line_ = lines_.line().substr(0, lines_.line().find('#'));
+            line_ = withoutComment(lines_.line());
         }
+        return false;
+    }
+
+    std::string_view next() {
+        if (isAtEnd()) {
+            throw InputError("it ends too early");
+        }
+        return takeWord(line_);
     }
     double number() { return numberOf(next()); }
     std::vector<double> numbers(std::size_t count) {
@@ -65,14 +41,6 @@ class OffWords {
             numbers.push_back(number());
         }
         return numbers;
-    }
-    std::size_t count() {
-        constexpr double kMost = 1e9;
-        const double value = number();
-        if (!(value >= 0 && value <= kMost)) {
-            throw InputError("a count is " + formatNumber(value));
-        }
-        return static_cast<std::size_t>(value);
     }
     /// The numbers that are left on the line.
     std::vector<double> rest() {
@@ -87,26 +55,70 @@ class OffWords {
         if (!rest().empty() || !lines_.next()) {
             return;
         }
-        line_ = lines_.line().substr(0, lines_.line().find('#'));
+        line_ = withoutComment(lines_.line());
         std::string_view behind = line_;
         takeWord(behind);
         if (withoutBlanks(behind).empty()) {
             line_ = {};
         }
     }
-    std::size_t line() const { return lines_.number(); }
+    const TextLines& lines() const { return lines_; }
 
   private:
+    /// In a word, as in "-1.#IND", it begins none.
+    static std::string_view withoutComment(std::string_view line) {
+        std::size_t at = line.find('#');
+        while (at != std::string_view::npos && at > 0 && line[at - 1] != ' ' &&
+               line[at - 1] != '\t') {
+            at = line.find('#', at + 1);
+        }
+        return line.substr(0, at);
+    }
+
     TextLines lines_;
     std::string_view line_;
 };
 
-/// Of three or four numbers: shares, or bytes where one is above 1.
+/// What the vertices of a file have, by its first word: [ST][C][N][4][n]OFF.
+struct OffHead {
+    bool uvs = false;
+    bool colors = false;
+    bool normals = false;
+    bool weights = false;
+
+    /// Takes itself off the word: a number may be glued to it.
+    explicit OffHead(std::string_view& word) {
+        const auto has = [&](std::string_view letters) {
+            const bool found = word.starts_with(letters);
+            word.remove_prefix(found ? letters.size() : 0);
+            return found;
+        };
+        uvs = has("ST");
+        colors = has("C");
+        normals = has("N");
+        weights = has("4");
+        if (has("n")) {
+            throw InputError("it has other than three dimensions");
+        }
+        if (!has("OFF")) {
+            throw InputError("it does not begin with OFF");
+        }
+    }
+};
+
+std::size_t countOf(std::string_view word) {
+    constexpr double kMost = 1e9;
+    const double value = numberOf(word);
+    if (!(value >= 0 && value <= kMost)) {
+        throw InputError("a count is " + formatNumber(value));
+    }
+    return static_cast<std::size_t>(value);
+}
+
+/// Of three or four numbers.
 Eigen::Vector4f colorOf(const std::vector<double>& numbers) {
-    const double most = *std::ranges::max_element(numbers) > 1 ? 255 : 1;
-    const Vec3f linear = render::toLinear(Vec3(numbers[0], numbers[1], numbers[2]) / most);
-    return {linear.x(), linear.y(), linear.z(),
-            numbers.size() > 3 ? static_cast<float>(numbers[3] / most) : 1};
+    return Eigen::Vector4d(numbers[0], numbers[1], numbers[2], numbers.size() > 3 ? numbers[3] : 1)
+        .cast<float>();
 }
 
 /// A coloured vertex has what is left on its line.
@@ -121,38 +133,50 @@ void readVertex(const OffHead& head, OffWords& words, FaceSoup& faces) {
         rest.resize(rest.size() - 2);
     }
     if (head.colors && rest.size() >= 3) {
-        faces.vertexColors.resize(faces.positions.size() - 1, Eigen::Vector4f::Ones());
+        faces.vertexColors.resize(faces.positions.size() - 1, kNoColor);
         faces.vertexColors.push_back(colorOf(rest));
     }
 }
 
-/// One number behind the corners would be that of a colour in a table of Geomview's.
-void readFace(OffWords& words, FaceSoup& faces) {
-    const std::size_t corners = words.count();
+/// One number behind the corners is that of a colour in a table of Geomview's. True for that.
+bool readFace(OffWords& words, FaceSoup& faces) {
+    const std::size_t corners = countOf(words.next());
     for (std::size_t i = 0; i < corners; ++i) {
         faces.addCorner(static_cast<int>(std::clamp(words.number(), -1.0, 2e9)));
     }
-    if (const std::vector<double> color = words.rest(); color.size() >= 3 && corners > 2) {
-        faces.faceColors.resize(faces.faceCount(), Eigen::Vector4f::Ones());
+    const std::vector<double> color = words.rest();
+    if (color.size() >= 3 && corners > 2) {
+        faces.faceColors.resize(faces.faceCount(), kNoColor);
         faces.faceColors.push_back(colorOf(color));
     }
     faces.endFace();
+    return color.size() == 1;
 }
 
-void readAll(OffWords& words, FaceSoup& faces) {
-    const OffHead head = OffHead::of(words.next());
-    const std::string_view first = words.next();
-    if (lowerCase(std::string(first)) == "binary") {
+void readAll(OffWords& words, FaceSoup& faces, std::vector<std::string>& remarks) {
+    std::string_view word = words.next();
+    const OffHead head(word);
+    word = word.empty() ? words.next() : word;
+    if (lowerCase(std::string(word)) == "binary") {
         throw InputError("it is a binary OFF, which is not read; export it as text, PLY or OBJ");
     }
-    const auto vertices = static_cast<std::size_t>(std::clamp(numberOf(first), 0.0, 1e9));
-    const std::size_t faceCount = words.count();
+    const std::size_t vertices = countOf(word);
+    const std::size_t faceCount = countOf(words.next());
     words.skipEdges();
     for (std::size_t i = 0; i < vertices; ++i) {
         readVertex(head, words, faces);
     }
+    bool table = false;
     for (std::size_t i = 0; i < faceCount; ++i) {
-        readFace(words, faces);
+        table |= readFace(words, faces);
+    }
+    if (table) {
+        remarks.emplace_back("Colours by their number in a table were left out: it has no table.");
+    }
+    if (!words.isAtEnd()) {
+        remarks.push_back("What stands behind its last face, from line " +
+                          std::to_string(words.lines().number()) +
+                          " on, was left out: its first numbers count no more.");
     }
 }
 
@@ -162,12 +186,10 @@ ImportedModel readOff(const std::filesystem::path& file) {
     const std::string bytes = readInputFile(file, kMaxModelBytes);
     OffWords words(bytes);
     FaceSoup faces;
-    try {
-        readAll(words, faces);
-    } catch (const InputError& error) {
-        throw InputError("line " + std::to_string(words.line()) + ": " + error.what());
-    }
     ImportedModel model;
+    namingLine(words.lines(), [&] { readAll(words, faces, model.remarks); });
+    makeLinear(faces.vertexColors);
+    makeLinear(faces.faceColors);
     takeFaces(faces, model);
     roundNearOrigin(model.soup);
     return model;

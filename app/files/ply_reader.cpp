@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <span>
 #include <sstream>
 #include <type_traits>
@@ -19,7 +18,6 @@
 #include "app/files/import_appearance.h"
 #include "app/files/model_source.h"
 #include "app/files/text_lines.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -38,13 +36,14 @@ struct Scalar {
     std::string_view name;
     std::string_view other;
     std::size_t bytes;
-    double most;                    ///< that of a colour; 1 where colours are shares
+    double most;                    ///< that of a colour; 1 where it says not which
     double (*number)(const char*);  ///< in so many bytes of this machine's order
 };
 template <class T>
 constexpr Scalar scalar(std::string_view name, std::string_view other) {
-    const double most =
-        std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1;
+    const double most = std::is_integral_v<T> && sizeof(T) < 4
+                            ? static_cast<double>(std::numeric_limits<T>::max())
+                            : 1;
     return {name, other, sizeof(T), most, numberIn<T>};
 }
 constexpr std::array<Scalar, 8> kScalars{
@@ -78,8 +77,8 @@ enum class Encoding { text, littleEndian, bigEndian };
 struct Header {
     Encoding encoding = Encoding::text;
     std::vector<Element> elements;
-    std::string image;     ///< the name of its file, or ""
-    std::size_t size = 0;  ///< [bytes]
+    std::vector<std::string> images;  ///< the names of their files
+    std::size_t size = 0;             ///< [bytes]
 };
 
 [[noreturn]] void fail(const std::string& what) {
@@ -122,7 +121,7 @@ Property propertyOf(std::istringstream& words) {
 void readComment(const std::string& line, Header& header) {
     constexpr std::string_view kTexture = "TextureFile ";
     if (const std::size_t at = line.find(kTexture); at != std::string::npos) {
-        header.image = line.substr(at + kTexture.size());
+        header.images.push_back(line.substr(at + kTexture.size()));
     }
 }
 
@@ -153,9 +152,9 @@ bool readLine(const std::string& line, Header& header) {
 
 /// Lines end as the first one does. A byte order mark may stand before it.
 Header headerOf(std::string_view bytes) {
-    constexpr std::string_view kMark = "\xef\xbb\xbf";
     Header header;
-    std::size_t at = bytes.starts_with(kMark) ? kMark.size() : 0;
+    const std::size_t first = bytes.size() - withoutMark(bytes).size();
+    std::size_t at = first;
     const std::size_t firstEnd = std::min(bytes.find_first_of("\r\n", at), bytes.size());
     const char end =
         bytes.substr(firstEnd, 1) == "\r" && bytes.substr(firstEnd, 2) != "\r\n" ? '\r' : '\n';
@@ -167,7 +166,7 @@ Header headerOf(std::string_view bytes) {
         }
         line = bytes.substr(at, next - at);
         line.erase(line.find_last_not_of(" \t\r") + 1);
-        if (at <= kMark.size() && line != "ply") {
+        if (at == first && line != "ply") {
             fail("it does not begin with a line \"ply\"");
         }
         at = next + 1;
@@ -181,25 +180,30 @@ class Numbers {
   public:
     Numbers(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
 
-    /// Nothing at the end.
-    std::optional<double> next(const Scalar& type) {
-        return encoding_ == Encoding::text ? word() : number(type);
+    /// Throws InputError at the end.
+    double next(const Scalar& type) { return encoding_ == Encoding::text ? word() : number(type); }
+    bool isAtEnd() const {
+        return rest_.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos;
     }
-    std::size_t left() const { return rest_.size(); }
 
   private:
-    std::optional<double> word() {
+    static void requireThere(bool there) {
+        if (!there) {
+            throw InputError("it ends");
+        }
+    }
+
+    double word() {
         constexpr std::string_view kSpace = " \t\r\n";
         rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
         const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
         rest_.remove_prefix(word.size());
-        return word.empty() ? std::nullopt : std::optional(numberOf(word));
+        requireThere(!word.empty());
+        return numberOf(word);
     }
 
-    std::optional<double> number(const Scalar& type) {
-        if (rest_.size() < type.bytes) {
-            return std::nullopt;
-        }
+    double number(const Scalar& type) {
+        requireThere(rest_.size() >= type.bytes);
         std::array<char, 8> bytes{};
         std::memcpy(bytes.data(), rest_.data(), type.bytes);
         rest_.remove_prefix(type.bytes);
@@ -218,26 +222,19 @@ class Numbers {
 /// What one item of an element holds, by property; one number for each that is no list.
 using Row = std::vector<std::vector<double>>;
 
-/// False where the file ends within it.
-bool readRow(const Element& element, Numbers& numbers, Row& row) {
+void readRow(const Element& element, Numbers& numbers, Row& row) {
     row.resize(element.properties.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
         const Property& property = element.properties[i];
-        const double count =
-            property.count == nullptr ? 1 : numbers.next(*property.count).value_or(-1);
+        const double count = property.count == nullptr ? 1 : numbers.next(*property.count);
         row[i].clear();
         for (double k = 0; k < count; ++k) {
-            const std::optional<double> value = numbers.next(*property.type);
-            if (!value) {
-                return false;
-            }
-            row[i].push_back(*value);
+            row[i].push_back(numbers.next(*property.type));
         }
         if (!(count >= 0)) {
-            return false;
+            throw InputError("a list has " + formatNumber(count) + " items");
         }
     }
-    return true;
 }
 
 /// Some properties of one kind, such as the coordinates, by their places in an element.
@@ -266,7 +263,8 @@ struct Places {
                  element.find({"alpha", "a", "diffuse_alpha"})}},
           corners(element.find({"vertex_indices", "vertex_index"})),
           piece{{element.find({"piece"})}},
-          cornerUvs(element.find({"texcoord"})) {}
+          cornerUvs(element.find({"texcoord"})),
+          image{{element.find({"texnumber"})}} {}
 
     Group at;
     Group uv;
@@ -274,16 +272,16 @@ struct Places {
     int corners;
     Group piece;  ///< of a cut body, as Kerf writes it
     int cornerUvs;
+    Group image;
 };
 
-/// From what displays take to linear light, apart from the opacity.
+/// As displays take it, with the opacity.
 Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& row) {
     const auto share = [&](std::size_t i) {
         const int place = color.places[i];
         return place < 0 ? 1 : color.of(row, i) / element.properties[place].type->most;
     };
-    const Vec3f linear = render::toLinear(Vec3(share(0), share(1), share(2)));
-    return {linear.x(), linear.y(), linear.z(), static_cast<float>(share(3))};
+    return Eigen::Vector4d(share(0), share(1), share(2), share(3)).cast<float>();
 }
 
 int indexOf(double number) {
@@ -305,9 +303,12 @@ class PlyModel {
         Row row;
         const std::uint64_t count = element.properties.empty() ? 0 : element.count;
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (!readRow(element, numbers, row)) {
-                fail("it ends within its element \"" + printable(element.name) + "\": " +
-                     std::to_string(i) + " of " + std::to_string(element.count) + " are there");
+            try {
+                readRow(element, numbers, row);
+            } catch (const InputError& error) {
+                fail(std::string(error.what()) + " within its element \"" +
+                     printable(element.name) + "\": " + std::to_string(i) + " of " +
+                     std::to_string(element.count) + " are there");
             }
             if (isVertex) {
                 addVertex(element, places, row);
@@ -320,7 +321,11 @@ class PlyModel {
         return isVertex || isFace || isStrip;
     }
 
-    FaceSoup& faces() { return faces_; }
+    FaceSoup& faces() {
+        makeLinear(faces_.vertexColors);
+        makeLinear(faces_.faceColors);
+        return faces_;
+    }
 
   private:
     void addVertex(const Element& element, const Places& places, const Row& row) {
@@ -347,13 +352,13 @@ class PlyModel {
                              hasUv ? static_cast<int>(faces_.uvs.size()) - 1 : FaceSoup::kNone);
         }
         if (places.color.isThere(3)) {
-            faces_.faceColors.resize(faces_.faceCount(), Eigen::Vector4f::Ones());
+            faces_.faceColors.resize(faces_.faceCount(), kNoColor);
             faces_.faceColors.push_back(colorOf(element, places.color, row));
         }
         if (places.piece.isThere(1)) {
             faces_.enterObject("piece_" + formatNumber(places.piece.of(row, 0) + 1));
         }
-        faces_.endFace();
+        faces_.endFace(indexOf(places.image.of(row, 0)));
     }
 
     /// Every other triangle of a strip is turned over; a negative number begins another strip.
@@ -375,6 +380,19 @@ class PlyModel {
     FaceSoup faces_;
 };
 
+/// A material for each image, by the numbers that faces have for them.
+void addImages(const std::filesystem::path& file, const std::vector<std::string>& names,
+               ImportedModel& model) {
+    ModelImages images(file, model);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        render::Material material;
+        material.name = "image" + (i == 0 ? "" : std::to_string(i + 1));
+        images.add(std::move(material), names[i]);
+    }
+    std::vector<int>& materials = model.soup.skin.materials;
+    materials.resize(names.empty() ? 0 : model.soup.triangles.size(), 0);
+}
+
 }  // namespace
 
 ImportedModel readPly(const std::filesystem::path& file) {
@@ -389,10 +407,12 @@ ImportedModel readPly(const std::filesystem::path& file) {
                                     "\" was left out: Kerf does not know it.");
         }
     }
-    takeFaces(read.faces(), model);
-    if (!header.image.empty()) {
-        addImageMaterial(file, header.image, model);
+    if (!numbers.isAtEnd()) {
+        model.remarks.emplace_back(
+            "What stands behind its last element was left out: its header counts no more.");
     }
+    takeFaces(read.faces(), model);
+    addImages(file, header.images, model);
     return model;
 }
 

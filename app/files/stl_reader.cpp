@@ -9,7 +9,6 @@
 #include "app/files/file_io.h"
 #include "app/files/model_source.h"
 #include "app/files/text_lines.h"
-#include "render/scene/body_look.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -18,7 +17,7 @@ namespace {
 constexpr std::size_t kHeader = 80;
 constexpr std::size_t kFacetsAt = kHeader + 4;
 constexpr std::size_t kFacet = 50;
-constexpr std::uint16_t kIsColor = 0x8000;
+constexpr std::uint16_t kIsMarked = 0x8000;
 constexpr unsigned kFiveBits = 31;
 
 template <class T>
@@ -28,35 +27,19 @@ T valueAt(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-/// The length of a binary file with as many facets as it says.
-std::optional<std::uint64_t> binarySize(std::string_view bytes) {
-    if (bytes.size() < kFacetsAt) {
-        return std::nullopt;
-    }
-    return kFacetsAt + kFacet * std::uint64_t{valueAt<std::uint32_t>(bytes, kHeader)};
-}
-
 bool isComment(std::string_view word) {
     return word.starts_with('#') || word.starts_with(';') || word.starts_with("//");
 }
 
-/// Whether its first word is "solid", and a second line is one of a text too.
+/// Whether its first word is "solid", and no byte is 0 where a binary file has its count.
 bool isText(std::string_view bytes) {
-    constexpr std::size_t kLooked = 4096;
-    TextLines lines(bytes.substr(0, kLooked));
-    bool begun = false;
-    while (lines.next()) {
+    TextLines lines(bytes);
+    std::string word;
+    while ((word.empty() || isComment(word)) && lines.next()) {
         std::string_view line = lines.line();
-        const std::string word = lowerCase(std::string(takeWord(line)));
-        if (word.empty() || isComment(word)) {
-            continue;
-        }
-        if (begun || word != "solid") {
-            return begun && (word == "facet" || word == "endsolid" || word == "solid");
-        }
-        begun = true;
+        word = lowerCase(std::string(takeWord(line)));
     }
-    return begun;
+    return word == "solid" && bytes.substr(0, kFacetsAt).find('\0') == std::string_view::npos;
 }
 
 /// As Materialise or VisCAM write it: in 15 bits, the blue or the red first.
@@ -64,19 +47,38 @@ Eigen::Vector4f colorOf(std::uint16_t attribute, bool materialise) {
     const auto part = [&](unsigned shift) {
         return static_cast<double>((attribute >> shift) & kFiveBits) / kFiveBits;
     };
-    const Vec3 display =
-        materialise ? Vec3(part(0), part(5), part(10)) : Vec3(part(10), part(5), part(0));
-    const Vec3f linear = render::toLinear(display);
-    return {linear.x(), linear.y(), linear.z(), 1};
+    return materialise ? linearOf({part(0), part(5), part(10), 1})
+                       : linearOf({part(10), part(5), part(0), 1});
 }
 
-/// In Materialise's files the highest bit says that a facet has none of its own.
-void readBinary(std::string_view bytes, FaceSoup& faces) {
-    const bool materialise = bytes.substr(0, kHeader).find("COLOR=") != std::string_view::npos;
+/// The colour that Materialise writes into the header, for facets that have none of their own.
+std::optional<Eigen::Vector4f> colorInHeader(std::string_view header) {
+    constexpr std::string_view kColor = "COLOR=";
+    const std::size_t at = header.find(kColor);
+    if (at == std::string_view::npos || at + kColor.size() + 4 > header.size()) {
+        return std::nullopt;
+    }
+    const auto bytes = valueAt<std::array<std::uint8_t, 4>>(header, at + kColor.size());
+    return linearOf(Eigen::Vector4d(bytes[0], bytes[1], bytes[2], bytes[3]) / 255);
+}
+
+/// The length of a binary STL at the beginning of the bytes, as its header says; none where they
+/// are shorter.
+std::optional<std::uint64_t> binarySize(std::string_view bytes) {
+    const std::uint64_t count =
+        bytes.size() < kFacetsAt ? bytes.size() : valueAt<std::uint32_t>(bytes, kHeader);
+    const std::uint64_t size = kFacetsAt + kFacet * count;
+    return size <= bytes.size() ? std::optional(size) : std::nullopt;
+}
+
+/// One behind another is an object of its own.
+void readFacets(std::string_view bytes, FaceSoup& faces) {
+    if (faces.faceCount() > 0) {
+        faces.beginObject("");
+    }
     const bool hasPieces = bytes.starts_with("Kerf, ");
-    const auto count = valueAt<std::uint32_t>(bytes, kHeader);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const std::size_t at = kFacetsAt + kFacet * i;
+    const std::optional<Eigen::Vector4f> common = colorInHeader(bytes.substr(0, kHeader));
+    for (std::size_t at = kFacetsAt; at < bytes.size(); at += kFacet) {
         for (std::size_t corner = 1; corner <= 3; ++corner) {
             const auto p = valueAt<std::array<float, 3>>(bytes, at + 12 * corner);
             faces.addCorner(static_cast<int>(faces.positions.size()));
@@ -86,42 +88,79 @@ void readBinary(std::string_view bytes, FaceSoup& faces) {
         if (hasPieces) {
             faces.enterObject("piece_" + std::to_string(attribute + 1));
         }
-        if (const bool colored = (attribute & kIsColor) != 0; colored != materialise && colored) {
-            faces.faceColors.resize(i, Eigen::Vector4f::Ones());
-            faces.faceColors.push_back(colorOf(attribute, materialise));
+        const bool marked = (attribute & kIsMarked) != 0;
+        if (common || marked) {
+            faces.faceColors.resize(faces.faceCount(), Eigen::Vector4f::Ones());
+            faces.faceColors.push_back(common && marked ? *common
+                                                        : colorOf(attribute, common.has_value()));
         }
         faces.endFace();
     }
 }
 
-/// `open`: within a solid, whose last line says that nothing is cut off.
+/// Several may stand one behind the other.
+void readBinary(std::string_view bytes, FaceSoup& faces, std::vector<std::string>& remarks) {
+    std::optional<std::uint64_t> size = binarySize(bytes);
+    if (!size) {
+        throw InputError(
+            "it is neither a binary STL as long as its number of triangles says, nor a text that "
+            "begins with \"solid\"");
+    }
+    do {
+        readFacets(bytes.substr(0, *size), faces);
+        bytes.remove_prefix(*size);
+        size = binarySize(bytes);
+    } while (size > kFacetsAt);
+    const std::string count = std::to_string(faces.faceCount());
+    if (!bytes.empty() && bytes.size() % kFacet == 0) {
+        throw InputError("its header counts " + count + " triangles, and there are " +
+                         std::to_string(faces.faceCount() + bytes.size() / kFacet) +
+                         "; export it again");
+    }
+    if (!bytes.empty()) {
+        remarks.push_back(counted(bytes.size(), "byte", "bytes") +
+                          " behind its last triangle were left out.");
+    }
+}
+
+Vec3 takePlace(std::string_view& line) {
+    Vec3 place;
+    for (double& number : place) {
+        number = numberOf(takeWord(line));
+    }
+    return place;
+}
+
+/// `open`: within a solid, whose last line says that nothing is cut off. Words may be parted into
+/// lines in any way, but for a name, which ends with its line.
 void readLine(std::string_view line, FaceSoup& faces, bool& open) {
-    const std::string word = lowerCase(std::string(takeWord(line)));
-    open = word == "solid" || word == "facet" || (open && word != "endsolid");
-    if (word == "solid") {
-        faces.beginObject(std::string(withoutBlanks(line)));
-    } else if (word == "vertex") {
-        Vec3 place;
-        for (double& number : place) {
-            number = numberOf(takeWord(line));
+    while (true) {
+        std::string word = lowerCase(std::string(takeWord(line)));
+        word += word == "end" ? lowerCase(std::string(takeWord(line))) : "";
+        if (word == "vertex") {
+            faces.addCorner(static_cast<int>(faces.positions.size()));
+            faces.positions.push_back(takePlace(line));
+        } else if (word == "endloop") {
+            faces.endFace();
+        } else if (word.empty() || word == "solid" || word == "endsolid" || isComment(word)) {
+            if (word == "solid") {
+                faces.beginObject(std::string(withoutBlanks(line)));
+            }
+            open = word == "solid" || (open && word != "endsolid");
+            return;
         }
-        faces.addCorner(static_cast<int>(faces.positions.size()));
-        faces.positions.push_back(place);
-    } else if (word == "endloop") {
-        faces.endFace();
+        open = open || word == "facet";
     }
 }
 
 void readText(std::string_view bytes, FaceSoup& faces) {
     TextLines lines(bytes);
     bool open = false;
-    while (lines.next()) {
-        try {
+    namingLine(lines, [&] {
+        while (lines.next()) {
             readLine(lines.line(), faces, open);
-        } catch (const InputError& error) {
-            throw InputError("line " + std::to_string(lines.number()) + ": " + error.what());
         }
-    }
+    });
     if (open) {
         throw InputError("it ends without \"endsolid\", so a part may be missing");
     }
@@ -131,19 +170,10 @@ void readText(std::string_view bytes, FaceSoup& faces) {
 
 ImportedModel readStl(const std::filesystem::path& file) {
     const std::string bytes = readInputFile(file, kMaxModelBytes);
-    const std::optional<std::uint64_t> binary = binarySize(bytes);
-    const bool text = binary != bytes.size() && isText(bytes);
+    const bool text = isText(bytes);
     FaceSoup faces;
-    if (!text && binary && *binary <= bytes.size()) {
-        readBinary(bytes, faces);
-    } else if (text) {
-        readText(bytes, faces);
-    } else {
-        throw InputError(
-            "it is neither a binary STL as long as its number of triangles says, nor a text that "
-            "begins with \"solid\"");
-    }
     ImportedModel model;
+    text ? readText(bytes, faces) : readBinary(bytes, faces, model.remarks);
     takeFaces(faces, model);
     text ? roundNearOrigin(model.soup) : requireFineFloats(model.soup.positions);
     return model;

@@ -11,23 +11,27 @@
 namespace kerf::app {
 namespace {
 
-constexpr std::string_view kMark = "\xef\xbb\xbf";
 constexpr std::string_view kBlanks = " \t\v\f";
 constexpr std::size_t kShown = 40;  // most letters of a word in a message
 /// What begins a line of numbers in an OBJ; in names and comments a backslash is a letter.
 constexpr std::array<std::string_view, 8> kNumbered{"v", "vt", "vn", "vp", "f", "fo", "l", "p"};
 
 bool continues(std::string_view line) {
-    std::string_view rest = line;
+    std::string_view rest = line.substr(0, line.find('\\'));
     return line.ends_with('\\') && line.find('#') == std::string_view::npos &&
            std::ranges::find(kNumbered, takeWord(rest)) != kNumbered.end();
 }
 
 }  // namespace
 
-TextLines::TextLines(std::string_view text) : rest_(text) {
-    rest_.remove_prefix(rest_.starts_with(kMark) ? kMark.size() : 0);
+std::string_view withoutMark(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+        throw InputError("it is a text in UTF-16, which is not read; export it as UTF-8");
+    }
+    return text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
 }
+
+TextLines::TextLines(std::string_view text) : rest_(withoutMark(text)) {}
 
 std::string_view TextLines::take() {
     const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -56,6 +60,14 @@ bool TextLines::next() {
     return true;
 }
 
+void namingLine(const TextLines& lines, const std::function<void()>& read) {
+    try {
+        read();
+    } catch (const InputError& error) {
+        throw InputError("line " + std::to_string(lines.number()) + ": " + error.what());
+    }
+}
+
 std::string_view takeWord(std::string_view& text) {
     text = withoutBlanks(text);
     const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
@@ -72,8 +84,8 @@ std::string_view withoutBlanks(std::string_view text) {
 double numberOf(std::string_view word) {
     double value = 0;
     const char* last = word.data() + word.size();
-    const auto [end, error] =
-        std::from_chars(word.data() + (word.starts_with('+') ? 1 : 0), last, value);
+    const bool plus = word.starts_with('+') && !word.starts_with("+-");
+    const auto [end, error] = std::from_chars(word.data() + (plus ? 1 : 0), last, value);
     if (end != last || error == std::errc::invalid_argument) {
         throw InputError("\"" + printable(std::string(word.substr(0, kShown))) +
                          "\" stands where a number must");

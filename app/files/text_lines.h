@@ -1,11 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace kerf::app {
+
+/// What programs put before a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+/// A text without that. Throws InputError for one in UTF-16.
+std::string_view withoutMark(std::string_view text);
 
 /// The lines of a text file, whatever ends them: behind a byte order mark, if there is one. Lines
 /// of numbers in an OBJ that a backslash continues are one. Blanks around a line are left out.
@@ -29,6 +34,9 @@ class TextLines {
     std::size_t number_ = 0;
     std::size_t read_ = 0;
 };
+
+/// Calls `read`. Where that throws InputError, so does this, and names the line.
+void namingLine(const TextLines& lines, const std::function<void()>& read);
 
 /// Takes the first word, between blanks, off a text; "" where there is none.
 std::string_view takeWord(std::string_view& text);

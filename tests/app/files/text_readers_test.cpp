@@ -164,7 +164,7 @@ TEST_F(TextReaders, WhatAnOffCannotBeIsNamed) {
 
 TEST_F(TextReaders, ColoursOfAnOffAreOfItsVerticesOrFaces) {
     const auto colored =
-        off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 1 0 1\n0 1 0 0 0 0 1\n3 0 1 2\n");
+        off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 1 255\n3 0 1 2\n");
     ASSERT_EQ(colored.soup.skin.colors.size(), 1U);
     EXPECT_TRUE(colored.soup.skin.colors[0][0].isApprox(Eigen::Vector4f(1, 0, 0, 1)));
     EXPECT_TRUE(colored.soup.skin.colors[0][1].isApprox(Eigen::Vector4f(0, 1, 0, 1)));
