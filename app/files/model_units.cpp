@@ -97,6 +97,15 @@ UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own,
     return {unit, format.up, format.certain, sentenceFor(format, unit, length)};
 }
 
+Bounds placedBounds(std::span<const Vec3> own, const Placement& placement) {
+    const PlacementMap map(placement);
+    Bounds placed;
+    for (const Vec3& point : own) {
+        placed.add(map.toScene(point));
+    }
+    return placed;
+}
+
 Placement standing(const UnitGuess& guess, std::span<const Vec3> own) {
     Placement placement;
     placement.unit = guess.unit;
@@ -106,11 +115,7 @@ Placement standing(const UnitGuess& guess, std::span<const Vec3> own) {
 
 Placement standing(Placement placement, std::span<const Vec3> own, const Vec3& ground) {
     placement.translate = Vec3::Zero();
-    const PlacementMap map(placement);
-    Bounds placed;
-    for (const Vec3& point : own) {
-        placed.add(map.toScene(point));
-    }
+    const Bounds placed = placedBounds(own, placement);
     const Vec3 middle = placed.center();
     placement.translate = ground - Vec3(middle.x(), placed.low.y(), middle.z());
     placement.translate.y() += kFloorGap * placed.diagonal();

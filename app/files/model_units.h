@@ -36,6 +36,9 @@ struct UnitGuess {
 UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own,
                      const std::optional<FileUnits>& said);
 
+/// Where points of a model lie in the scene [m].
+Bounds placedBounds(std::span<const Vec3> own, const Placement& placement);
+
 /// The placement of an opened model, whose points in its own numbers are `own`: unit and axis as
 /// guessed, over the origin of the scene. Nothing of its shape or size is changed.
 Placement standing(const UnitGuess& guess, std::span<const Vec3> own);

@@ -90,11 +90,7 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
 
 /// On the floor, at the right of the others.
 Placement beside(const Bounds& others, const Placement& placement, const std::vector<Vec3>& own) {
-    const PlacementMap map(placement);
-    Bounds placed;
-    for (const Vec3& p : own) {
-        placed.add(map.toScene(p));
-    }
+    const Bounds placed = placedBounds(own, placement);
     const double half = 0.5 * (placed.high - placed.low).x();
     const double gap = kGapBeside * std::max(placed.diagonal(), others.diagonal());
     return standing(placement, own,

@@ -10,6 +10,7 @@
 #include "app/files/builtin_models.h"
 #include "app/files/import_protocol.h"
 #include "app/files/joined_models.h"
+#include "app/files/model_units.h"
 #include "app/files/sha256.h"
 #include "sim/mesh/invariants.h"
 
@@ -84,16 +85,6 @@ class ModelLoading {
     std::map<std::filesystem::path, ImportedModel> read_;
 };
 
-/// Where a model lies in the scene.
-Bounds boundsOf(const ModelMesh& model, const Placement& placement) {
-    const PlacementMap map(placement);
-    Bounds bounds;
-    for (const Vec3& own : model.mesh.restPositions()) {
-        bounds.add(map.toScene(own));
-    }
-    return bounds;
-}
-
 /// What people should know of models that floats can't hold where they lie.
 std::string remarkOnOrigin(const Bounds& all, const Vec3& origin) {
     if (checkRoom(all).empty()) {
@@ -110,7 +101,7 @@ void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& plac
     std::vector<Bounds> bounds;
     Bounds all;
     for (std::size_t m = 0; m < models.size(); ++m) {
-        bounds.push_back(boundsOf(models[m], placements[m]));
+        bounds.push_back(placedBounds(models[m].mesh.restPositions(), placements[m]));
         all.add(bounds.back());
     }
     const Vec3 origin = originOf(all);

@@ -82,8 +82,9 @@ TEST(ActionTable, RowsFollowTheModel) {
         }
     }
     EXPECT_EQ(unavailable,
-              (std::vector{ActionId::undo, ActionId::redo, ActionId::bringDown, ActionId::freePins,
-                           ActionId::removeRetractor, ActionId::loop, ActionId::showApart}));
+              (std::vector{ActionId::undo, ActionId::redo, ActionId::partModel, ActionId::bringDown,
+                           ActionId::freePins, ActionId::removeRetractor, ActionId::loop,
+                           ActionId::showApart}));
     EXPECT_TRUE(isOn(model, ActionId::toolStroke));
     EXPECT_FALSE(isOn(model, ActionId::toolPin));
     EXPECT_FALSE(isOn(model, ActionId::quit)) << "it switches nothing";
