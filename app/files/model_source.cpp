@@ -203,8 +203,8 @@ MeshReport inspectAndRepair(TriangleSoup& soup, const ReadOptions& options) {
     MeshReport found = inspectAndTurn(soup, std::move(repairs));
     if (options.repair && found.cuttable) {
         found = united(soup, std::move(found), options.progress);
-        // What moves apart may cross then, and what is united may touch itself. Solids that touch
-        // as the file has them stay.
+        // What moves apart may cross then, and what is united may touch itself. What is sound
+        // stays.
         const int rounds = found.repairs.empty() ? 0 : 4;
         for (int i = 0; i < rounds && repair::moveApart(soup) > 0; ++i) {
             found = united(soup, std::move(found), options.progress);

@@ -66,7 +66,8 @@ LengthUnit likeliest(const Customs& format, double length) {
 
 std::string sentenceFor(const Customs& format, LengthUnit unit, double length) {
     const std::string size = lengthText(infoOf(unit).metres * length);
-    const std::string axis = std::string(" with +").append(nameOf(format.up)) + " up";
+    const std::string up(nameOf(format.up));
+    const std::string axis = (up.starts_with('-') ? " with " : " with +") + up + " up";
     const std::string units(infoOf(unit).plural);
     if (format.certain) {
         return std::string(format.name) + " is in " + units + axis + ": " + size + " long.";

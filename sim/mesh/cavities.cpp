@@ -14,6 +14,8 @@ namespace {
 
 // A cavity is no sliver: so much of the power 3/2 of its area, of which a sphere encloses 0.094.
 constexpr double kLeastHollow = 1e-7;
+// What encloses a cavity encloses more than it by this share at least: a core fills one exactly.
+constexpr double kLeastAround = 1e-6;
 
 /// What is known of a shell at rest.
 struct Shell {
@@ -86,7 +88,8 @@ Vec3 insideOf(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity
 int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity) {
     const Vec3 point = insideOf(mesh, shells, cavity);
     const auto mayHold = [&](const Shell& shell) {
-        return shell.volume > 0 && contains(shell.bounds, cavity.bounds.low) &&
+        return shell.volume > -(1 + kLeastAround) * cavity.volume &&
+               contains(shell.bounds, cavity.bounds.low) &&
                contains(shell.bounds, cavity.bounds.high);
     };
     std::vector<char> asked;

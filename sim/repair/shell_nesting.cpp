@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "sim/mesh/box_tree.h"
@@ -225,9 +226,10 @@ class Nesting {
 }  // namespace
 
 bool SoupShells::isLarger(int a, int b) const {
-    const double first = std::abs(volumes[a]);
-    const double second = std::abs(volumes[b]);
-    return first != second ? first > second : a < b;
+    // Floats see a cavity and a core that fills it as equal; the cavity is around the core.
+    const auto size = [&](int shell) { return static_cast<float>(std::abs(volumes[shell])); };
+    const auto key = [&](int shell) { return std::tuple(-size(shell), volumes[shell] > 0, shell); };
+    return key(a) < key(b);
 }
 
 bool SoupShells::isFlat(int shell) const {

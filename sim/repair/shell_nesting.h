@@ -16,7 +16,8 @@ struct SoupShells {
 
     /// How many there are.
     int size() const { return static_cast<int>(volumes.size()); }
-    /// Whether shell a encloses more than b; of equal ones the first is the larger.
+    /// Whether shell a encloses more than b. Of equal ones it is that which faces inwards, else
+    /// the first.
     bool isLarger(int a, int b) const;
     /// Whether a closed shell encloses no more than rounding to 32-bit floats may add or take away.
     bool isFlat(int shell) const;

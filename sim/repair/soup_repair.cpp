@@ -88,7 +88,7 @@ class Repair {
         for (Vec3& p : soup_.positions) {
             p = p.allFinite() ? p : Vec3(Vec3::Zero());
         }
-        soup_ = dropped > 0 ? weldExactly(soup_) : soup_;
+        soup_ = dropped > 0 ? weldObjects(soup_) : soup_;
     }
 
     bool isFlat(int t) const { return areaNormal(cornersOf(soup_, t)).isZero(0); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 #include <vector>
 
 #include "sim/base/float_rounding.h"
@@ -50,6 +51,7 @@ struct Around {
     Vec3 ahead = Vec3::Zero();    ///< the sum of the directions of its edges
     double edge = 0;              ///< the shortest edge, of thin shells some thicknesses [m]
     double shell = 0;             ///< the signed volume of its shell [m^3]
+    int part = -1;                ///< the number of its shell
 
     /// Whether it is a corner of a hollow rather than of a solid.
     bool isHollow() const { return ahead.dot(outward) > 0; }
@@ -71,9 +73,17 @@ std::vector<Around> aroundVertices(const TriangleSoup& soup) {
             const double length = std::min(way.norm(), thick);
             around.edge = around.edge == 0 ? length : std::min(around.edge, length);
             around.shell = volumes[parts[t]];
+            around.part = parts[t];
         }
     }
     return all;
+}
+
+/// Solids that touch are pieces in a file, and stay apart there.
+bool areOfSeveralSolids(const std::vector<int>& place, const std::vector<Around>& all) {
+    std::set<int> parts;
+    return std::ranges::all_of(
+        place, [&](int v) { return all[v].shell > 0 && parts.insert(all[v].part).second; });
 }
 
 /// 1 for a vertex that moves out of its material, -1 for one that moves into it. Of shells of which
@@ -103,11 +113,12 @@ int moveApart(TriangleSoup& soup) {
     int moved = 0;
     double share = kParting;
     for (int round = 0; round < kMostPartings; ++round, share *= 2) {
-        const std::vector<std::vector<int>> places = sharedPlaces(soup);
+        std::vector<std::vector<int>> places = sharedPlaces(soup);
         if (places.empty()) {
             break;
         }
         const std::vector<Around> all = aroundVertices(soup);
+        std::erase_if(places, [&](const auto& place) { return areOfSeveralSolids(place, all); });
         for (const std::vector<int>& place : places) {
             // Not by the same share, since two may have the same way.
             double own = share;

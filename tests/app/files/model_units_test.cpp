@@ -40,6 +40,11 @@ TEST(UnitGuess, SaysWhatWasTakenAndWhy) {
         guessOf("a.obj", 9.66).sentence,
         "OBJ names no unit: taken as centimetres with +y up, 9.66 cm long, since 9.66 m would "
         "be huge.");
+    Bounds bounds;
+    bounds.add(Vec3(0, 0, 0));
+    bounds.add(Vec3(1, 2, 1));
+    EXPECT_EQ(guessUnits("a.fbx", bounds, FileUnits{LengthUnit::metre, UpAxis::minusZ}).sentence,
+              "FBX is in metres with -z up: 2 m long.");
     EXPECT_NE(guessOf("a.stl", 0.92).sentence.find("since 920 \u00b5m would be tiny."),
               std::string::npos);
 }

@@ -39,6 +39,18 @@ TEST(Cavities, BelongToTheSmallestShellAround) {
     EXPECT_EQ(labels.pieces()[2].triangles, 80);
 }
 
+TEST(Cavities, DoNotBelongToACoreThatFillsThem) {
+    const TriangleSoup core = test::icosphereSoup(2, 0.4);
+    TriangleSoup filled = test::joined(test::icosphereSoup(3), test::turned(core), Vec3::Zero());
+    filled = test::joined(filled, core, Vec3::Zero());
+    const SurfaceMesh mesh = test::meshOf(filled);
+    const PieceLabels labels(mesh);
+    ASSERT_EQ(labels.pieces().size(), 2u);
+    EXPECT_EQ(labels.pieces()[0].triangles, 1280 + 320);
+    EXPECT_EQ(labels.pieces()[1].triangles, 320);
+    EXPECT_NEAR(labels.pieces()[1].restVolume, meshVolume(test::meshOf(core)), 1e-12);
+}
+
 TEST(Cavities, WhatIsInsideOutAndInNothingIsNone) {
     const PieceLabels labels(test::meshOf(test::joined(
         test::icosphereSoup(2), test::turned(test::icosphereSoup(2, 0.2)), Vec3(0.9, 0.02, 0.03))));

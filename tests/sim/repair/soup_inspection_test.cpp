@@ -243,6 +243,22 @@ TEST(TurnOutward, ShellInsideAnotherBecomesACavityAndOneInsideThatMaterial) {
     EXPECT_NEAR(after.volume, 8 - 0.4 + 0.4 * 0.056, 0.1);
 }
 
+TEST(TurnOutward, ACoreThatFillsACavityStaysMaterial) {
+    const TriangleSoup core = test::icosphereSoup(1);
+    const TriangleSoup box = test::boxSoup(Vec3(2, 2, 2));
+    const auto filled = [&](const TriangleSoup& first, const TriangleSoup& second) {
+        return test::joined(test::joined(box, first, Vec3::Zero()), second, Vec3::Zero());
+    };
+    for (TriangleSoup soup : {filled(test::turned(core), core), filled(core, test::turned(core))}) {
+        EXPECT_EQ(turnOutward(soup), 0);
+        const MeshReport report = inspectTriangles(soup);
+        EXPECT_EQ(report.problem, "");
+        EXPECT_EQ(report.cavities, 1);
+        EXPECT_EQ(report.pieces, 2);
+        EXPECT_NEAR(report.volume, 8, 1e-12);
+    }
+}
+
 TEST(TurnOutward, ShellsThatCrossStayAsTheyAre) {
     TriangleSoup both =
         test::joined(test::icosphereSoup(2), test::icosphereSoup(2, 0.3), Vec3(0.4, 0, 0));

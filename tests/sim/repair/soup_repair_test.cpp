@@ -73,6 +73,16 @@ TEST(Repair, LeavesWhatIsSound) {
     EXPECT_EQ(soup.triangles, before.triangles);
 }
 
+TEST(Repair, SolidsThatTouchStayApart) {
+    const TriangleSoup box = test::boxSoup();
+    TriangleSoup touching = test::joined(box, box, Vec3(1, 0, 0));
+    touching.triangles.push_back({0, 0, 1});
+    EXPECT_EQ(repair::repairSoup(touching).size(), 1u);
+    EXPECT_EQ(inspectTriangles(touching).problem, "");
+    EXPECT_EQ(inspectTriangles(touching).pieces, 2);
+    EXPECT_EQ(touching.triangles.size(), 2 * box.triangles.size());
+}
+
 TEST(Repair, SaysWhatItDid) {
     TriangleSoup soup = test::soundBall();
     soup.triangles.erase(soup.triangles.begin() + 5);

@@ -28,6 +28,13 @@ TEST(MoveApart, LeavesWhatIsApart) {
     EXPECT_EQ(ball.positions, before);
 }
 
+TEST(MoveApart, LeavesSolidsThatTouch) {
+    TriangleSoup cubes = test::joined(test::boxSoup(), test::boxSoup(), Vec3(1, 0, 0));
+    const std::vector<Vec3> before = cubes.positions;
+    EXPECT_EQ(repair::moveApart(cubes), 0);
+    EXPECT_EQ(cubes.positions, before);
+}
+
 TEST(MoveApart, CubesWithACornerAnEdgeOrAFaceInCommonBecomeTwo) {
     for (const Vec3& way : {Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(1, 0, 0)}) {
         const MeshReport report = asReadAgain(test::joined(test::boxSoup(), test::boxSoup(), way));
