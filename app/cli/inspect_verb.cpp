@@ -348,7 +348,8 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
             inspection.proposedEdge());
     }
     if (!inspection.help.repairs.empty()) {
-        line("--repair") << "would help: " << joined(inspection.help.repairs, "; ") << "\n";
+        line("--repair") << (inspection.refusal.empty() ? "would try: " : "would help: ")
+                         << joined(inspection.help.repairs, "; ") << "\n";
     }
     if (inspection.help.thickness > 0) {
         line("--thicken") << "would help, with --thickness " << inspection.help.thickness << "\n";

@@ -265,7 +265,9 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     keeping.begin();
     view.beginAgain(*scene);
     beginScene();
-    const std::string outcome = fmt::format("{}: {}.", change, changeText(before, now));
+    const std::string outcome =
+        change == kPart ? fmt::format("{}: {} of them.", change, scene->simulation().modelCount())
+                        : fmt::format("{}: {}.", change, changeText(before, now));
     spdlog::info("{}: {}", scene->document().name, outcome);
     toast.offer(outcome, {ui::ActionId::undo, "Undo"});
 }

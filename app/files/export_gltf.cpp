@@ -31,6 +31,7 @@ static_assert(std::endian::native == std::endian::little, "buffers are written a
 /// Vertices of a primitive: a corner with another texture coordinate or colour is another one.
 struct Primitive {
     std::vector<Vec3f> positions;
+    std::vector<float> vertices;  ///< of the whole mesh: where two walls of a cut lie on each other
     std::vector<Vec3f> normals;
     std::vector<Eigen::Vector2f> uvs;     ///< empty where there are none
     std::vector<Eigen::Vector4f> colors;  ///< empty where there are none
@@ -82,6 +83,7 @@ Primitive primitiveOf(const ExportMesh& part) {
             const auto [place, isNew] = numbers.try_emplace({v, face.uvs[i], face.colors[i]}, next);
             if (isNew) {
                 out.positions.push_back(part.positions[v]);
+                out.vertices.push_back(static_cast<float>(part.vertices[v]));
                 out.normals.push_back(part.normals[v]);
                 if (part.tellsQuantities) {
                     out.velocities.push_back(part.velocities[v]);
@@ -205,6 +207,7 @@ class GltfFile {
         Json attributes;
         attributes["POSITION"] = addVectors(primitive.positions, "VEC3", true);
         attributes["NORMAL"] = addVectors(primitive.normals, "VEC3", false);
+        attributes["_VERTEX"] = addScalars(primitive.vertices);
         if (!primitive.uvs.empty()) {
             attributes["TEXCOORD_0"] = addVectors(primitive.uvs, "VEC2", false);
         }

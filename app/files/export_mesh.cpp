@@ -100,6 +100,7 @@ class Gathering {
         for (int v = 0; v < mesh_.vertexCount(); ++v) {
             if (numbers[v] >= 0) {
                 places.emplace_back(mesh_.position(v) + from);
+                out_.vertices.push_back(numbers[v]);
                 out_.normals.push_back(vertexNormal(mesh_, v));
                 out_.velocities.push_back(mesh_.velocity(v).cast<float>());
             }

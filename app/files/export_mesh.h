@@ -34,6 +34,7 @@ struct ExportMesh {
     std::vector<Vec3f> positions;         ///< counted from `origin`
     Vec3 origin = Vec3::Zero();           ///< see originOf()
     std::vector<Vec3> farPositions;       ///< counted from 0, where the origin is not there
+    std::vector<int> vertices;            ///< a number of each, in all parts of the mesh
     std::vector<Vec3f> normals;           ///< unit, area-weighted, one per position
     std::vector<Vec3f> velocities;        ///< one per position [1/s, in the unit of positions]
     std::vector<Eigen::Vector2f> uvs;     ///< each once, in the order of their first use
@@ -86,6 +87,7 @@ ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
         ExportFace copy = face;
         for (int& v : copy.corners) {
             if (vertex[v] < 0) {
+                part.vertices.push_back(mesh.vertices[v]);
                 part.normals.push_back(mesh.normals[v]);
                 part.velocities.push_back(mesh.velocities[v]);
                 if (!mesh.farPositions.empty()) {

@@ -29,9 +29,10 @@ void FaceSoup::enterObject(const std::string& name) {
 }
 
 void FaceSoup::beginObject(const std::string& name) {
-    std::string free = name;
+    const std::string wanted = name.empty() ? "object" : name;
+    std::string free = wanted;
     for (std::size_t number = objectNames_.size() + 1; objectNumbers_.contains(free); ++number) {
-        free = name + " " + std::to_string(number);
+        free = wanted + " " + std::to_string(number);
     }
     enterObject(free);
 }
@@ -107,7 +108,7 @@ std::vector<Triangle> FaceSoup::divided(std::size_t first, std::size_t end) cons
 
 void FaceSoup::addTriangle(std::size_t face, const Triangle& corners) {
     const auto [a, b, c] = corners;
-    soup_.triangles.push_back({corners_[a], corners_[b], corners_[c]});
+    soup_.triangles.push_back({vertexAt(a), vertexAt(b), vertexAt(c)});
     if (!uvs.empty() || !vertexUvs.empty()) {
         soup_.skin.uvs.push_back({uvAt(a), uvAt(b), uvAt(c)});
     }
@@ -121,6 +122,11 @@ void FaceSoup::addTriangle(std::size_t face, const Triangle& corners) {
     if (!objectNames_.empty()) {
         soup_.objects.push_back(objects_[face]);
     }
+}
+
+int FaceSoup::vertexAt(std::size_t corner) const {
+    const int own = corners_[corner];
+    return static_cast<std::size_t>(own) < aliases.size() ? aliases[own] : own;
 }
 
 Eigen::Vector2f FaceSoup::uvAt(std::size_t corner) const {

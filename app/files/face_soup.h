@@ -21,7 +21,8 @@ class FaceSoup {
     std::vector<Vec2> uvs;                      ///< that corners name
     std::vector<Vec2> vertexUvs;                ///< by vertex, for corners that name none
     std::vector<Eigen::Vector4f> vertexColors;  ///< linear, by vertex; fewer at the end, or none
-    std::vector<Eigen::Vector4f> faceColors;    ///< the same by face, where vertices have none
+    std::vector<int> aliases;  ///< by vertex: one at the same place that it is, or itself; or none
+    std::vector<Eigen::Vector4f> faceColors;  ///< the same by face, where vertices have none
 
     /// The faces that end from now on are of the object of that name.
     void enterObject(const std::string& name);
@@ -45,6 +46,7 @@ class FaceSoup {
     void requireCorners() const;
     std::vector<Triangle> divided(std::size_t first, std::size_t end) const;
     void addTriangle(std::size_t face, const Triangle& corners);
+    int vertexAt(std::size_t corner) const;
     Eigen::Vector2f uvAt(std::size_t corner) const;
     Eigen::Vector4f colorAt(std::size_t face, int vertex) const;
 

@@ -314,6 +314,7 @@ class GltfMeshes {
         const bool mirrored = put(*attributes, place, points);
         const std::size_t first = faces_.positions.size();
         faces_.positions.insert(faces_.positions.end(), points.begin(), points.end());
+        addAliases(*attributes, first);
         const std::optional<std::uint64_t> material = indexOf(primitive, "material");
         const int number = material ? materials_.numberOf(*material) : FaceSoup::kNone;
         addUvs(*attributes, material ? materials_.useOf(*material) : TextureUse{}, first);
@@ -398,6 +399,22 @@ class GltfMeshes {
         return !sums.empty() && sums.front().topLeftCorner<3, 3>().determinant() < 0;
     }
 
+    /// Exports of Kerf number the vertices of the body, of which walls of a cut may have two at one
+    /// place.
+    void addAliases(const Json& attributes, std::size_t first) {
+        const auto accessor = indexOf(attributes, "_VERTEX");
+        const std::vector<double> numbers =
+            accessor ? file_.numbers(*accessor, 1) : std::vector<double>{};
+        for (std::size_t v = first; v < faces_.positions.size(); ++v) {
+            const int own = static_cast<int>(v);
+            int same = own;
+            if (v - first < numbers.size()) {
+                same = vertices_.try_emplace(numbers[v - first], own).first->second;
+            }
+            faces_.aliases.push_back(faces_.positions[same] == faces_.positions[v] ? same : own);
+        }
+    }
+
     /// v runs downwards in glTF.
     void addUvs(const Json& attributes, const TextureUse& use, std::size_t first) {
         const auto accessor = indexOf(attributes, ("TEXCOORD_" + std::to_string(use.set)).c_str());
@@ -468,6 +485,7 @@ class GltfMeshes {
     const GltfNodes& nodes_;
     GltfMaterials& materials_;
     FaceSoup faces_;
+    std::map<double, int> vertices_;  ///< the first of each number
 };
 
 void refuseNeeded(const GltfFile& file) {

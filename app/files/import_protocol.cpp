@@ -18,7 +18,6 @@ using Json = nlohmann::json;
 
 constexpr char kMagic[8] = {'K', 'E', 'R', 'F', 'M', 'E', 'S', '4'};
 constexpr std::uint64_t kMaxMessage = 1000;
-constexpr std::uint64_t kLeastTriangles = 4;  // a tetrahedron; the sentence below says it
 
 ImportHeader header(std::uint64_t failed) {
     ImportHeader head{};
@@ -71,9 +70,8 @@ void checkCounts(const ImportHeader& head) {
                          std::to_string(kMaxImportTriangles) + " and " +
                          std::to_string(kMaxImportVertices) + " are read; decimate the model");
     }
-    if (head.triangles < kLeastTriangles) {
-        throw InputError(counted(head.triangles, "triangle", "triangles") +
-                         ", but a solid needs at least 4; export the model as a triangle mesh");
+    if (head.triangles == 0) {
+        throw InputError("there is no triangle in it; export the model as a triangle mesh");
     }
 }
 

@@ -315,7 +315,8 @@ void takeObject(const fs::path& file, ImportedModel& model, int object) {
         const int count = std::max<int>(1, static_cast<int>(model.facts.objects.size()));
         if (object > count) {
             throw InputError(shownPath(file) + ": object " + std::to_string(object) +
-                             " is wanted, and there are " + std::to_string(count));
+                             " is wanted, but it has " + counted(count, "object", "objects") +
+                             "; name another one in \"object\", or none");
         }
         std::vector<char> keep;
         for (const int own : soup.objects) {

@@ -248,7 +248,7 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
 std::vector<std::string> unionsToMake(const TriangleSoup& welded) {
     std::vector<std::string> clauses;
     for (const std::vector<int>& group : CrossingPieces(welded).groups()) {
-        clauses.push_back("united " + textOf(group) + " that cross");
+        clauses.push_back("unite " + textOf(group) + " that cross");
     }
     return clauses;
 }

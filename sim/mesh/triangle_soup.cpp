@@ -70,7 +70,7 @@ TriangleSoup withCorners(const TriangleSoup& soup, std::vector<Triangle> corners
 
 /// The lowest corner first; the way around stays.
 Triangle turned(Triangle t) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     return t;
 }
 
@@ -90,10 +90,10 @@ class ObjectWelding {
     TriangleSoup weld() {
         const auto shared = [&](const Triangle& t) { return isShared(t); };
         if (!soup_.objects.empty() || std::ranges::any_of(soup_.triangles, shared)) {
-            keepClosed();
+            keepClosed(false);
             if (!soup_.objects.empty()) {
                 weldOpen([&](int t) { return soup_.objects[t]; });
-                keepClosed();
+                keepClosed(true);
             }
             openAlike();
             weldOpen([](int) { return 0; });
@@ -144,8 +144,9 @@ class ObjectWelding {
         return parts;
     }
 
-    /// What has two triangles at each edge is open no more.
-    void keepClosed() {
+    /// What has two triangles at each edge is open no more, or `branching` more than two: nothing
+    /// of another object is wanted to close it.
+    void keepClosed(bool branching) {
         UnionFind parts = partsOf(open_);
         std::vector<char> isOpen(source_.size(), 0);  // by root
         std::vector<std::pair<int, int>> edges;
@@ -162,7 +163,7 @@ class ObjectWelding {
             for (end = i; end < edges.size() && edges[end] == edges[i]; ++end) {
             }
             char& open = isOpen[parts.root(edges[i].first)];
-            open = end - i == 2 ? open : 1;
+            open = end - i == 2 || (branching && end - i > 2) ? open : 1;
         }
         std::erase_if(open_, [&](int t) { return isOpen[parts.root(corners_[t][0])] == 0; });
     }

@@ -88,7 +88,7 @@ TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
     write("two.obj", test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.4, 0.3)));
     const ProgramRun run = runKerf({"inspect", file("two.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
-    EXPECT_NE(run.out.find("would help: united 2 pieces that cross"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("would try: unite 2 pieces that cross"), std::string::npos) << run.out;
     EXPECT_TRUE(reportOf(file("two.obj"))["repairable"]);
     EXPECT_FALSE(reportOf("sphere80")["repairable"]);
 }

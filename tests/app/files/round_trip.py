@@ -100,14 +100,14 @@ class RoundTrip:
         report = json.loads(run.stdout.splitlines()[-1]) if run.stdout else {}
         return report if run.returncode == 0 else {'problem': run.stderr}
 
-    def cut(self, name, model, normal, report, fallen, exports=()):
+    def cut(self, name, model, normal, report, fallen, exports=(), depth=1):
         """Cuts a model along a plane near its middle; its summary, or None."""
         low, high = report['bounds']['low'], report['bounds']['high']
         size = math.dist(low, high)
         middle = [(a + b) / 2 + .03 * size * n for a, b, n in zip(low, high, normal)]
         steps = 60 if fallen else 15
         events = [] if fallen else [{'step': 0, 'type': 'hold'}]
-        events += stroke(middle, normal, size)
+        events += stroke(middle, normal, size, depth)
         events += [{'step': 15, 'type': 'set', 'name': 'gravity', 'value': [0, -9.81, 0]}] * fallen
         events += [{'step': steps, 'type': 'export', 'file': f'x.{kind}'} for kind in exports]
         session = {'format': 'kerf-session', 'version': 1, 'model': model, 'steps': steps,
@@ -138,6 +138,20 @@ class RoundTrip:
         if kind != 'stl' and before['vertex_colors']:
             self.expect(what, now['vertex_colors'], 'no colours of vertices')
 
+    def slit(self):
+        """Half way through a ball: the walls lie on each other, and STL can't tell them apart."""
+        before = self.inspect('sphere80')
+        summary = self.cut('slit', {'builtin': 'sphere80'}, [.92, .26, .29], before, False,
+                           FORMATS, depth=.05)
+        for kind in FORMATS:
+            report = self.inspect(f'slit/x.{kind}')
+            if kind == 'stl':
+                self.expect('slit stl', not report.get('cuttable'), 'it was read')
+            else:
+                self.expect_same(f'slit {kind}', report, 1, summary['pieces'][0]['volume'])
+                self.expect(f'slit {kind}', report.get('triangles', 0) > before['triangles'] + 20,
+                            'without its walls')
+
     def follow(self, name, model, fallen, second):
         """Cuts, exports, opens; cuts what the formats in `second` give once more."""
         before = self.inspect(model.get('path') or model['builtin'])
@@ -162,8 +176,8 @@ class RoundTrip:
             self.trips += 1
 
 
-def stroke(middle, normal, size):
-    """Straight down, in a plane through the middle of a model."""
+def stroke(middle, normal, size, depth):
+    """Straight down, in a plane through the middle of a model, so far below it."""
     down = [-normal[1] * n for n in normal]
     down[1] += 1
     length = math.sqrt(sum(x * x for x in down))
@@ -171,11 +185,11 @@ def stroke(middle, normal, size):
     across = [normal[(k + 1) % 3] * down[(k + 2) % 3] - normal[(k + 2) % 3] * down[(k + 1) % 3]
               for k in range(3)]
 
-    def pose(depth):
-        return {end: [m + side * size * a + depth * size * d
+    def pose(way):
+        return {end: [m + side * size * a + way * size * d
                       for m, a, d in zip(middle, across, down)]
                 for end, side in (('a', -1), ('b', 1))}
-    return [{'step': 1, 'type': 'blade', **pose(-1)}, {'step': 13, 'type': 'blade', **pose(1)},
+    return [{'step': 1, 'type': 'blade', **pose(-1)}, {'step': 13, 'type': 'blade', **pose(depth)},
             {'step': 14, 'type': 'lift'}]
 
 
@@ -184,6 +198,7 @@ def main(kerf):
     with tempfile.TemporaryDirectory() as folder:
         trip = RoundTrip(Path(kerf).resolve(), Path(folder))
         turn = 0
+        trip.slit()
         for name, model in write_models(Path(folder)).items():
             for fallen in (False, True):
                 second = FORMATS if nightly else [FORMATS[turn % len(FORMATS)]]
