@@ -70,7 +70,7 @@ TriangleSoup withCorners(const TriangleSoup& soup, std::vector<Triangle> corners
 
 /// The lowest corner first; the way around stays.
 Triangle turned(Triangle t) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
 
