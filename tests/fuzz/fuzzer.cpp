@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tests/support/fuzz/fuzz_target.h"
 #include "tests/support/fuzz/targets.h"
@@ -61,14 +62,28 @@ std::optional<std::uint8_t> chosenKind() {
                : std::optional(static_cast<std::uint8_t>(found - endings.begin()));
 }
 
+/// Models that were read in this process. libFuzzer keeps whatever is new to it, and most of that
+/// is refused.
+std::vector<std::string>& modelsRead() {
+    static std::vector<std::string> models;
+    return models;
+}
+
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer names it
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* bytes, std::size_t count, std::size_t most);
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer names it
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* bytes, std::size_t count,
-                                               std::size_t most, unsigned /*seed*/) {
+                                               std::size_t most, unsigned seed) {
     static const std::optional<std::uint8_t> kind = chosenKind();
+    const std::vector<std::string>& models = modelsRead();
+    if (!models.empty() && seed % 2 == 0) {
+        const std::string& model = models[seed / 2 % models.size()];
+        count = std::min(model.size(), most);
+        std::copy_n(model.begin(), count, bytes);
+    }
     const std::size_t mutated = LLVMFuzzerMutate(bytes, count, most);
     if (kind && mutated > 0) {
         bytes[0] = *kind;
@@ -82,6 +97,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     static Tally& tally = sharedTally();
     const kerf::test::FuzzOutcome outcome =
         target.read(std::string(reinterpret_cast<const char*>(bytes), count));
+    constexpr std::size_t kMostKept = 1000;
+    if (outcome.read && modelsRead().size() < kMostKept) {
+        modelsRead().emplace_back(reinterpret_cast<const char*>(bytes), count);
+    }
     ++tally.runs;
     tally.read += outcome.read ? 1 : 0;
     tally.judged += outcome.judged ? 1 : 0;

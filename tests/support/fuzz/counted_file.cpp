@@ -160,50 +160,62 @@ FaceList facesOfObj(std::string_view bytes) {
     return list;
 }
 
-/// Each point and each face on a line of its own.
+/// With its two or three counts on the second line.
 FaceList facesOfOff(std::string_view bytes) {
     const std::vector<Words> lines = linesOf(bytes, '#');
-    static const std::set<std::string> kHeads{"OFF", "COFF", "NOFF", "CNOFF"};
-    if (lines.size() < 2 || !kHeads.contains(lines[0][0]) || lines[0].size() > 1 ||
-        lines[1].size() != 3) {
+    if (lines.size() < 2 || lines[0].size() > 1 || !lines[0][0].ends_with("OFF") ||
+        lines[0][0].find_first_of("4n") != std::string::npos || lines[1].size() < 2 ||
+        lines[1].size() > 3) {
         throw Unclear{};
     }
-    const long long points = wholeOf(lines[1][0]);
-    const long long faces = wholeOf(lines[1][1]);
-    if (points < 0 || faces < 0) {
-        throw Damaged{"a count is negative"};
-    }
-    if (points + faces != static_cast<long long>(lines.size()) - 2) {
-        throw Unclear{};
-    }
+    std::size_t line = 2;
+    std::size_t word = 0;
+    const auto next = [&] {
+        for (; line < lines.size() && word == lines[line].size(); ++line) {
+            word = 0;
+        }
+        return line < lines.size() ? lines[line][word++] : throw Damaged{"it ends"};
+    };
+    const auto leaveLine = [&] {
+        ++line;
+        word = 0;
+    };
     FaceList list;
-    for (std::size_t i = 2; i < lines.size(); ++i) {
-        if (list.points.size() < static_cast<std::size_t>(points)) {
-            list.points.push_back(lines[i].size() < 3 ? throw Unclear{} : pointOf(lines[i], 0));
-            continue;
+    for (long long i = wholeOf(lines[1][0]); i > 0; --i) {
+        const double x = numberOf(next());
+        const double y = numberOf(next());
+        list.points.emplace_back(x, y, numberOf(next()));
+        for (int k = 0; k < 3 && lines[0][0].find('N') != std::string::npos; ++k) {
+            next();
         }
-        const long long corners = wholeOf(lines[i][0]);
-        if (corners < 0 || corners >= static_cast<long long>(lines[i].size())) {
-            throw Unclear{};
-        }
+        leaveLine();
+    }
+    for (long long i = wholeOf(lines[1][1]); i > 0; --i) {
         auto& face = list.faces.emplace_back();
-        for (long long k = 1; k <= corners; ++k) {
-            face.push_back(wholeOf(lines[i][static_cast<std::size_t>(k)]));
+        for (long long corners = wholeOf(next()); corners > 0; --corners) {
+            face.push_back(wholeOf(next()));
         }
+        leaveLine();
     }
     return list;
 }
 
+/// One behind the other; bytes that make up none are left over.
 FaceList facesOfBinaryStl(std::string_view bytes) {
     FaceList list;
-    for (std::size_t at = 84; at < bytes.size(); at += 50) {
-        auto& face = list.faces.emplace_back();
-        for (std::size_t corner = 1; corner <= 3; ++corner) {
-            face.push_back(static_cast<long long>(list.points.size()));
-            const std::size_t from = at + 12 * corner;
-            list.points.emplace_back(valueAt<float>(bytes, from), valueAt<float>(bytes, from + 4),
-                                     valueAt<float>(bytes, from + 8));
+    while (bytes.size() >= 84) {
+        const std::size_t end = 84 + std::size_t{50} * valueAt<std::uint32_t>(bytes, 80);
+        for (std::size_t at = 84; end <= bytes.size() && at < end; at += 50) {
+            auto& face = list.faces.emplace_back();
+            for (std::size_t corner = 1; corner <= 3; ++corner) {
+                const std::size_t from = at + 12 * corner;
+                face.push_back(static_cast<long long>(list.points.size()));
+                list.points.emplace_back(valueAt<float>(bytes, from),
+                                         valueAt<float>(bytes, from + 4),
+                                         valueAt<float>(bytes, from + 8));
+            }
         }
+        bytes.remove_prefix(std::min(end, bytes.size()));
     }
     return list;
 }
@@ -237,15 +249,14 @@ FaceList facesOfTextStl(std::string_view bytes) {
 }
 
 FaceList facesOfStl(std::string_view bytes) {
-    const bool hasCount = bytes.size() >= 84;
-    if (hasCount && bytes.size() == 84 + std::uint64_t{50} * valueAt<std::uint32_t>(bytes, 80)) {
-        return facesOfBinaryStl(bytes);
-    }
-    if (!lowerCase(std::string(withoutMark(bytes).substr(0, 5))).starts_with("solid") ||
-        bytes.find('\0') != std::string_view::npos) {
+    const bool text = lowerCase(std::string(withoutMark(bytes).substr(0, 5))) == "solid" &&
+                      bytes.substr(0, 84).find('\0') == std::string_view::npos;
+    const bool whole = bytes.size() >= 84 &&
+                       bytes.size() >= 84 + std::uint64_t{50} * valueAt<std::uint32_t>(bytes, 80);
+    if (!text && !whole) {
         throw Unclear{};
     }
-    return facesOfTextStl(bytes);
+    return text ? facesOfTextStl(bytes) : facesOfBinaryStl(bytes);
 }
 
 struct PlyProperty {
@@ -441,8 +452,18 @@ class GltfCounter {
             for (const Json& node : listed(scene, "nodes")) {
                 show(whole(node));
             }
-        } else if (top_.contains("nodes")) {
-            throw Unclear{};
+        } else {
+            std::set<std::size_t> children;
+            for (const Json& node : listed(top_, "nodes")) {
+                for (const Json& child : listed(node, "children")) {
+                    children.insert(whole(child));
+                }
+            }
+            for (std::size_t i = 0; i < listed(top_, "nodes").size(); ++i) {
+                if (!children.contains(i)) {
+                    show(i);
+                }
+            }
         }
         FileCount all = countOf(faces_);
         if (moved_) {
@@ -510,7 +531,7 @@ class GltfCounter {
             return;
         }
         const auto first = static_cast<long long>(faces_.points.size());
-        const std::vector<double> places = numbers(whole(attributes->at("POSITION")), 3);
+        const std::vector<double> places = placesOf(whole(attributes->at("POSITION")));
         for (std::size_t i = 0; i + 2 < places.size(); i += 3) {
             faces_.points.emplace_back(places[i], places[i + 1], places[i + 2]);
         }
@@ -529,6 +550,20 @@ class GltfCounter {
                 face.push_back(corner < static_cast<long long>(places.size() / 3) ? first + corner
                                                                                   : -1);
             }
+        }
+    }
+
+    /// Zeros where they are not plain floats.
+    std::vector<double> placesOf(std::size_t accessor) {
+        try {
+            return numbers(accessor, 3);
+        } catch (const Unclear&) {
+            moved_ = true;
+            const std::size_t count = number(item("accessors", accessor), "count", 0);
+            if (count > 100'000) {
+                throw;
+            }
+            return std::vector<double>(3 * count);
         }
     }
 
@@ -718,7 +753,7 @@ std::vector<long long> textCorners(std::string_view bytes) {
 
 /// As "*2 { a: 0,1 }", whose length is told.
 void requireLengths(std::string_view text) {
-    for (std::size_t at = text.find("*"); at != std::string_view::npos; at = text.find("*", at)) {
+    for (std::size_t at = text.find('*'); at != std::string_view::npos; at = text.find('*', at)) {
         const std::string list(text.substr(at + 1, text.find('}', at) - at - 1));
         ++at;
         const Words words = wordsOf(list);
