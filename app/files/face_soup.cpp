@@ -3,6 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -141,6 +143,12 @@ Eigen::Vector4f FaceSoup::colorAt(std::size_t face, int vertex) const {
     const std::vector<Eigen::Vector4f>& list = vertexColors.empty() ? faceColors : vertexColors;
     const std::size_t number = vertexColors.empty() ? face : vertex;
     return number < list.size() ? list[number] : Eigen::Vector4f(Eigen::Vector4f::Ones());
+}
+
+int cornerOf(double number) {
+    const bool whole =
+        number >= 0 && number < std::numeric_limits<int>::max() && number == std::floor(number);
+    return whole ? static_cast<int>(number) : FaceSoup::kNone;
 }
 
 Eigen::Vector4f linearOf(const Eigen::Vector4d& display) {

@@ -62,6 +62,9 @@ class FaceSoup {
     std::map<std::string, int> objectNumbers_;
 };
 
+/// The number of a vertex that a number of a file is; kNone where it is none.
+int cornerOf(double number);
+
 /// A colour and its opacity, from what displays take to linear light.
 Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
 /// Of colours in a file that says not how: shares, of which some may be a little above 1, or bytes.

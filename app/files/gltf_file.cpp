@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -132,6 +133,10 @@ T valueOf(const Json& object, const char* key, T otherwise) {
     try {
         if (std::is_unsigned_v<T> && found->is_number() && found->template get<double>() < 0) {
             throw InputError("its \"" + std::string(key) + "\" is negative");
+        }
+        if (std::is_integral_v<T> && found->is_number_float() &&
+            found->template get<double>() != std::floor(found->template get<double>())) {
+            throw InputError("its \"" + std::string(key) + "\" is no whole number");
         }
         return found->template get<T>();
     } catch (const Json::exception&) {

@@ -451,11 +451,11 @@ class GltfMeshes {
         std::vector<int> corners;
         if (const auto accessor = indexOf(primitive, "indices")) {
             for (const double number : file_.numbers(*accessor, 1)) {
-                if (!(number >= 0 && number < static_cast<double>(points))) {
+                corners.push_back(cornerOf(number));
+                if (corners.back() < 0 || corners.back() >= static_cast<int>(points)) {
                     throw InputError("a triangle names vertex " + formatNumber(number) +
                                      ", counted from 0, and there are " + std::to_string(points));
                 }
-                corners.push_back(static_cast<int>(number));
             }
         } else {
             for (std::size_t i = 0; i < points; ++i) {

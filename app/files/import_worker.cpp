@@ -10,6 +10,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -21,6 +22,7 @@
 #include <vector>
 
 #include "app/files/face_soup.h"
+#include "app/files/file_io.h"
 #include "app/files/gltf_reader.h"
 #include "app/files/import_appearance.h"
 #include "app/files/import_process.h"
@@ -140,6 +142,20 @@ UpAxis upAxisOf(const aiScene& scene) {
     return settingOf<int>(scene, "UpAxisSign").value_or(1) < 0 ? kDownward[axis] : kAxes[axis];
 }
 
+/// Each corner of a face is a vertex of its own there: assimp leaves out a last face that does not
+/// end, and no more.
+void requireEndsOfFaces(const aiScene& scene) {
+    for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+        std::size_t corners = 0;
+        for (const aiFace& face : std::span(mesh->mFaces, mesh->mNumFaces)) {
+            corners += face.mNumIndices;
+        }
+        if (mesh->mNumVertices > corners) {
+            throw InputError("the last face of a mesh has no end, so a part may be missing");
+        }
+    }
+}
+
 /// Brings numbers in a unit that has no name to centimetres.
 FileUnits fbxUnits(const aiScene& scene, double centimetres, std::vector<Vec3>& positions) {
     constexpr double kSame = 1e-6;
@@ -232,6 +248,9 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
         throw InputError(model.remarks.front());
     }
     requireFineFloats(faces.positions);
+    if (centimetres) {
+        requireEndsOfFaces(*scene);
+    }
     if (centimetres && *centimetres > 0) {
         model.facts.units = fbxUnits(*scene, *centimetres, faces.positions);
     }
@@ -240,11 +259,57 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
     return model;
 }
 
+constexpr std::string_view kFbxSpace = " \t\r\n";
+
+/// Takes it off a text, behind blanks and ends of lines. False where it is not there.
+bool take(std::string_view what, std::string_view& text) {
+    const std::size_t at = text.find_first_not_of(kFbxSpace);
+    const bool there = at != std::string_view::npos && text.substr(at).starts_with(what);
+    text.remove_prefix(there ? at + what.size() : 0);
+    return there;
+}
+
+/// An FBX as text says before each list how many numbers it has, "*3 { a: 0,1,2 }", which assimp
+/// does not look at. One with commas in its numbers has more.
+void requireListLengths(std::string_view text) {
+    for (std::size_t at = text.find('*'); at != std::string_view::npos;
+         at = text.find('*', at + 1)) {
+        std::string_view rest = text.substr(at + 1);
+        std::size_t said = 0;
+        const char* const end = std::from_chars(rest.data(), rest.data() + rest.size(), said).ptr;
+        rest.remove_prefix(std::size_t(end - rest.data()));
+        if (!take("{", rest) || !take("a:", rest)) {
+            continue;
+        }
+        const std::string_view list = rest.substr(0, rest.find('}'));
+        if (list.size() == rest.size()) {
+            return;  // Cut off, which assimp tells.
+        }
+        const std::size_t commas = std::ranges::count(list, ',');
+        const bool any = commas > 0 || list.find_first_not_of(kFbxSpace) != std::string_view::npos;
+        const std::size_t there = any ? commas + 1 : 0;
+        if (there != said) {
+            throw InputError(
+                "line " + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')) +
+                ": a list has " + counted(there, "number", "numbers") + ", and should have " +
+                std::to_string(said) + "; numbers need points, no commas");
+        }
+    }
+}
+
+ImportedModel readFbx(const std::filesystem::path& file) {
+    const std::string bytes = readInputFile(file, kMaxModelBytes);
+    if (!bytes.starts_with("Kaydara FBX Binary")) {
+        requireListLengths(bytes);
+    }
+    return readByAssimp(file);
+}
+
 ImportedModel readScene(const std::filesystem::path& file) {
     using Reader = ImportedModel (*)(const std::filesystem::path&);
-    static const std::map<std::string, Reader> kReaders{{".ply", readPly},   {".obj", readObj},
-                                                        {".stl", readStl},   {".off", readOff},
-                                                        {".gltf", readGltf}, {".glb", readGltf}};
+    static const std::map<std::string, Reader> kReaders{
+        {".ply", readPly},   {".obj", readObj},  {".stl", readStl}, {".off", readOff},
+        {".gltf", readGltf}, {".glb", readGltf}, {".fbx", readFbx}};
     const auto own = kReaders.find(lowerCase(file.extension().string()));
     return own == kReaders.end() ? readByAssimp(file) : own->second(file);
 }

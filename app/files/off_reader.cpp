@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "app/files/face_soup.h"
@@ -109,7 +110,7 @@ struct OffHead {
 std::size_t countOf(std::string_view word) {
     constexpr double kMost = 1e9;
     const double value = numberOf(word);
-    if (!(value >= 0 && value <= kMost)) {
+    if (!(value >= 0 && value <= kMost && value == std::floor(value))) {
         throw InputError("a count is " + formatNumber(value));
     }
     return static_cast<std::size_t>(value);
@@ -142,7 +143,7 @@ void readVertex(const OffHead& head, OffWords& words, FaceSoup& faces) {
 bool readFace(OffWords& words, FaceSoup& faces) {
     const std::size_t corners = countOf(words.next());
     for (std::size_t i = 0; i < corners; ++i) {
-        faces.addCorner(static_cast<int>(std::clamp(words.number(), -1.0, 2e9)));
+        faces.addCorner(cornerOf(words.number()));
     }
     const std::vector<double> color = words.rest();
     if (color.size() >= 3 && corners > 2) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -114,7 +115,9 @@ Property propertyOf(std::istringstream& words) {
         words >> type;
     }
     property.type = scalarOf(type);
-    words >> property.name;
+    if (!(words >> property.name)) {
+        fail("its header has a property without a name");
+    }
     return property;
 }
 
@@ -124,6 +127,10 @@ void readComment(const std::string& line, Header& header) {
         header.images.push_back(line.substr(at + kTexture.size()));
     }
 }
+
+/// Of a header, those that say nothing here.
+constexpr std::array<std::string_view, 3> kOtherLines{"ply", "obj_info", "end_header"};
+constexpr std::size_t kShownOfLine = 40;  // most letters of a line in a message
 
 /// False at the last line.
 bool readLine(const std::string& line, Header& header) {
@@ -137,7 +144,7 @@ bool readLine(const std::string& line, Header& header) {
         header.encoding = encodingOf(word);
     } else if (word == "element") {
         Element element;
-        if (!(words >> element.name >> element.count)) {
+        if (!(words >> element.name >> element.count) || words >> word) {
             fail("its header has the line \"" + printable(line) + "\" without a count");
         }
         if (std::ranges::count(header.elements, element.name, &Element::name) > 0) {
@@ -146,6 +153,9 @@ bool readLine(const std::string& line, Header& header) {
         header.elements.push_back(std::move(element));
     } else if (word == "property" && !header.elements.empty()) {
         header.elements.back().properties.push_back(propertyOf(words));
+    } else if (!word.empty() && std::ranges::find(kOtherLines, word) == kOtherLines.end()) {
+        fail("its header has the line \"" + printable(line.substr(0, kShownOfLine)) +
+             "\", which is none of PLY");
     }
     return word != "end_header";
 }
@@ -231,7 +241,7 @@ void readRow(const Element& element, Numbers& numbers, Row& row) {
         for (double k = 0; k < count; ++k) {
             row[i].push_back(numbers.next(*property.type));
         }
-        if (!(count >= 0)) {
+        if (!(count >= 0 && count == std::floor(count))) {
             throw InputError("a list has " + formatNumber(count) + " items");
         }
     }
@@ -282,10 +292,6 @@ Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& r
         return place < 0 ? 1 : color.of(row, i) / element.properties[place].type->most;
     };
     return Eigen::Vector4d(share(0), share(1), share(2), share(3)).cast<float>();
-}
-
-int indexOf(double number) {
-    return number >= 0 && number < std::numeric_limits<int>::max() ? static_cast<int>(number) : -1;
 }
 
 /// Collects vertices and faces in whatever order they come, and makes triangles of them.
@@ -348,7 +354,7 @@ class PlyModel {
             if (hasUv) {
                 faces_.uvs.emplace_back(uvs[2 * i], uvs[2 * i + 1]);
             }
-            faces_.addCorner(indexOf(corners[i]),
+            faces_.addCorner(cornerOf(corners[i]),
                              hasUv ? static_cast<int>(faces_.uvs.size()) - 1 : FaceSoup::kNone);
         }
         if (places.color.isThere(3)) {
@@ -358,7 +364,7 @@ class PlyModel {
         if (places.piece.isThere(1)) {
             faces_.enterObject("piece_" + formatNumber(places.piece.of(row, 0) + 1));
         }
-        faces_.endFace(indexOf(places.image.of(row, 0)));
+        faces_.endFace(cornerOf(places.image.of(row, 0)));
     }
 
     /// Every other triangle of a strip is turned over; a negative number begins another strip.
@@ -370,7 +376,7 @@ class PlyModel {
             } else if (i >= begin + 2) {
                 const std::size_t turned = (i - begin) % 2;
                 for (const std::size_t k : {i - 2 + turned, i - 1 - turned, i}) {
-                    faces_.addCorner(indexOf(numbers[k]));
+                    faces_.addCorner(cornerOf(numbers[k]));
                 }
                 faces_.endFace();
             }

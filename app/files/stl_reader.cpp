@@ -131,37 +131,89 @@ Vec3 takePlace(std::string_view& line) {
     return place;
 }
 
-/// `open`: within a solid, whose last line says that nothing is cut off. Words may be parted into
-/// lines in any way, but for a name, which ends with its line.
-void readLine(std::string_view line, FaceSoup& faces, bool& open) {
-    while (true) {
-        std::string word = lowerCase(std::string(takeWord(line)));
-        word += word == "end" ? lowerCase(std::string(takeWord(line))) : "";
-        if (word == "vertex") {
-            faces.addCorner(static_cast<int>(faces.positions.size()));
-            faces.positions.push_back(takePlace(line));
-        } else if (word == "endloop") {
-            faces.endFace();
-        } else if (word.empty() || word == "solid" || word == "endsolid" || isComment(word)) {
-            if (word == "solid") {
-                faces.beginObject(std::string(withoutBlanks(line)));
+/// A text. Words may be parted into lines in any way, but for a name, which ends with its line.
+class StlText {
+  public:
+    explicit StlText(FaceSoup& faces) : faces_(faces) {}
+
+    void readLine(std::string_view line) {
+        for (std::string word = next(line); !word.empty() && !isComment(word); word = next(line)) {
+            if (word == "solid" || word == "endsolid") {
+                readSolid(word, withoutBlanks(line));
+                return;
             }
-            open = word == "solid" || (open && word != "endsolid");
-            return;
+            readWord(word, line);
         }
-        open = open || word == "facet";
     }
-}
+    /// Within a solid, whose last line says that nothing is cut off.
+    bool isOpen() const { return open_; }
+
+  private:
+    static std::string next(std::string_view& line) {
+        const std::string word = lowerCase(std::string(takeWord(line)));
+        return word == "end" ? word + lowerCase(std::string(takeWord(line))) : word;
+    }
+
+    void readSolid(std::string_view word, std::string_view name) {
+        requireNoLoop();
+        open_ = word == "solid";
+        if (open_) {
+            faces_.beginObject(std::string(name));
+        }
+    }
+
+    void readWord(const std::string& word, std::string_view& line) {
+        if (word == "vertex") {
+            faces_.addCorner(static_cast<int>(faces_.positions.size()));
+            faces_.positions.push_back(takePlace(line));
+            inLoop_ = true;
+        } else if (word == "endloop") {
+            faces_.endFace();
+            inLoop_ = false;
+        } else if (word == "normal" || word == "color") {
+            takePart(line);
+        } else if (isFrame(word)) {
+            requireNoLoop();
+            open_ = open_ || word == "facet";
+        } else {
+            throw InputError("\"" + printable(word.substr(0, 40)) + "\" is no word of STL");
+        }
+    }
+
+    static bool isFrame(std::string_view word) {
+        return word == "facet" || word == "outer" || word == "loop" || word == "endfacet";
+    }
+
+    /// The numbers of a normal or a colour, whatever they are.
+    static void takePart(std::string_view& line) {
+        for (std::string_view rest = line; !withoutBlanks(rest).empty(); line = rest) {
+            const std::string word = lowerCase(std::string(takeWord(rest)));
+            if (word == "vertex" || isFrame(word)) {
+                return;
+            }
+        }
+    }
+
+    void requireNoLoop() const {
+        if (inLoop_) {
+            throw InputError("a loop before it has no \"endloop\"");
+        }
+    }
+
+    FaceSoup& faces_;
+    bool open_ = false;
+    bool inLoop_ = false;
+};
 
 void readText(std::string_view bytes, FaceSoup& faces) {
     TextLines lines(bytes);
-    bool open = false;
+    StlText text(faces);
     namingLine(lines, [&] {
         while (lines.next()) {
-            readLine(lines.line(), faces, open);
+            text.readLine(lines.line());
         }
     });
-    if (open) {
+    if (text.isOpen()) {
         throw InputError("it ends without \"endsolid\", so a part may be missing");
     }
 }

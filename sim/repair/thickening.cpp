@@ -182,7 +182,17 @@ class Sheets {
         const std::vector<Triangle> before = soup_.triangles;
         partBranches(soup_);
         findSheets(before);
-        return "";
+        return haveOffsets() ? ""
+                             : "a triangle is nearly without area: such has no side to be "
+                               "thickened to; repair the model too";
+    }
+
+    /// Not so where the angles at a vertex are too small for doubles.
+    bool haveOffsets() const {
+        return std::ranges::all_of(open_, [&](int t) {
+            return std::ranges::all_of(soup_.triangles[t],
+                                       [&](int v) { return offsets_[v].has_value(); });
+        });
     }
 
     /// `before`: the triangles with the vertices that were parted.

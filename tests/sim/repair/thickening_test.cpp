@@ -266,6 +266,13 @@ TEST(Thickening, RefusesTrianglesWithoutArea) {
     EXPECT_THAT(problemOf(soup, 0.01), StartsWith("1 triangle without area"));
 }
 
+TEST(Thickening, RefusesAVertexWithoutAngles) {
+    TriangleSoup soup = sheet(1);
+    soup.positions.emplace_back(3, 1e-200, 0);
+    soup.triangles.push_back({0, 1, 4});
+    EXPECT_THAT(problemOf(soup, 0.01), HasSubstr("nearly without area"));
+}
+
 TEST(Thickening, SaysWhichThicknessDoes) {
     const auto wave = [](double x, double z) { return 0.05 * std::sin(20 * x) * std::cos(20 * z); };
     const TriangleSoup near = test::joined(sheet(4), sheet(4), Vec3(0.01, 0.02, 0));

@@ -24,7 +24,7 @@ std::span<const FuzzTarget> fuzzTargets() {
         FuzzTarget{"journal", readJournalText, journalTexts, journalWords, 1'000, 100},
         FuzzTarget{"expectation", readExpectationText, expectationTexts, expectationWords, 400, 5},
         FuzzTarget{"answer", readAnswerBytes, answerTexts, answerWords, 30'000, 100},
-        FuzzTarget{"model", readModelBytes, modelTexts, modelWords, 60, 3},
+        FuzzTarget{"model", readModelBytes, modelTexts, modelWords, 100, 3},
         FuzzTarget{"image", readImageBytes, imageTexts, imageWords, 30'000, 1'000},
     };
     return kTargets;

@@ -12,6 +12,8 @@ namespace kerf::test {
 struct FuzzOutcome {
     bool accepted = false;  ///< they were read; otherwise refused
     std::string broken{};   ///< a sentence about a promise that was not kept; "" for none
+    bool read = false;      ///< a model file was read, whatever became of it
+    bool judged = false;    ///< what was read was compared with what the file says
 };
 
 /// A format that Kerf reads, and what its readers owe whoever hands them bytes: they refuse with

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "app/files/export.h"
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
 #include "app/files/import_protocol.h"
 #include "app/files/model_source.h"
+#include "sim/base/text.h"
 #include "tests/paths.h"
+#include "tests/support/fuzz/counted_file.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"
 #include "tests/support/fuzz/text_mutator.h"
@@ -84,12 +87,59 @@ std::string brokenByEncoding(const app::ImportedModel& model) {
                : "It is another one in an answer.";
 }
 
-constexpr std::array<const char*, 9> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
-                                              ".off", ".3ds", ".dae", ".fbx"};
+constexpr std::array<std::string_view, 9> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
+                                                   ".off", ".3ds", ".dae", ".fbx"};
 
 app::ImportedModel modelIn(const fs::path& file) {
     return inThisProcess ? app::modelOfAnswer(app::answerFor(file))
                          : app::importWithLooks(file, app::ImportLimits{});
+}
+
+/// As the file has it: before corners in one place become one.
+app::ImportedModel arrivedFrom(const fs::path& file) {
+    return app::decodeImport(inThisProcess
+                                 ? app::answerFor(file)
+                                 : app::runImportProcess(app::importProgram(), file, {}).answer);
+}
+
+bool haveSameBounds(const TriangleSoup& soup, const Bounds& right) {
+    Bounds bounds;
+    for (const Triangle& triangle : soup.triangles) {
+        for (const int vertex : triangle) {
+            bounds.add(soup.positions[vertex]);
+        }
+    }
+    const double reach =
+        std::max(right.low.cwiseAbs().maxCoeff(), right.high.cwiseAbs().maxCoeff());
+    const double step = 1e-6 * reach;  // of the float that a number may become
+    return (bounds.low - right.low).cwiseAbs().maxCoeff() <= step &&
+           (bounds.high - right.high).cwiseAbs().maxCoeff() <= step;
+}
+
+/// Whether a remark says that a part of the shape is not as in the file.
+bool tellsOfShape(const std::vector<std::string>& remarks) {
+    return std::ranges::any_of(remarks, [](const std::string& remark) {
+        return !remark.starts_with("The material") && !remark.starts_with("The image") &&
+               !remark.starts_with("A material");
+    });
+}
+
+/// What arrived otherwise than the file says it, without a remark.
+std::string brokenInSilence(const app::ImportedModel& arrived, const FileCount& said) {
+    if (tellsOfShape(arrived.remarks)) {
+        return "";
+    }
+    if (!said.damage.empty()) {
+        return "It was read in silence, and is damaged: " + printable(said.damage);
+    }
+    const std::size_t triangles = arrived.soup.triangles.size();
+    if (triangles < said.least || triangles > said.triangles) {
+        return "It says " + std::to_string(said.triangles) + " triangles, and there arrived " +
+               std::to_string(triangles) + " in silence.";
+    }
+    return said.bounds && !haveSameBounds(arrived.soup, *said.bounds)
+               ? "Its corners arrived elsewhere in silence."
+               : "";
 }
 
 /// A textured box of two materials.
@@ -156,14 +206,24 @@ FuzzOutcome readModelBytes(const std::string& bytes) {
     }
     const std::size_t kind = static_cast<unsigned char>(bytes[0]) % kEndings.size();
     const fs::path file = folder() / ("model" + std::string(kEndings[kind]));
-    writeText(file, std::string_view(bytes).substr(1));
+    const std::string_view content = std::string_view(bytes).substr(1);
+    writeText(file, content);
     app::ImportedModel model;
     try {
         model = modelIn(file);
     } catch (const app::InputError& error) {
         return refusedWithClause(error.what());
     }
-    return buildSurface(model);
+    const std::optional<FileCount> said = countOf(kEndings[kind], content);
+    const std::string broken = said ? brokenInSilence(arrivedFrom(file), *said) : "";
+    FuzzOutcome outcome = broken.empty() ? buildSurface(model) : FuzzOutcome{true, broken};
+    outcome.read = true;
+    outcome.judged = said.has_value();
+    return outcome;
+}
+
+std::span<const std::string_view> modelEndings() {
+    return kEndings;
 }
 
 std::vector<std::string> modelTexts() {
@@ -171,7 +231,7 @@ std::vector<std::string> modelTexts() {
     const PieceMap pieces = findPieces(mesh);
     std::vector<std::string> texts;
     for (std::size_t kind = 0; kind < kEndings.size(); ++kind) {
-        const std::string ending = kEndings[kind];
+        const std::string ending(kEndings[kind]);
         const auto format = app::meshFormatOf("box" + ending);
         const fs::path kept = KERF_SOURCE_DIR "/tests/fuzz/models/box" + ending;
         texts.push_back(static_cast<char>(kind) +

@@ -1,7 +1,9 @@
 // The functions of the formats in fuzzTargets(), which says what each is for.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/support/fuzz/fuzz_target.h"
@@ -51,9 +53,12 @@ std::vector<std::string> answerWords();
 
 /// A model file behind a byte that chooses its extension. The suite reads it as Kerf does, through
 /// a process of its own; libFuzzer sees only what happens in this one.
+/// What a file says of its faces (countOf) must arrive, or a remark say that it did not.
 FuzzOutcome readModelBytes(const std::string& bytes);
 std::vector<std::string> modelTexts();
 std::vector<std::string> modelWords();
+/// Extensions such as ".obj"; that byte is a number of this list.
+std::span<const std::string_view> modelEndings();
 /// From here on readModelBytes() reads models in this process.
 void readModelsInThisProcess();
 

@@ -165,7 +165,8 @@ def add_containers(table):
     refused("index-beyond", plain.replace("a: 0,2,3,-2", "a: 0,2,8,-2"), "damaged", "line ")
     refused("nan", plain.replace("a: 0.0", "a: nan"), "not a finite number")
     refused("three-numbers", plain.replace("*24 {\n\t\t\ta: 0.0,", "*23 {\n\t\t\ta: ", 1), "damaged", "line ")
-    refused("no-end-of-face", plain.replace(",-6\n", ",5\n"), "open edges")
+    refused("comma", plain.replace(".0,", ",0,").replace(".0\n", ",0\n"), "line ", "48 numbers", "24", "comma")
+    refused("no-end-of-face", plain.replace(",-6\n", ",5\n"), "no end")
 
 
 def add_faces(table):

@@ -77,6 +77,8 @@ def add_corners(table):
     refused("binary", b"OFF BINARY\n\0\0\0\x08\0\0\0\x06\0\0\0\0", "binary")
     refused("index-beyond", box.replace("4 0 2", "4 8 2"), "vertex 8", "there are 8")
     refused("index-negative", box.replace("4 0 2", "4 -1 2"), "vertex -1")
+    refused("index-half", box.replace("4 0 2", "4 0.5 2"), "vertex -1")
+    refused("count-half", box.replace("8 6 0", "8.5 6 0"), "8.5")
     refused("nan", box.replace("\n1 2 3\n", "\n1 nan 3\n"), "not a finite number")
     refused("comma", box.replace("\n1 2 3\n", "\n1,0 2,0 3,0\n"), "line 10", "1,0")
     refused("ind", box.replace("\n1 2 3\n", "\n1 -1.#IND 3\n"), "line 10", "-1.#IND")

@@ -149,6 +149,9 @@ def add_headers(table):
     refused("negative-count", box.replace("vertex 8", "vertex -8"), "count")
     refused("no-x", box.replace("float x", "float px"), "x, y and z")
     refused("twice", box.replace("element face 6", "element vertex 6"), "vertex", "twice")
+    refused("count-and-more", box.replace("face 6", "face 6.5"), "count")
+    refused("other-line", box.replace("end_header", "propert float w\nend_header"), "propert")
+    refused("no-name", box.replace("float x", "float x\nproperty float64"), "without a name")
     refused("points-only", ply(vertices()), "no surface")
     refused("other-corners", box.replace("vertex_indices", "corners"), "no surface")
 
@@ -193,6 +196,8 @@ def add_bodies(table):
     refused("huge-count", little.replace(b"vertex 8", b"vertex 4000000000"), '"vertex"')
     refused("index-beyond", box.replace("4 0 2", "4 8 2"), "vertex 8", "there are 8")
     refused("index-negative", box.replace("4 0 2", "4 -1 2"), "vertex -1")
+    refused("index-half", box.replace("4 0 2", "4 0.5 2"), "vertex -1")
+    refused("length-half", box.replace("4 0 2", "3.5 0 2"), '"face"', "0 of 6", "3.5")
     refused("nan", box.replace("\n1 2 3\n", "\n1 nan 3\n"), "not a finite number")
     refused("inf-binary", little.replace(struct.pack("<fff", 1, 2, 3), struct.pack("<fff", 1, 2, 1e999)),
             "not a finite number")  # fmt: skip
