@@ -403,8 +403,10 @@ class GltfMeshes {
     /// place.
     void addAliases(const Json& attributes, std::size_t first) {
         const auto accessor = indexOf(attributes, "_VERTEX");
+        const bool ours = accessor && valueOf<std::string>(file_.item("accessors", *accessor),
+                                                           "type", "") == "SCALAR";
         const std::vector<double> numbers =
-            accessor ? file_.numbers(*accessor, 1) : std::vector<double>{};
+            ours ? file_.numbers(*accessor, 1) : std::vector<double>{};
         for (std::size_t v = first; v < faces_.positions.size(); ++v) {
             const int own = static_cast<int>(v);
             int same = own;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <iterator>
+#include <map>
 
 #include "app/files/file_io.h"
 #include "app/files/import_process.h"
@@ -308,6 +309,36 @@ void numberObjects(ImportedModel& model) {
     model.facts.objects = std::move(names);
 }
 
+/// Keeps the items of a list that numbers name, in the order in which they first do.
+template <class Item>
+struct UsedItems {
+    const std::vector<Item>& all;
+    std::vector<Item> used{};
+    std::map<int, int> numbers{};
+
+    /// The number becomes that in the list of used ones.
+    void take(int& number) {
+        if (number >= 0) {
+            const auto [place, isNew] = numbers.try_emplace(number, static_cast<int>(used.size()));
+            if (isNew) {
+                used.push_back(all[number]);
+            }
+            number = place->second;
+        }
+    }
+};
+
+/// A scene may hold a model for each object of a file: none is to bring the images of all.
+void dropUnusedLooks(ImportedModel& model) {
+    UsedItems<render::Material> materials{model.appearance.materials};
+    UsedItems<render::ModelImage> images{model.appearance.images};
+    std::ranges::for_each(model.soup.skin.materials, [&](int& number) { materials.take(number); });
+    for (render::Material& material : materials.used) {
+        images.take(material.image);
+    }
+    model.appearance = {std::move(materials.used), std::move(images.used)};
+}
+
 /// Leaves out the others.
 void takeObject(const fs::path& file, ImportedModel& model, int object) {
     TriangleSoup& soup = model.soup;
@@ -325,6 +356,7 @@ void takeObject(const fs::path& file, ImportedModel& model, int object) {
         if (!keep.empty()) {
             repair::keepTriangles(soup, keep);
             repair::dropUnusedVertices(soup);
+            dropUnusedLooks(model);
         }
     }
     soup.objects.clear();

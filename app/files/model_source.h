@@ -90,8 +90,8 @@ struct ReadOptions;
 bool isModelFile(const std::filesystem::path& file);
 
 /// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE,
-/// FBX) in a child process with limits, and welds them exactly. Throws InputError, and
-/// WorkCancelled where `progress` was cancelled, as all functions that take one.
+/// FBX) in a child process with limits, and welds each of its objects: see weldObjects(). Throws
+/// InputError, and WorkCancelled where `progress` was cancelled, as all functions that take one.
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
                          WorkProgress* progress = nullptr);

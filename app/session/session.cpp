@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <type_traits>
+#include <utility>
 
 #include "app/files/builtin_models.h"
 #include "app/files/import_protocol.h"
@@ -66,7 +68,9 @@ class ModelLoading {
 
     ModelMesh load(const ModelReference& reference, ReadOptions options) {
         const std::filesystem::path file = reference.file();
-        requireDigest(file, reference.sha256);
+        if (checked_.emplace(file, reference.sha256).second) {
+            requireDigest(file, reference.sha256);
+        }
         options.object = reference.object.value_or(0);
         options.add(reference);
         return surfaceOf(file, take(file, options), options);
@@ -81,6 +85,7 @@ class ModelLoading {
         return --wanted_[file] == 0 ? std::move(found->second) : found->second;
     }
 
+    std::set<std::pair<std::filesystem::path, std::string>> checked_;  ///< files with their digest
     std::map<std::filesystem::path, int> wanted_;
     std::map<std::filesystem::path, ImportedModel> read_;
 };

@@ -173,6 +173,19 @@ class ObjectWelding {
     void openAlike() {
         std::vector<int> order = closedTriangles();
         UnionFind parts = partsOf(order);
+        std::vector<int> partAt(place_.size(), -1);
+        std::vector<char> meets(place_.size(), 0);  // by place: several parts do there
+        for (const int t : order) {
+            const int part = parts.root(corners_[t][0]);
+            for (const int place : placesOf(t)) {
+                partAt[place] = partAt[place] < 0 ? part : partAt[place];
+                meets[place] = partAt[place] != part ? 1 : meets[place];
+            }
+        }
+        const std::vector<int> closed = order;
+        std::erase_if(order, [&](int t) {
+            return std::ranges::any_of(placesOf(t), [&](int place) { return meets[place] == 0; });
+        });
         const auto key = [&](int t) { return turned(placesOf(t)); };
         std::ranges::sort(order, {}, key);
         std::vector<char> isAlike(source_.size(), 0);  // by root
@@ -182,7 +195,7 @@ class ObjectWelding {
                 isAlike[parts.root(corners_[order[i]][0])] = 1;
             }
         }
-        std::ranges::copy_if(order, std::back_inserter(open_),
+        std::ranges::copy_if(closed, std::back_inserter(open_),
                              [&](int t) { return isAlike[parts.root(corners_[t][0])] != 0; });
     }
 

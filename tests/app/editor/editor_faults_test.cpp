@@ -7,6 +7,8 @@
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/model_defects.h"
+#include "tests/support/shapes.h"
+#include "tests/support/sheet_soup.h"
 #include "ui/action_table.h"
 
 namespace kerf::app {
@@ -173,20 +175,10 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
 
 /// A bent cloth of 0.8 m.
 TriangleSoup wavySheet() {
-    constexpr int kQuads = 8;
-    TriangleSoup soup;
-    for (int j = 0; j <= kQuads; ++j) {
-        for (int i = 0; i <= kQuads; ++i) {
-            soup.positions.emplace_back(0.1 * i, 0.03 * std::sin(i), 0.1 * j);
-        }
-    }
-    for (int j = 0; j < kQuads; ++j) {
-        for (int i = 0; i < kQuads; ++i) {
-            const int a = j * (kQuads + 1) + i;
-            const int c = a + kQuads + 1;
-            soup.triangles.push_back({a, c, c + 1});
-            soup.triangles.push_back({a, c + 1, a + 1});
-        }
+    TriangleSoup soup =
+        test::sheetSoup(8, [](double x, double) { return 0.0375 * std::sin(8 * x); });
+    for (Vec3& p : soup.positions) {
+        p *= 0.8;
     }
     return soup;
 }
@@ -222,6 +214,33 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     const Session session = readSession(folder / "sheet.kerf.json");
     EXPECT_EQ(session.model.thicken, 0.023);
     expectReplayed(session, loadSessionModel(session));
+}
+
+TEST_F(EditorFaultsTest, AnAssemblyIsPartedIntoModelsAsAStepThatIsUndone) {
+    const TriangleSoup lower = test::boxSoup(Vec3::Ones(), 8);
+    const TriangleSoup upper = test::boxSoup(Vec3::Constant(0.5), 8);
+    std::string text = test::objText(test::joined(lower, upper, 0.75 * Vec3::UnitY()));
+    std::size_t face = text.find("f ");
+    for (std::size_t t = 0; t < lower.triangles.size(); ++t) {
+        face = text.find('\n', face) + 1;
+    }
+    text.insert(face, "o upper\n");
+    test::writeText(folder / "two.obj", text);
+    editor->open(folder / "two.obj");
+    waitForWork();
+    frames(2);
+    const std::string whole = hash();
+    EXPECT_THAT(panels().toast, HasSubstr("Its file has 2 objects"));
+    tap(Key::o, {.shift = true});
+    waitForWork();
+    frames(2);
+    EXPECT_EQ(panels().models.size(), 2U);
+    EXPECT_EQ(panels().objects, 0) << "there is nothing more to part";
+    EXPECT_THAT(changes(), ElementsAre("Part into models"));
+    EXPECT_THAT(panels().toast, HasSubstr("Part into models: 2 of them"));
+    undo();
+    EXPECT_EQ(panels().models.size(), 1U);
+    EXPECT_EQ(hash(), whole);
 }
 
 TEST_F(EditorFaultsTest, ABallWithAHoleIsOfferedToBeFilledFirst) {

@@ -59,11 +59,7 @@ def dae(geometries=None, nodes=NODE, unit=UNIT, up="Y_UP", libraries="", version
 
 
 def add_corners(table):
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"dae/{name}.dae", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"dae/{name}.dae", content, *words)
+    read, refused = table.of("dae", "dae")
 
     plain = dae()
     read("plain", plain)

@@ -135,11 +135,7 @@ def add_corners(table):
 
 
 def add_containers(table):
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"fbx/{name}.fbx", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"fbx/{name}.fbx", content, *words)
+    read, refused = table.of("fbx", "fbx")
 
     plain = text(one())
     read("text", plain)

@@ -93,11 +93,7 @@ def add_numbers(table):
 
 
 def add_faces(table):
-    def read(name, text, solid=BOX, **facts):
-        table.read(f"obj/{name}.obj", text, solid, **facts)
-
-    def refused(name, text, *words):
-        table.refused(f"obj/{name}.obj", text, *words)
+    read, refused = table.of("obj", "obj")
 
     uvs = "".join(f"vt {u} {v}\n" for v in (0, 1) for u in (0, 0.25, 0.5, 1))
     all_uvs = [[u, v] for v in (0, 1) for u in (0, 0.25, 0.5, 1)]

@@ -20,11 +20,7 @@ def off(solid=BOX, word="OFF", behind="", behind_face=""):
 
 
 def add_corners(table):
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"off/{name}.off", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"off/{name}.off", content, *words)
+    read, refused = table.of("off", "off")
 
     box = off()
     read("plain", box)

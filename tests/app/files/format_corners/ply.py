@@ -160,11 +160,7 @@ def add_bodies(table):
     box = ply(vertices(), faces())
     little = ply(vertices(), faces(), order="<")
 
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"ply/{name}.ply", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"ply/{name}.ply", content, *words)
+    read, refused = table.of("ply", "ply")
 
     head, body = box.split("end_header\n")
     head += "end_header\n"

@@ -130,3 +130,13 @@ class Table:
     def refused(self, name, content, *words):
         self.beside(name, content)
         self.rows.append({"file": name, "refused": list(words)})
+
+    def of(self, folder, ending):
+        """read() and refused() for files in a folder, by their names without the ending."""
+        def read(name, content, solid=BOX, **facts):
+            self.read(f"{folder}/{name}.{ending}", content, solid, **facts)
+
+        def refused(name, content, *words):
+            self.refused(f"{folder}/{name}.{ending}", content, *words)
+
+        return read, refused

@@ -38,11 +38,7 @@ def add_corners(table):
 
 
 def add_binary(table):
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"stl/{name}.stl", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"stl/{name}.stl", content, *words)
+    read, refused = table.of("stl", "stl")
 
     bits = 0x8000
     read("binary", binary())
@@ -70,11 +66,7 @@ def add_binary(table):
 
 
 def add_text(table):
-    def read(name, content, solid=BOX, **facts):
-        table.read(f"stl/{name}.stl", content, solid, **facts)
-
-    def refused(name, content, *words):
-        table.refused(f"stl/{name}.stl", content, *words)
+    read, refused = table.of("stl", "stl")
 
     box = text()
     read("text", box)
