@@ -40,11 +40,15 @@ std::uint32_t allocate(std::size_t bytes) {
     return id;
 }
 
-void clearRange(std::uint32_t id, std::size_t first, std::size_t last) {
-    if (first < last) {
-        glClearNamedBufferSubData(id, GL_R8UI, static_cast<GLintptr>(first),
-                                  static_cast<GLsizeiptr>(last - first), GL_RED_INTEGER,
-                                  GL_UNSIGNED_BYTE, nullptr);
+/// By uploads: where glClearNamedBufferSubData() cleared bytes, NVIDIA's 580.159 lost what was
+/// written over them next (docs/notes/drivers.md).
+void writeZeros(std::uint32_t id, std::size_t first, std::size_t last) {
+    constexpr std::size_t kMostAtOnce = std::size_t{1} << 20;
+    static const std::vector<std::byte> zeros(kMostAtOnce);
+    for (; first < last; first += kMostAtOnce) {
+        glNamedBufferSubData(id, static_cast<GLintptr>(first),
+                             static_cast<GLsizeiptr>(std::min(last - first, kMostAtOnce)),
+                             zeros.data());
     }
 }
 
@@ -106,7 +110,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 void Buffer::resize(std::size_t bytes) {
     updateBarrier();
     reserve(std::max(bytes, kEmptyBytes), size_);
-    clearRange(id_, size_, bytes);
+    writeZeros(id_, size_, bytes);
     size_ = bytes;
 }
 
@@ -136,7 +140,7 @@ void Buffer::copyFrom(const Buffer& other) {
 
 void Buffer::clear() {
     updateBarrier();
-    clearRange(id_, 0, size_);
+    writeZeros(id_, 0, size_);
 }
 
 void Buffer::bindStorage(std::uint32_t binding) const {

@@ -87,6 +87,9 @@ void enableDebugOutput() {
     glDebugMessageCallback(onDebugMessage, nullptr);
     glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr,
                           GL_FALSE);
+    // Where a driver puts its buffers, and that it compiles a shader anew: nothing to act on.
+    glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_PERFORMANCE, GL_DONT_CARE, 0, nullptr,
+                          GL_FALSE);
 }
 
 int takeDebugErrors() {
