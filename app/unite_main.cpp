@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/process_limits.h"
-#include "app/files/shell_protocol.h"
+#include "app/files/import/shell_protocol.h"
+#include "app/files/jobs/process_limits.h"
 
 namespace {
 

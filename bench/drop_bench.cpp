@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/builtin_models.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "gpu/context.h"
 #include "tests/support/drop_scene.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/files/builtin_models.h"
+#include "app/files/import/builtin_models.h"
 #include "app/session/scene_view.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"

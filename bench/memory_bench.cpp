@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/files/memory_means.h"
+#include "app/files/io/memory_means.h"
 #include "app/scene/editor_scene.h"
 #include "bench/model_file.h"
 #include "gpu/context.h"

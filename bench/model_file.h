@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "app/files/export/export.h"
+#include "app/files/io/file_io.h"
 #include "sim/mesh/surface_mesh.h"
 #include "tests/support/shapes.h"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/import/model_source.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/float_rounding.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"

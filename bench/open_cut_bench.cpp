@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "app/files/model_source.h"
 #include "app/session/session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

@@ -6,8 +6,8 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
-#include "app/files/builtin_models.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/builtin_models.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
 #include "gpu/context.h"
 #include "gpu/traffic.h"
 #include "sim/base/stopwatch.h"

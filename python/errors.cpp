@@ -5,8 +5,8 @@
 #include <new>
 #include <string>
 
-#include "app/files/file_io.h"
-#include "app/files/memory_means.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/memory_means.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/builtin_models.h"
+#include "app/files/import/builtin_models.h"
 #include "app/session/material.h"
 #include "gpu/program_folder.h"
 #include "python/bindings.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/cli/replay.h"
-#include "app/files/memory_means.h"
+#include "app/files/io/memory_means.h"
 #include "gpu/context.h"
 #include "python/bindings.h"
 #include "python/gl_thread.h"

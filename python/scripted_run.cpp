@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/files/file_io.h"
-#include "app/files/memory_means.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/memory_means.h"
+#include "app/files/io/output_folder.h"
 #include "app/scene/saved_session.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session_action.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/output_folder.h"
+#include "app/files/io/output_folder.h"
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"
 #include "gpu/context.h"

@@ -9,9 +9,9 @@
 #include <ostream>
 
 #include "app/cli/usage_error.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -8,9 +8,9 @@
 #include <ostream>
 
 #include "app/doctor/doctor.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 
 namespace kerf::app {
 namespace {

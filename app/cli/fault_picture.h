@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/picture_size.h"
-#include "app/files/model_faults.h"
+#include "app/files/import/model_faults.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {

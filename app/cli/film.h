@@ -6,7 +6,7 @@
 
 #include "app/cli/film_captions.h"
 #include "app/cli/picture_size.h"
-#include "app/files/film_encoder.h"
+#include "app/files/film/film_encoder.h"
 #include "render/scene/camera_path.h"
 #include "sim/run/command.h"
 #include "ui/picture_painter.h"

@@ -6,7 +6,7 @@
 
 #include "app/cli/film.h"
 #include "app/cli/picture_size.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "ui/picture_strip.h"
 
 namespace kerf::app {

@@ -4,7 +4,7 @@
 #include <iosfwd>
 
 #include "app/cli/picture_size.h"
-#include "app/files/mending.h"
+#include "app/files/import/mending.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/files/exit_codes.h"
+#include "app/files/io/exit_codes.h"
 #include "app/session/material.h"
 #include "sim/base/text.h"
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "app/files/export/export.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "app/files/export_mesh.h"
-#include "app/files/mesh_formats.h"
-#include "app/files/output_folder.h"
+#include "app/files/export/export_mesh.h"
+#include "app/files/export/mesh_formats.h"
+#include "app/files/io/output_folder.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -9,11 +9,11 @@
 #include <new>
 
 #include "app/cli/usage_error.h"
-#include "app/files/descriptor.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/memory_means.h"
-#include "app/files/model_source.h"
+#include "app/files/io/descriptor.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/memory_means.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

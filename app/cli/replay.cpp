@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "app/cli/run_files.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
-#include "app/files/folder_lock.h"
-#include "app/files/output_folder.h"
+#include "app/files/export/export.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/folder_lock.h"
+#include "app/files/io/output_folder.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/running_session.h"
 #include "app/session/scene_view.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/cli/usage_error.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "app/files/export/export.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 #include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 

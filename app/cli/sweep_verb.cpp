@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "app/cli/usage_error.h"
-#include "app/files/child_runs.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
+#include "app/files/jobs/child_runs.h"
 #include "app/study/run_lock.h"
 #include "app/study/study_plots.h"
 #include "app/study/study_run.h"

@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "app/cli/usage_error.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/folder_lock.h"
-#include "app/files/interruption.h"
-#include "app/files/temporary_folder.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/folder_lock.h"
+#include "app/files/io/temporary_folder.h"
+#include "app/files/jobs/interruption.h"
 #include "app/regression/test_report.h"
 #include "app/regression/test_session.h"
 #include "app/session/session.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "app/doctor/drawn_session.h"
-#include "app/files/builtin_models.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
+#include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
 #include "sim/run/simulation.h"

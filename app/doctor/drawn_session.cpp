@@ -1,6 +1,6 @@
 #include "app/doctor/drawn_session.h"
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 
 namespace kerf::app {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "app/files/builtin_models.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/reference/reference_energy.h"
 #include "sim/reference/solver_pair.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/builtin_models.h"
-#include "app/files/model_source.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/model_source.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "app/files/child_runs.h"
-#include "app/files/file_io.h"
-#include "app/files/state_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/state_folder.h"
+#include "app/files/jobs/child_runs.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {

@@ -2,8 +2,8 @@
 
 #include "app/editor/editor_state.h"
 #include "app/editor/plot_export.h"
-#include "app/files/file_io.h"
-#include "app/files/free_file.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/free_file.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
 #include "gpu/data_path.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/files/model_units.h"
+#include "app/files/import/model_units.h"
 #include "app/scene/triangle_text.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

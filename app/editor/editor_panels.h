@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/editor.h"
+#include "app/editor/editor_options.h"
 #include "app/editor/settings_file.h"
 #include "render/scene/image.h"
 #include "ui/interface.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/saving_queue.h"
+#include "app/files/jobs/saving_queue.h"
 #include "app/scene/session_journal.h"
 #include "ui/panel_model.h"
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <system_error>
 
-#include "app/files/export.h"
-#include "app/files/film_formats.h"
-#include "app/files/model_source.h"
+#include "app/files/export/export.h"
+#include "app/files/film/film_formats.h"
+#include "app/files/import/model_source.h"
 #include "app/regression/expectation.h"
 #include "app/session/material.h"
 #include "app/session/session.h"

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/files/film_formats.h"
-#include "app/files/free_file.h"
-#include "app/files/mesh_formats.h"
+#include "app/files/export/mesh_formats.h"
+#include "app/files/film/film_formats.h"
+#include "app/files/io/free_file.h"
 #include "app/session/material.h"
 #include "gpu/data_path.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <sstream>
 
-#include "app/files/model_source.h"
+#include "app/files/import/model_source.h"
 #include "app/session/material.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/background_job.h"
-#include "app/files/current_job.h"
+#include "app/files/jobs/background_job.h"
+#include "app/files/jobs/current_job.h"
 
 namespace kerf::app {
 

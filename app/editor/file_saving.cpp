@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/editor/film_making.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/regression/test_maker.h"
 #include "sim/base/text.h"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "app/files/background_job.h"
-#include "app/files/export.h"
+#include "app/files/export/export.h"
+#include "app/files/jobs/background_job.h"
 #include "app/scene/editor_document.h"
 #include "app/scene/saved_session.h"
 #include "app/session/material.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/files/free_file.h"
+#include "app/files/io/free_file.h"
 
 namespace kerf::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/editor/file_saving.h"
-#include "app/files/current_job.h"
-#include "app/files/saving_queue.h"
+#include "app/files/jobs/current_job.h"
+#include "app/files/jobs/saving_queue.h"
 #include "app/scene/body_placing.h"
 #include "app/scene/document_loading.h"
 #include "ui/panel_model.h"

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/files/child_runs.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/temporary_folder.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/temporary_folder.h"
+#include "app/files/jobs/child_runs.h"
 
 namespace kerf::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/files/work_progress.h"
+#include "app/files/jobs/work_progress.h"
 #include "app/session/session.h"
 #include "ui/file_dialog_state.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "app/journal/journal_folder.h"
 #include "app/scene/document_loading.h"
 #include "ui/panel_model.h"

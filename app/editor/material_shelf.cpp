@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 
 namespace kerf::app {
 

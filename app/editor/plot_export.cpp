@@ -1,6 +1,6 @@
 #include "app/editor/plot_export.h"
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
-#include "app/files/state_folder.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/state_folder.h"
 
 namespace kerf::app {
 namespace {

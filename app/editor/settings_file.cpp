@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {

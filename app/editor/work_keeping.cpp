@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "app/files/file_io.h"
-#include "app/files/state_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/state_folder.h"
 #include "app/journal/journal_writer.h"
 
 namespace kerf::app {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/files/file_io.h"
-#include "app/files/free_file.h"
-#include "app/files/sha256.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/free_file.h"
+#include "app/files/io/sha256.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {

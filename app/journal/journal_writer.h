@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "app/files/system_file.h"
+#include "app/files/io/system_file.h"
 
 namespace kerf::app {
 

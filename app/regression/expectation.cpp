@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"

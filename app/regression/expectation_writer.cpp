@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 
 namespace kerf::app {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 

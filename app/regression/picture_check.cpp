@@ -2,8 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/files/output_folder.h"
+#include "app/files/io/output_folder.h"
 #include "app/regression/expectation.h"
 
 namespace kerf::app {

@@ -6,8 +6,8 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 
 namespace kerf::app {

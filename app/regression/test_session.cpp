@@ -4,10 +4,10 @@
 #include <functional>
 #include <map>
 
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 #include "app/regression/expectation_writer.h"
 #include "app/session/session.h"
 #include "gpu/context.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/child_runs.h"
+#include "app/files/jobs/child_runs.h"
 #include "app/regression/test_result.h"
 
 namespace kerf::app {

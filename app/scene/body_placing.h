@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "render/scene/depth_field.h"
 #include "sim/run/command.h"
 #include "sim/run/prepared_body.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "app/session/cut_report.h"
 #include "sim/run/simulation.h"
 #include "ui/cut_rows.h"

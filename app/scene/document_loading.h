@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "app/scene/editor_document.h"
 #include "render/scene/depth_field.h"
 #include "sim/run/body_upload.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/model_units.h"
+#include "app/files/import/model_units.h"
 #include "app/session/session.h"
 #include "render/scene/camera.h"
 #include "sim/mesh/surface_mesh.h"

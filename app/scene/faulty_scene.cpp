@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/files/model_units.h"
+#include "app/files/import/model_units.h"
 #include "render/scene/body_look.h"
 
 namespace kerf::app {

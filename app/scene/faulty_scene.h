@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/files/model_faults.h"
+#include "app/files/import/model_faults.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"
 #include "render/soup_body.h"

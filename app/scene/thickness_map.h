@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "app/files/background_job.h"
+#include "app/files/jobs/background_job.h"
 #include "render/scene/surface_field.h"
 #include "sim/run/simulation.h"
 

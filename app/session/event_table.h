@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/files/mesh_formats.h"
+#include "app/files/export/mesh_formats.h"
 #include "app/session/session.h"
 
 namespace kerf::app {

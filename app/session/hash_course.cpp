@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "app/files/csv.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/csv.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

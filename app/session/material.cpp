@@ -7,8 +7,8 @@
 #include <iterator>
 #include <tuple>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 #include "sim/base/text.h"
 

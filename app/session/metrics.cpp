@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
 

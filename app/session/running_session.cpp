@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/files/memory_means.h"
+#include "app/files/io/memory_means.h"
 #include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
 #include "sim/base/text.h"

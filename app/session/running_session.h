@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/export.h"
+#include "app/files/export/export.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"

@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "app/files/builtin_models.h"
-#include "app/files/import_protocol.h"
-#include "app/files/joined_models.h"
-#include "app/files/model_units.h"
-#include "app/files/sha256.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/import_protocol.h"
+#include "app/files/import/joined_models.h"
+#include "app/files/import/model_units.h"
+#include "app/files/io/sha256.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {

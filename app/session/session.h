@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/files/export.h"
-#include "app/files/model_source.h"
+#include "app/files/export/export.h"
+#include "app/files/import/model_source.h"
 #include "render/scene/body_look.h"
 #include "render/scene/camera_path.h"
 #include "sim/base/params.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <vector>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 
 namespace kerf::app {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <set>
 
-#include "app/files/builtin_models.h"
-#include "app/files/file_io.h"
+#include "app/files/import/builtin_models.h"
+#include "app/files/io/file_io.h"
 #include "app/session/material_table.h"
 #include "app/session/session_action.h"
 #include "app/session/session_json.h"

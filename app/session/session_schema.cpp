@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/files/builtin_models.h"
+#include "app/files/import/builtin_models.h"
 #include "app/session/material_table.h"
 #include "sim/base/text.h"
 

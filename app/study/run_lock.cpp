@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 
 namespace kerf::app {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/files/descriptor.h"
+#include "app/files/io/descriptor.h"
 
 namespace kerf::app {
 

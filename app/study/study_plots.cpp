@@ -7,8 +7,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/files/csv.h"
-#include "app/files/file_io.h"
+#include "app/files/io/csv.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
 #include "ui/plot_picture.h"

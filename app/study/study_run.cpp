@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "app/files/child_runs.h"
-#include "app/files/exit_codes.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/export/export.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
+#include "app/files/jobs/child_runs.h"
 #include "app/session/session.h"
 #include "app/study/run_lock.h"
 

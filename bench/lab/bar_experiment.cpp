@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/files/exit_codes.h"
-#include "app/files/progress_line.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/jobs/progress_line.h"
 #include "gpu/context.h"
 #include "sim/base/text.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/output_folder.h"
+#include "app/files/io/output_folder.h"
 #include "bench/lab/bar_rig.h"
 
 namespace kerf::app {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
 #include "bench/lab/bar_experiment.h"
 #include "bench/lab/blade_experiment.h"
 #include "bench/lab/experiment/experiment_report.h"

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/cli/program.h"
-#include "app/files/exit_codes.h"
+#include "app/files/io/exit_codes.h"
 #include "app/session/paper_experiments.h"
 #include "bench/lab/bar_experiment.h"
 #include "bench/lab/experiment_verb.h"

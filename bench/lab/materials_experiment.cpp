@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/cli/replay.h"
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
-#include "app/files/progress_line.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
+#include "app/files/jobs/progress_line.h"
 #include "app/session/material.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

@@ -13,7 +13,6 @@ from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, ro
 COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
 # Where a room stands: its left side, its top and its width; and what it is for.
 FLOORS = {
-    "app/files": (24, 82, 64, "import,\nexport, CSV"),
     "app/session": (94, 82, 68, "their files,\nmetrics"),
     "app/journal": (168, 82, 64, "work kept\nat once"),
     "app/regression": (238, 82, 82, "sessions as\ntests"),
@@ -25,38 +24,48 @@ FLOORS = {
     "app/window": (670, 82, 76, "the window\nand its loop"),
     "app/cli": (752, 82, 60, "verbs,\nreplay"),
     "app": (818, 82, 60, "main()"),
-    "ui": (252, 210, 338, "panels, plots, themes, keys; they queue actions"),
-    "render/scene": (30, 296, 150, "what is drawn"),
-    "render/passes": (212, 296, 150, "one pass a file"),
-    "render": (394, 296, 150, "the renderer"),
-    "sim/body": (30, 398, 140, "rest shape, masses,\nconstraints"),
-    "sim/contact": (190, 398, 140, "with itself, boxes\nand the blade"),
-    "sim/solve": (350, 398, 140, "the soft body\non the GPU"),
-    "sim/run": (510, 398, 140, "Simulation: a step,\nundo, commands"),
-    "sim/reference": (736, 398, 154, "plain kernels to\ncompare with"),
-    "sim/base": (130, 618, 94, "mathematics,\npredicates"),
-    "sim/mesh": (130, 532, 94, "half-edges,\npieces, trees"),
-    "sim/repair": (20, 532, 84, "files made\ncuttable"),
-    "sim/cut": (264, 541, 98, "types, words"),
-    "sim/cut/surface": (392, 541, 106, "what lies near"),
-    "sim/cut/exact": (392, 627, 106, "triangulation"),
-    "sim/cut/plan": (526, 580, 106, "one try of\na step"),
-    "sim/cut/commit": (660, 517, 100, "carries it out"),
-    "sim/cut/patch": (660, 580, 100, "closes wounds"),
-    "sim/cut/cleanup": (660, 643, 100, "removes slivers"),
-    "sim/cut/stroke": (786, 580, 94, "Cutter, retry\nladder"),
-    "gpu": (14, 728, 892, "OpenGL: context, buffers, programs"),
+    "app/files/io": (128, 180, 140, "whole files, CSV,\nmemory, errors"),
+    "app/files/jobs": (290, 180, 140, "threads, children,\nprogress"),
+    "app/files/import": (452, 180, 140, "models read, mended,\njoined"),
+    "app/files/export": (614, 180, 120, "meshes written"),
+    "app/files/film": (756, 180, 120, "ffmpeg fed"),
+    "ui": (252, 298, 338, "panels, plots, themes, keys; they queue actions"),
+    "render/scene": (30, 384, 150, "what is drawn"),
+    "render/passes": (212, 384, 150, "one pass a file"),
+    "render": (394, 384, 150, "the renderer"),
+    "sim/body": (30, 486, 140, "rest shape, masses,\nconstraints"),
+    "sim/contact": (190, 486, 140, "with itself, boxes\nand the blade"),
+    "sim/solve": (350, 486, 140, "the soft body\non the GPU"),
+    "sim/run": (510, 486, 140, "Simulation: a step,\nundo, commands"),
+    "sim/reference": (736, 486, 154, "plain kernels to\ncompare with"),
+    "sim/base": (130, 706, 94, "mathematics,\npredicates"),
+    "sim/mesh": (130, 620, 94, "half-edges,\npieces, trees"),
+    "sim/repair": (20, 620, 84, "files made\ncuttable"),
+    "sim/cut": (264, 629, 98, "types, words"),
+    "sim/cut/surface": (392, 629, 106, "what lies near"),
+    "sim/cut/exact": (392, 715, 106, "triangulation"),
+    "sim/cut/plan": (526, 668, 106, "one try of\na step"),
+    "sim/cut/commit": (660, 605, 100, "carries it out"),
+    "sim/cut/patch": (660, 668, 100, "closes wounds"),
+    "sim/cut/cleanup": (660, 731, 100, "removes slivers"),
+    "sim/cut/stroke": (786, 668, 94, "Cutter, retry\nladder"),
+    "gpu": (14, 816, 892, "OpenGL: context, buffers, programs"),
 }
 # Where the straight way would lead through rooms: corners of the arrow.
 WAYS = {
-    ("app/session", "sim/run"): [(138, 144), (138, 166), (620, 166), (620, 397)],
-    ("app/files", "sim/repair"): [(25, 144), (25, 531)],
-    ("sim/repair", "sim/cut/exact"): [(64, 594), (64, 700), (445, 700), (445, 673)],
-    ("sim/repair", "sim/mesh"): [(106, 563), (129, 563)],
-    ("ui", "sim/run"): [(575, 254), (575, 397)],
-    ("sim/contact", "gpu"): [(239, 460), (239, 727)],
-    ("sim/cut/exact", "sim/base"): [(392, 649), (225, 649)],
-    ("sim/run", "sim/cut/stroke"): [(650, 440), (700, 440), (700, 474), (833, 474), (833, 579)],
+    ("app/session", "app/files/export"): [(138, 144), (138, 156), (674, 156), (674, 179)],
+    ("app/session", "render"): [(112, 144), (112, 355), (469, 355), (469, 383)],
+    ("app/study", "ui"): [(350, 144), (350, 150), (279, 150), (279, 297)],
+    ("app/scene", "ui"): [(482, 144), (482, 162), (441, 162), (441, 297)],
+    ("app/doctor", "sim/reference"): [(428, 144), (428, 170), (745, 170), (745, 485)],
+    ("app/files/film", "app/files/io"): [(816, 224), (816, 256), (198, 256), (198, 243)],
+    ("app/files/io", "sim/run"): [(240, 242), (240, 370), (630, 370), (630, 485)],
+    ("sim/repair", "sim/cut/exact"): [(64, 682), (64, 788), (445, 788), (445, 761)],
+    ("sim/repair", "sim/mesh"): [(106, 651), (129, 651)],
+    ("ui", "sim/run"): [(575, 342), (575, 485)],
+    ("sim/contact", "gpu"): [(239, 548), (239, 815)],
+    ("sim/cut/exact", "sim/base"): [(392, 737), (225, 737)],
+    ("sim/run", "sim/cut/stroke"): [(650, 528), (700, 528), (700, 562), (833, 562), (833, 667)],
 }
 HEIGHTS = {"gpu": 42}
 
@@ -141,17 +150,18 @@ def main():
     ahead = [pair for pair in pairs if rooms.index(pair[0]) < rooms.index(pair[1])]
     if ahead:
         raise SystemExit(f"includes that look ahead: {ahead}")
-    d = Drawing(920, 790, "The rooms of the source, and which of them includes which")
+    d = Drawing(920, 878, "The rooms of the source, and which of them includes which")
     d.text((20, 30), "A room includes only what stands to its left on the same floor, or on a floor below. "
            "Arrows that follow from others are left out.",
            INK, size=13.5)
-    bands = (("app", 46, 130), ("ui", 186, 76), ("render", 272, 76), ("sim", 358, 358))
+    bands = (("app", 46, 218), ("ui", 274, 76), ("render", 360, 76), ("sim", 446, 358))
     for name, top, height in bands:
         d.box(14, top, 892, height, mixed(COLORS[name], "#ffffff", 0.93),
               mixed(COLORS[name], "#ffffff", 0.6), 12)
         d.text((892, top + 22), name + "/", COLORS[name], "end", 16, "bold")
-    d.box(250, 488, 642, 214, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
-    d.text((262, 509), "sim/cut/", BLUE, size=14, weight="bold")
+    d.box(250, 576, 642, 214, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
+    d.text((262, 597), "sim/cut/", BLUE, size=14, weight="bold")
+    d.text((24, 198), "app/files/", ORANGE, size=14, weight="bold")
     for pair in pairs:
         arrow(d, *pair)
     for room in rooms:

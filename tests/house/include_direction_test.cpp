@@ -47,7 +47,11 @@ const std::vector<fs::path> kRooms = {
     "render/passes",
     "render",
     "ui",
-    "app/files",
+    "app/files/io",
+    "app/files/jobs",
+    "app/files/import",
+    "app/files/export",
+    "app/files/film",
     "app/session",
     "app/journal",
     "app/regression",
@@ -121,6 +125,7 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_TRUE(mayInclude("sim/cut/plan/step.h", "sim/cut/cut_types.h"));
     EXPECT_FALSE(mayInclude("sim/cut/cut_types.h", "sim/cut/plan/step.h"));
     EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
+    EXPECT_FALSE(mayInclude("app/files/io/file_io.h", "app/files/import/model_source.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
     EXPECT_FALSE(mayInclude("app/cli/cli.cpp", "bench/lab/experiment_verb.h"));

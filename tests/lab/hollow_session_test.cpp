@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "app/files/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "tests/paths.h"
 

@@ -7,7 +7,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/settings_file.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "sim/base/stopwatch.h"

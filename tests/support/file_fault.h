@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "app/files/system_file.h"
+#include "app/files/io/system_file.h"
 
 namespace kerf::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/cli/replay.h"
-#include "app/files/progress_line.h"
+#include "app/files/jobs/progress_line.h"
 #include "bench/lab/hollow_session.h"
 
 namespace kerf::app {

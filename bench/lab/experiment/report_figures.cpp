@@ -6,8 +6,8 @@
 #include <array>
 #include <span>
 
-#include "app/files/file_io.h"
-#include "app/files/output_folder.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
 #include "bench/lab/experiment/report_markdown.h"
 #include "ui/bar_chart.h"
 #include "ui/picture_strip.h"

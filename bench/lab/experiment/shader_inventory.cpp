@@ -3,7 +3,7 @@
 #include <regex>
 #include <sstream>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "shaders/shared/body_records.h"
 
 namespace kerf::app {

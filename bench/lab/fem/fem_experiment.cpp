@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "app/files/exit_codes.h"
-#include "app/files/file_io.h"
-#include "app/files/progress_line.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/files/jobs/progress_line.h"
 #include "app/session/session.h"
 #include "bench/lab/fem/fem_pictures.h"
 #include "gpu/context.h"

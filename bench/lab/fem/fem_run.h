@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/files/output_folder.h"
+#include "app/files/io/output_folder.h"
 #include "bench/lab/fem/fem_case.h"
 #include "bench/lab/fem/loaded_surface.h"
 

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "app/cli/usage_error.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "tests/support/png_head.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/files/export.h"
+#include "app/files/export/export.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::app {

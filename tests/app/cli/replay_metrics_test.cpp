@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/file_io.h"
 #include "app/session/metrics.h"
 #include "tests/support/temporary_folder.h"
 

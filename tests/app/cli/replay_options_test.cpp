@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/files/csv.h"
+#include "app/files/io/csv.h"
 #include "app/journal/journal_text.h"
 #include "render/scene/image.h"
 #include "tests/paths.h"

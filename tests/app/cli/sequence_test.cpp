@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/files/csv.h"
-#include "app/files/model_source.h"
+#include "app/files/import/model_source.h"
+#include "app/files/io/csv.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/paths.h"
 #include "tests/support/program_output.h"
@@ -86,11 +86,11 @@ TEST_F(SequenceTest, ChangesNoState) {
     EXPECT_EQ(names().size(), 42u);
 }
 
-/// What tests/app/files/read_mesh.py finds in a mesh, as a JSON object.
+/// What tests/app/files/export/read_mesh.py finds in a mesh, as a JSON object.
 nlohmann::json figuresOf(const std::string& file) {
-    const std::string said =
-        test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR "/tests/app/files/read_mesh.py' '" +
-                       file + "' 2>&1");
+    const std::string said = test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
+                                            "/tests/app/files/export/read_mesh.py' '" +
+                                            file + "' 2>&1");
     return nlohmann::json::parse(said, nullptr, false);
 }
 

@@ -9,7 +9,7 @@
 #include "app/doctor/body_findings.h"
 #include "app/doctor/kernel_findings.h"
 #include "app/doctor/meeting_findings.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"

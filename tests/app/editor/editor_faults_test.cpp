@@ -1,7 +1,7 @@
 // Models with faults in the editor's view, and even triangles as a step that is undone.
 #include <gmock/gmock.h>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/scene/document_loading.h"
 #include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "app/editor/editor_state.h"
-#include "app/files/builtin_models.h"
+#include "app/files/import/builtin_models.h"
 #include "app/scene/editor_scene.h"
 #include "gpu/buffer.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -1,7 +1,7 @@
 // The model's unit, axis, turn and scale in the editor.
 #include <gmock/gmock.h>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -14,7 +14,7 @@
 #include <fstream>
 #include <span>
 
-#include "app/files/builtin_models.h"
+#include "app/files/import/builtin_models.h"
 #include "gpu/program.h"
 #include "sim/base/freed_memory.h"
 #include "sim/base/stopwatch.h"

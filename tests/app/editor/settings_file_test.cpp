@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

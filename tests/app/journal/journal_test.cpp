@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/journal/journal_folder.h"
 #include "app/journal/journal_writer.h"
 #include "tests/support/file_fault.h"

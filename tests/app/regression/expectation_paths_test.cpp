@@ -2,8 +2,8 @@
 // inside of them.
 #include <gmock/gmock.h>
 
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "app/regression/expectation_writer.h"
 #include "app/regression/judgement.h"
 #include "app/regression/reference_pictures.h"

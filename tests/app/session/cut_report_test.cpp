@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "app/cli/replay.h"
-#include "app/files/file_io.h"
-#include "app/files/model_source.h"
+#include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "tests/paths.h"
 #include "tests/support/cut_strokes.h"

@@ -1,7 +1,6 @@
 // The sessions of the repository, cut with each way to search for triangles.
 #include <gtest/gtest.h>
 
-#include "app/files/model_source.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "tests/paths.h"

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "app/cli/replay.h"
-#include "app/files/export.h"
-#include "app/files/file_io.h"
+#include "app/files/export/export.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "tests/support/fuzz_seed.h"

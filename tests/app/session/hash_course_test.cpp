@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/session_samples.h"

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "app/files/model_source.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "sim/mesh/piece_labels.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/files/sha256.h"
+#include "app/files/io/sha256.h"
 #include "app/session/session.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/session_samples.h"

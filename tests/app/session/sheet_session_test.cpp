@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/replay.h"
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

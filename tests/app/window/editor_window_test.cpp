@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/files/model_source.h"
+#include "app/files/import/model_source.h"
 #include "render/scene/image.h"
 #include "render/scene/picture_comparison.h"
 #include "sim/repair/soup_inspection.h"

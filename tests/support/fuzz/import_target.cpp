@@ -2,11 +2,11 @@
 #include <array>
 #include <optional>
 
-#include "app/files/export.h"
-#include "app/files/file_io.h"
-#include "app/files/import_process.h"
-#include "app/files/import_protocol.h"
-#include "app/files/model_source.h"
+#include "app/files/export/export.h"
+#include "app/files/import/import_process.h"
+#include "app/files/import/import_protocol.h"
+#include "app/files/import/model_source.h"
+#include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/fuzz/counted_file.h"

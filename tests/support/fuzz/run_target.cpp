@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "app/session/session.h"
 #include "app/study/study_table.h"
 #include "tests/support/fuzz/packed_files.h"

@@ -2,7 +2,7 @@
 
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"
 #include "tests/support/fuzz/text_mutator.h"

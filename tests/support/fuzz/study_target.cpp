@@ -1,7 +1,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/files/model_source.h"
+#include "app/files/io/errors.h"
 #include "app/study/study.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"

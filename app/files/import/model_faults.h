@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/import/model_units.h"
+#include "render/scene/marks.h"
+#include "sim/mesh/triangle_soup.h"
+#include "sim/repair/fault_finder.h"
+
+namespace kerf::app {
+
+/// The triangles of a model, and what is wrong with them where.
+struct FoundFaults {
+    TriangleSoup soup;  ///< in the file's numbers
+    repair::Faults faults;
+    std::optional<FileUnits> units = std::nullopt;  ///< that the file names
+};
+
+/// "12 open edges": a kind of fault that is there so often, for people.
+std::string labelOf(repair::FaultKind kind, int count);
+
+/// The faults as coloured lines and dots, one for each kind that is there, in the order of kinds.
+/// `cornersOf` tells the vertices of a triangle, or none where that is not to be marked.
+std::vector<render::Marks> marksOf(
+    const repair::Faults& faults,
+    const std::function<std::optional<Triangle>(int triangle)>& cornersOf);
+/// Those of a soup, as far as they have a place.
+std::vector<render::Marks> marksOf(const FoundFaults& found);
+
+}  // namespace kerf::app

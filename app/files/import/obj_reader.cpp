@@ -1,0 +1,281 @@
+#include "app/files/import/obj_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "app/files/import/face_soup.h"
+#include "app/files/import/import_appearance.h"
+#include "app/files/import/obj_materials.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/files/io/text_lines.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+/// What says nothing about the shape and looks of a surface.
+constexpr std::array<std::string_view, 13> kSaysNothing{
+    "vn",       "l",        "p",          "s",         "mg",     "lod",   "bevel",
+    "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
+constexpr std::size_t kMostNamed = 3;  // unknown words in a remark
+
+/// A number of a list that has `count` so far, which counts from 1, or backwards from its end.
+int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
+    long long number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const long long index = number < 0 ? static_cast<long long>(count) + number : number - 1;
+    if (error != std::errc() || end != text.data() + text.size() || index < 0 ||
+        index > std::numeric_limits<int>::max()) {
+        throw InputError("\"" + printable(std::string(corner.substr(0, 40))) +
+                         "\" stands where a corner must");
+    }
+    return static_cast<int>(index);
+}
+
+/// Collects what the lines of a file say.
+class ObjModel {
+  public:
+    void readLine(std::string_view line) {
+        line = line.substr(0, line.find('#'));
+        const std::string_view key = takeWord(line);
+        if (key.empty()) {
+            return;
+        }
+        if (key == "v") {
+            addVertex(line);
+        } else if (key == "vt") {
+            addUv(line);
+        } else if (key == "f" || key == "fo") {
+            addFace(line);
+        } else if (key == "o" || key == "g") {
+            enterObject(key, line);
+        } else if (std::ranges::find(kSaysNothing, key) == kSaysNothing.end()) {
+            unknown.insert(std::string(key));
+        }
+    }
+    /// The faces that follow are of this material.
+    void useMaterial(std::string_view name) {
+        const auto [place, isNew] =
+            numbers_.try_emplace(std::string(name), static_cast<int>(names.size()));
+        material_ = place->second;
+        if (isNew) {
+            names.emplace_back(name);
+        }
+    }
+
+    FaceSoup& faces() {
+        makeLinear(faces_.vertexColors);
+        return faces_;
+    }
+
+    std::set<std::string> unknown;   ///< words at the beginning of lines
+    std::vector<std::string> names;  ///< of materials, by the numbers in the triangles
+
+  private:
+    /// A file without objects may have a group for each.
+    void enterObject(std::string_view key, std::string_view name) {
+        hasObjects_ |= key == "o";
+        if (key == "o" || !hasObjects_) {
+            faces_.enterObject(std::string(withoutBlanks(name)));
+        }
+    }
+
+    static std::vector<double> numbersIn(std::string_view line) {
+        std::vector<double> numbers;
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            numbers.push_back(numberOf(word));
+        }
+        return numbers;
+    }
+
+    /// x y z, then nothing, a weight, or a colour.
+    void addVertex(std::string_view line) {
+        const std::vector<double> numbers = numbersIn(line);
+        if (numbers.size() < 3) {
+            throw InputError("a vertex has " + std::to_string(numbers.size()) +
+                             " numbers, and needs three");
+        }
+        const double weight = numbers.size() == 4 && numbers[3] != 0 ? numbers[3] : 1;
+        if (numbers.size() >= 6) {
+            faces_.vertexColors.resize(faces_.positions.size(), kNoColor);
+            faces_.vertexColors.push_back(
+                Eigen::Vector4d(numbers[3], numbers[4], numbers[5], 1).cast<float>());
+        }
+        faces_.positions.emplace_back(Vec3(numbers[0], numbers[1], numbers[2]) / weight);
+    }
+
+    void addUv(std::string_view line) {
+        std::vector<double> numbers = numbersIn(line);
+        numbers.resize(2);
+        faces_.uvs.emplace_back(numbers[0], numbers[1]);
+    }
+
+    void addFace(std::string_view line) {
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+            addCorner(word);
+        }
+        faces_.endFace(material_);
+    }
+
+    /// v, v/vt, v//vn or v/vt/vn.
+    void addCorner(std::string_view word) {
+        const std::size_t slash = std::min(word.find('/'), word.size());
+        const std::string_view behind = word.substr(std::min(slash + 1, word.size()));
+        const std::string_view uv = behind.substr(0, behind.find('/'));
+        faces_.addCorner(indexOf(word.substr(0, slash), faces_.positions.size(), word),
+                         uv.empty() ? FaceSoup::kNone : indexOf(uv, faces_.uvs.size(), word));
+    }
+
+    FaceSoup faces_;
+    bool hasObjects_ = false;
+    int material_ = FaceSoup::kNone;
+    std::map<std::string, int> numbers_;  ///< of materials, by name
+};
+
+/// The materials of the libraries that a file names.
+class Libraries {
+  public:
+    Libraries(const std::filesystem::path& model, std::vector<std::string>& remarks)
+        : model_(model), remarks_(remarks) {}
+
+    /// One name with blanks, or several.
+    void open(std::string_view names) {
+        std::string_view rest = names;
+        bool any = read(std::string(names));
+        std::vector<std::string> missing;
+        for (std::string_view word = takeWord(rest); !any && !word.empty(); word = takeWord(rest)) {
+            missing.emplace_back(word);
+        }
+        const std::size_t words = missing.size();
+        std::erase_if(missing, [&](const std::string& word) { return read(word); });
+        if (!any && missing.size() == words) {
+            missing = {std::string(names)};
+        }
+        for (const std::string& name : missing) {
+            complete_ = false;
+            remarks_.push_back("The materials of \"" + printable(name) +
+                               "\" were left out: there is no such file in the model's folder "
+                               "or below; put it there and open the model again.");
+        }
+    }
+    /// Null where no library has it; that is told where all of them were there.
+    const ObjMaterial* find(const std::string& name) {
+        const auto found = materials_.find(name);
+        if (found != materials_.end()) {
+            return &found->second;
+        }
+        if (complete_) {
+            remarks_.push_back("The material \"" + printable(name) +
+                               "\" was left out: no .mtl file of the model has it.");
+        }
+        return nullptr;
+    }
+
+  private:
+    bool read(const std::string& name) {
+        const std::optional<std::filesystem::path> file = fileBeside(model_, name);
+        try {
+            for (ObjMaterial& material :
+                 file ? readObjMaterials(readInputFile(*file, kMaxImportLooks))
+                      : std::vector<ObjMaterial>{}) {
+                materials_.try_emplace(material.material.name, std::move(material));
+            }
+        } catch (const InputError& error) {
+            complete_ = false;
+            remarks_.push_back("The materials of \"" + printable(name) +
+                               "\" were left out: " + error.what() + ".");
+        }
+        return file.has_value();
+    }
+
+    const std::filesystem::path& model_;
+    std::vector<std::string>& remarks_;
+    std::map<std::string, ObjMaterial> materials_;
+    bool complete_ = true;
+};
+
+void readStatement(std::string_view line, ObjModel& read, Libraries& libraries) {
+    std::string_view rest = line;
+    const std::string_view key = takeWord(rest);
+    if (key == "mtllib") {
+        libraries.open(withoutBlanks(rest));
+    } else if (key == "usemtl") {
+        read.useMaterial(withoutBlanks(rest));
+    } else {
+        read.readLine(line);
+    }
+}
+
+void readLines(std::string_view text, ObjModel& read, Libraries& libraries) {
+    TextLines lines(text);
+    namingLine(lines, [&] {
+        while (lines.next()) {
+            readStatement(lines.line(), read, libraries);
+        }
+    });
+}
+
+/// Numbers the materials that triangles have anew, in the order in which these first use them.
+void addMaterials(const std::vector<std::string>& names, Libraries& libraries,
+                  const std::filesystem::path& file, ImportedModel& model) {
+    constexpr int kNew = -2;
+    std::vector<int> numbers(names.size(), kNew);
+    ModelImages images(file, model);
+    for (int& material : model.soup.skin.materials) {
+        if (material < 0) {
+            continue;
+        }
+        int& number = numbers[material];
+        if (number == kNew) {
+            const ObjMaterial* const found = libraries.find(names[material]);
+            number = found == nullptr ? -1 : images.add(found->material, found->image);
+            if (found != nullptr && !found->leftOut.empty()) {
+                model.remarks.push_back("The image of the material \"" +
+                                        printable(names[material]) +
+                                        "\" is shown as it is: what its .mtl file says by " +
+                                        found->leftOut + " was left out.");
+            }
+        }
+        material = number;
+    }
+    if (model.appearance.materials.empty()) {
+        model.soup.skin.materials.clear();
+    }
+}
+
+void tellUnknown(const std::set<std::string>& words, std::vector<std::string>& remarks) {
+    std::vector<std::string> named;
+    for (const std::string& word : words) {
+        if (named.size() < kMostNamed) {
+            named.push_back("\"" + printable(word.substr(0, 40)) + "\"");
+        }
+    }
+    if (!named.empty()) {
+        remarks.push_back("Lines that begin with " + joined(named, ", ") +
+                          (words.size() > named.size() ? " and other words" : "") +
+                          " were left out: Kerf does not know them.");
+    }
+}
+
+}  // namespace
+
+ImportedModel readObj(const std::filesystem::path& file) {
+    const std::string bytes = readInputFile(file, kMaxModelBytes);
+    ImportedModel model;
+    ObjModel read;
+    Libraries libraries(file, model.remarks);
+    readLines(bytes, read, libraries);
+    takeFaces(read.faces(), model);
+    roundNearOrigin(model.soup);
+    addMaterials(read.names, libraries, file, model);
+    tellUnknown(read.unknown, model.remarks);
+    return model;
+}
+
+}  // namespace kerf::app

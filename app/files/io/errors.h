@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+/// An input (model, session, image) is missing or invalid: what() is one printable sentence with
+/// what, where and what to do. Exit code 3.
+class InputError : public std::runtime_error {
+  public:
+    explicit InputError(const std::string& sentence) : std::runtime_error(printable(sentence)) {}
+};
+
+/// A result could not be written: what() is one sentence with the file, the system's reason and
+/// what to do about it. Exit code 5.
+class OutputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Something needs more memory than there is: what() is one sentence with how much, how much there
+/// is, and what to do. Nothing was taken. Exit code 5.
+class MemoryShortage : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,124 @@
+#include "app/files/io/system_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+/// The fault of the tests, which any thread may ask for.
+struct Fault {
+    std::mutex mutex;
+    std::function<int(FileCall)> ask;
+};
+
+Fault& fault() {
+    static Fault ours;
+    return ours;
+}
+
+/// Whether the call may be made; otherwise errno says why not.
+bool mayCall(FileCall call) {
+    const std::lock_guard hold(fault().mutex);
+    if (const int error = fault().ask ? fault().ask(call) : 0; error != 0) {
+        errno = error;
+        return false;
+    }
+    return true;
+}
+
+const char* adviceOn(int error) {
+    switch (error) {
+        case ENOSPC:
+        case EDQUOT:
+            return "free some space or choose another disk";
+        case EROFS:
+        case EACCES:
+        case EPERM:
+            return "choose a folder that you may write in";
+        case ENOENT:
+        case ENOTDIR:
+            return "its folder is not there; choose another one";
+        case ENAMETOOLONG:
+            return "choose a shorter name";
+        case EIO:
+            return "the disk may be failing; choose another one";
+        default:
+            return "choose another name or folder";
+    }
+}
+
+int opened(const std::filesystem::path& file, int flags, unsigned mode) {
+    return mayCall(FileCall::open) ? ::open(file.c_str(), flags | O_CLOEXEC, mode) : -1;
+}
+
+}  // namespace
+
+void setFileFault(std::function<int(FileCall)> ask) {
+    const std::lock_guard hold(fault().mutex);
+    fault().ask = std::move(ask);
+}
+
+SystemFile::SystemFile(const std::filesystem::path& file, int flags, unsigned mode,
+                       std::filesystem::path told)
+    : told_(std::move(told)), descriptor_(opened(file, flags, mode)) {
+    require(descriptor_.get() >= 0);
+}
+
+void SystemFile::require(bool succeeded) const {
+    if (!succeeded) {
+        const int error = errno;
+        throw OutputError(told_.string() + ": it could not be written (" + std::strerror(error) +
+                          "); " + adviceOn(error) + ".");
+    }
+}
+
+void SystemFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written =
+            mayCall(FileCall::write) ? ::write(descriptor_.get(), bytes.data(), bytes.size()) : -1;
+        require(written >= 0 || errno == EINTR);
+        bytes.remove_prefix(written >= 0 ? static_cast<std::size_t>(written) : 0);
+    }
+}
+
+void SystemFile::sync() {
+    require(mayCall(FileCall::sync) && ::fsync(descriptor_.get()) == 0);
+}
+
+void SystemFile::syncContent() {
+    require(mayCall(FileCall::sync) && ::fdatasync(descriptor_.get()) == 0);
+}
+
+void SystemFile::close() {
+    const bool may = mayCall(FileCall::close);
+    const int error = errno;
+    const bool closed = descriptor_.close();
+    errno = may ? errno : error;
+    require(may && closed);
+}
+
+void SystemFile::rename(const std::filesystem::path& from, const std::filesystem::path& to) {
+    require(mayCall(FileCall::rename) && ::rename(from.c_str(), to.c_str()) == 0);
+}
+
+bool SystemFile::lockFile(int descriptor) {
+    return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+void syncFolder(const std::filesystem::path& folder) {
+    const std::filesystem::path& named = folder.empty() ? "." : folder;
+    const Descriptor opened(::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.get() >= 0) {
+        ::fsync(opened.get());
+    }
+}
+
+}  // namespace kerf::app

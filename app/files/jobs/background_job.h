@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "app/files/jobs/work_progress.h"
+#include "sim/base/stopwatch.h"
+
+namespace kerf::app {
+
+/// The work of the thread that calls it gives way to that of others from now on.
+void lowerThreadPriority();
+
+/// A piece of work on a thread of its own that ends with a Result or throws.
+template <class Result>
+class BackgroundJob {
+  public:
+    using Work = std::function<Result(WorkProgress&)>;
+
+    explicit BackgroundJob(Work work) : work_(std::move(work)), thread_([this] { run(); }) {}
+    /// Asks the work to stop and waits until it has.
+    ~BackgroundJob() {
+        progress_.cancel();
+        wait();
+    }
+    BackgroundJob(const BackgroundJob&) = delete;
+    BackgroundJob& operator=(const BackgroundJob&) = delete;
+
+    bool done() const { return done_; }
+    /// Once it is done, and once only. Throws what the work threw.
+    Result take() {
+        if (error_) {
+            std::rethrow_exception(error_);
+        }
+        return std::move(*result_);
+    }
+    std::string stage() const { return progress_.stage(); }
+    double seconds() const { return watch_.seconds(); }
+    /// Until it is done.
+    void wait() {
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
+    /// The work ends soon with WorkCancelled.
+    void cancel() { progress_.cancel(); }
+
+  private:
+    void run() {
+        lowerThreadPriority();
+        try {
+            result_.emplace(work_(progress_));
+        } catch (...) {
+            error_ = std::current_exception();
+        }
+        done_ = true;
+    }
+
+    Work work_;
+    WorkProgress progress_;
+    Stopwatch watch_;
+    std::optional<Result> result_;
+    std::exception_ptr error_;
+    std::atomic<bool> done_ = false;
+    std::thread thread_;  ///< last: it uses all the others
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/files/jobs/work_progress.h"
+
+namespace kerf::app {
+
+/// The end of a program that ran as a child of this one.
+struct ChildOutcome {
+    int exitCode = -1;   ///< -1 where a signal ended it
+    int signal = 0;      ///< that signal, else 0
+    std::string log;     ///< the end of what it wrote to standard error
+    double seconds = 0;  ///< wall clock
+};
+
+/// Runs this program once for each of `runs`, which are its arguments, at most `jobs` at a time.
+/// Tells `done` the number of a run and its end, one at a time, in the order in which they end.
+/// Children read nothing, their standard output is dropped, and they end with this process. Where
+/// somebody asks this program to stop (Interruption), no further ones are started. Throws
+/// OutputError where a child can't be started, and what `done` throws, after the others have ended.
+void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
+                 const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
+
+/// Runs this program once and tells `lines` after each of its lines on standard output how many
+/// there were. Throws WorkCancelled soon after `progress` was cancelled, when the child is gone,
+/// and OutputError where it can't be started.
+ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
+                      const std::function<void(int count)>& lines);
+
+/// A path as an argument, which none takes for an option.
+std::string asArgument(const std::filesystem::path& path);
+
+/// The program that these start: $KERF_EXECUTABLE where it is set, else this one.
+std::filesystem::path kerfProgram();
+
+/// The last line that a child said, without the program's name before it; "" where it said nothing.
+std::string lastWords(const ChildOutcome& outcome);
+
+/// What became of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
+std::string sentenceAbout(const ChildOutcome& outcome);
+/// The same, without the name of the temporary folder that the child worked in.
+std::string sentenceAbout(const ChildOutcome& outcome, const std::filesystem::path& folder);
+
+}  // namespace kerf::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/files/jobs/background_job.h"
+
+namespace kerf::app {
+
+/// Small files on their way to the disk behind the editor (pictures, plots): one after the other,
+/// in the order in which they were asked for. Nobody waits for them and nobody cancels them.
+class SavingQueue {
+  public:
+    /// Encodes and writes on a thread of its own. Returns a sentence for the person; may throw.
+    using Work = std::function<std::string()>;
+    /// The end of a saving.
+    struct Outcome {
+        int number = 0;  ///< that add() gave it
+        std::string sentence;
+        bool failed = false;
+    };
+
+    /// The end of a job that is done, under a number.
+    static Outcome endOf(BackgroundJob<std::string>& job, int number);
+
+    /// Returns the number of this saving, from 1.
+    int add(Work work);
+    /// The end of the oldest saving whose outcome was not taken yet; none before it has ended.
+    std::optional<Outcome> takeOutcome();
+    /// Something is not written yet, or its outcome not taken.
+    bool busy() const { return running_ != nullptr; }
+    /// Waits until all is written.
+    void finish();
+
+  private:
+    void startNext();
+
+    std::deque<Work> waiting_;
+    std::unique_ptr<BackgroundJob<std::string>> running_;
+    int added_ = 0;
+    int ended_ = 0;
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,429 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "app/files/import/builtin_models.h"
+#include "app/files/import/import_process.h"
+#include "app/files/import/import_protocol.h"
+#include "app/files/import/model_source.h"
+#include "sim/mesh/invariants.h"
+#include "sim/repair/soup_inspection.h"
+#include "tests/support/shapes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace kerf::app {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+/// The sentence that f throws as InputError, or "" where it throws nothing.
+template <class F>
+std::string sentenceOf(F&& f) {
+    try {
+        f();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+/// A folder of its own for each test.
+class Import : public ::testing::Test {
+  protected:
+    fs::path write(const std::string& name, const std::string& content) {
+        fs::create_directories((folder_ / name).parent_path());
+        test::writeText(folder_ / name, content);
+        return folder_ / name;
+    }
+    test::TemporaryFolder folder_;
+};
+
+std::string offText(const TriangleSoup& soup) {
+    std::string text = "OFF\n" + std::to_string(soup.positions.size()) + " " +
+                       std::to_string(soup.triangles.size()) + " 0\n";
+    for (const Vec3& p : soup.positions) {
+        text += std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()) +
+                "\n";
+    }
+    for (const auto& [a, b, c] : soup.triangles) {
+        text += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+    }
+    return text;
+}
+
+std::string plyText(const TriangleSoup& soup) {
+    const std::string off = offText(soup);
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(soup.positions.size()) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+           std::to_string(soup.triangles.size()) +
+           "\nproperty list uchar int vertex_indices\nend_header\n" +
+           off.substr(off.find('\n', 4) + 1);
+}
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+std::string stlBytes(const TriangleSoup& soup) {
+    std::string bytes(80, ' ');
+    append(bytes, static_cast<std::uint32_t>(soup.triangles.size()));
+    for (const Triangle& t : soup.triangles) {
+        append(bytes, std::array<float, 3>{});
+        for (const int v : t) {
+            append(bytes, Vec3f(soup.positions[v].cast<float>()));
+        }
+        append(bytes, std::uint16_t{0});
+    }
+    return bytes;
+}
+
+/// A node that scales by two holds the box; positions and indices are in box.bin.
+std::string gltfText(const TriangleSoup& soup, const std::string& uri) {
+    const std::size_t vertices = soup.positions.size();
+    const std::size_t indices = 3 * soup.triangles.size();
+    const std::string bytes = std::to_string(12 * vertices);
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+           R"("nodes":[{"mesh":0,"scale":[2,2,2]}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+           R"("buffers":[{"uri":")" +
+           uri + R"(","byteLength":)" + std::to_string(12 * vertices + 4 * indices) +
+           R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + bytes +
+           R"(},{"buffer":0,"byteOffset":)" + bytes + R"(,"byteLength":)" +
+           std::to_string(4 * indices) +
+           R"(}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
+           std::to_string(vertices) +
+           R"(,"min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5]},)"
+           R"({"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" +
+           std::to_string(indices) + "}]}";
+}
+
+std::string gltfBuffer(const TriangleSoup& soup) {
+    std::string bytes;
+    for (const Vec3& p : soup.positions) {
+        append(bytes, Vec3f(p.cast<float>()));
+    }
+    for (const Triangle& t : soup.triangles) {
+        append(bytes, t);
+    }
+    return bytes;
+}
+
+TEST_F(Import, EveryBuiltinModelLoads) {
+    const std::vector<std::pair<int, int>> counts = {
+        {12, 20}, {42, 80}, {386, 768}, {3147, 6290}, {5800, 11596}};
+    for (std::size_t i = 0; i < builtinModels().size(); ++i) {
+        MeshReport report;
+        const SurfaceMesh mesh = loadModel(builtinModelFile(builtinModels()[i]), &report);
+        EXPECT_EQ(checkClosedManifold(mesh), "") << builtinModels()[i];
+        EXPECT_EQ(mesh.vertexCount(), counts[i].first);
+        EXPECT_EQ(mesh.aliveTriangles(), counts[i].second);
+        EXPECT_TRUE(report.cuttable);
+        EXPECT_TRUE(report.repairs.empty());
+    }
+}
+
+TEST_F(Import, UnknownBuiltinModelNamesTheKnownOnes) {
+    EXPECT_EQ(sentenceOf([] { builtinModelFile("apple"); }),
+              "there is no builtin model 'apple'; choose one of sphere20, sphere80, sphere768, "
+              "banana, octopus");
+}
+
+TEST_F(Import, FormatsGiveTheSameBox) {
+    const TriangleSoup box = test::boxSoup(Vec3(1, 2, 3));
+    for (const fs::path& file :
+         {write("box.obj", test::objText(box)), write("box.OFF", offText(box)),
+          write("box.ply", plyText(box)), write("box.stl", stlBytes(box))}) {
+        const SurfaceMesh mesh = loadModel(file);
+        EXPECT_EQ(mesh.vertexCount(), 8) << file;
+        EXPECT_NEAR(meshVolume(mesh), 6, 1e-6) << file;
+    }
+}
+
+TEST_F(Import, NodeTransformsAreApplied) {
+    const TriangleSoup box = test::boxSoup();
+    write("box.bin", gltfBuffer(box));
+    EXPECT_NEAR(meshVolume(loadModel(write("box.gltf", gltfText(box, "box.bin")))), 8, 1e-6);
+}
+
+TEST_F(Import, ReferencesOutsideTheFolderAreNotOpened) {
+    const TriangleSoup box = test::boxSoup();
+    write("secret.bin", gltfBuffer(box));
+    write("inside/other.bin", gltfBuffer(box));
+    EXPECT_EQ(sentenceOf([&] { loadModel(write("inside/a.gltf", gltfText(box, "other.bin"))); }),
+              "");
+    EXPECT_NE(
+        sentenceOf([&] { loadModel(write("inside/b.gltf", gltfText(box, "../secret.bin"))); }), "");
+}
+
+TEST_F(Import, PolygonsAreTriangulatedAndLinesLeftOut) {
+    const fs::path file = write("cube.obj",
+                                "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 5 5 5\n"
+                                "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\n"
+                                "f 1 5 8 4\nl 1 9\np 9\n");
+    const SurfaceMesh mesh = loadModel(file);
+    EXPECT_EQ(mesh.vertexCount(), 8);
+    EXPECT_EQ(mesh.aliveTriangles(), 12);
+    EXPECT_NEAR(meshVolume(mesh), 1, 1e-6);
+}
+
+TEST_F(Import, APolygonWithAReflexCornerOnTheSideOfAnEarIsWhole) {
+    const std::string points =
+        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+        "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+    const std::string faces =
+        "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
+        "f 5 6 12 11\nf 6 1 7 12\n";
+    // A face of two corners is a line.
+    MeshReport report;
+    loadModel(write("l.obj", points + faces + "f 1 2\n"), &report);
+    EXPECT_EQ(report.triangles, 20);
+    EXPECT_NEAR(report.volume, 3, 1e-12);
+}
+
+/// A prism over a regular polygon, with its caps as one face each.
+std::string prismOff(int sides) {
+    std::string points;
+    std::string faces;
+    std::string low = std::to_string(sides);
+    std::string high = low;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * std::numbers::pi * i / sides;
+        for (const char* z : {"0", "1"}) {
+            points += std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
+                      " " + z + "\n";
+        }
+        const int next = 2 * ((i + 1) % sides);
+        faces += "4 " + std::to_string(2 * i) + " " + std::to_string(next) + " " +
+                 std::to_string(next + 1) + " " + std::to_string(2 * i + 1) + "\n";
+        low += " " + std::to_string(2 * (sides - 1 - i));
+        high += " " + std::to_string(2 * i + 1);
+    }
+    return "OFF # a prism\n\n" + std::to_string(2 * sides) + " " + std::to_string(sides + 2) +
+           " 0\n" + points + "# its faces\n" + faces + low + "\n" + high + "\n";
+}
+
+TEST_F(Import, FacesOfAnOffHaveAsManyCornersAsTheyLike) {
+    EXPECT_EQ(loadModel(write("nine.off", prismOff(9))).aliveTriangles(), 32);
+    EXPECT_EQ(loadModel(write("many.off", prismOff(50))).aliveTriangles(), 196);
+}
+
+TEST_F(Import, AQuadWithACornerOnASideIsWhole) {
+    const SurfaceMesh mesh = loadModel(write("t.obj",
+                                             "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\n"
+                                             "f 1 4 3 2\nf 1 2 3 5\nf 3 4 5\nf 4 1 5\n"));
+    EXPECT_EQ(mesh.aliveTriangles(), 6);
+    EXPECT_NEAR(meshVolume(mesh), 8.0 / 6, 1e-12);
+}
+
+TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
+    const std::string needs = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "x"}],)"
+                              R"( "extensionsRequired": ["KHR_draco_mesh_compression"]})";
+    std::string glb = "glTF";
+    append(glb, std::uint32_t{2});
+    append(glb, static_cast<std::uint32_t>(20 + needs.size()));
+    append(glb, static_cast<std::uint32_t>(needs.size()));
+    glb += "JSON" + needs;
+    for (const fs::path& file : {write("a.gltf", needs), write("a.glb", glb)}) {
+        EXPECT_THAT(
+            sentenceOf([&] { loadModel(file); }),
+            HasSubstr(": it needs the glTF extension KHR_draco_mesh_compression, which Kerf does "
+                      "not know; export it without"));
+    }
+}
+
+TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
+    TriangleSoup ball = test::icosphereSoup(1);
+    for (Triangle& t : ball.triangles) {
+        std::swap(t[0], t[1]);
+    }
+    MeshReport report;
+    const SurfaceMesh mesh = loadModel(write("ball.obj", test::objText(ball)), &report);
+    EXPECT_GT(meshVolume(mesh), 0);
+    EXPECT_THAT(report.repairs, ::testing::ElementsAre("turned 1 inside-out piece"));
+}
+
+TEST_F(Import, OpenModelIsRefusedWithItsReport) {
+    TriangleSoup ball = test::icosphereSoup(1);
+    ball.triangles.pop_back();
+    const fs::path file = write("ball.obj", test::objText(ball));
+    MeshReport report;
+    EXPECT_EQ(sentenceOf([&] { loadModel(file, &report); }),
+              file.string() +
+                  ": 3 open edges: the surface is not closed, so cut faces can't be capped; fill "
+                  "the holes in a modelling tool");
+    EXPECT_EQ(report.triangles, 79);
+    EXPECT_EQ(report.openEdges, 3);
+}
+
+TEST_F(Import, MissingFileFolderEmptyFile) {
+    EXPECT_EQ(sentenceOf([&] { loadModel("/nowhere/a.obj"); }),
+              "/nowhere/a.obj: no such file; check the path");
+    EXPECT_THAT(sentenceOf([&] { loadModel(folder_.path()); }), HasSubstr("this is a folder"));
+    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", "")); }), HasSubstr("is empty"));
+    EXPECT_THAT(sentenceOf([&] { loadModel("/dev/null"); }), HasSubstr("not a regular file"));
+}
+
+TEST_F(Import, OtherFormatsAreRefusedWithTheList) {
+    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.3mf", "PK")); }),
+                HasSubstr(".3mf files are not read as a model; convert it to OBJ, PLY, STL, glTF, "
+                          "GLB, OFF, 3DS, DAE or FBX"));
+    EXPECT_THAT(sentenceOf([&] { loadModel(write("a", "PK")); }),
+                HasSubstr("a file without extension is not read"));
+}
+
+TEST_F(Import, AFileWithoutASurfaceIsToldSo) {
+    for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "v 0 0 0\nv 1 0 0\np 1 2\n",
+                             "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
+        EXPECT_THAT(sentenceOf([&] { loadModel(write("none.obj", text)); }),
+                    HasSubstr("there is no surface in it"));
+    }
+}
+
+TEST_F(Import, TextIsNoModel) {
+    for (const char* name :
+         {"a.obj", "a.stl", "a.gltf", "a.glb", "a.off", "a.3ds", "a.dae", "a.fbx"}) {
+        const std::string sentence =
+            sentenceOf([&] { loadModel(write(name, "Dear diary,\ntoday I cut a banana.\n")); });
+        EXPECT_THAT(sentence, StartsWith((folder_ / name).string() + ": "));
+        EXPECT_THAT(sentence, Not(HasSubstr("\n")));
+    }
+    EXPECT_EQ(sentenceOf([&] { loadModel(folder_ / "a.obj"); }),
+              (folder_ / "a.obj").string() +
+                  ": it can't be read (there is no surface in it); check that it is what its "
+                  "extension says, or export it again");
+}
+
+TEST_F(Import, ReaderThatNeverEndsIsStopped) {
+    const fs::path program = write("spinner", "#!/bin/sh\nulimit -St 1\nwhile :; do :; done\n");
+    fs::permissions(program, fs::perms::owner_all);
+    const ImportOutcome outcome = runImportProcess(program, "a.obj", ImportLimits{});
+    EXPECT_TRUE(outcome.tooSlow);
+    EXPECT_EQ(outcome.signal, SIGXCPU);
+}
+
+TEST_F(Import, AFileThatTakesTooLongIsToldSo) {
+    const fs::path file = write("a.ply", plyText(test::boxSoup()));
+    ImportLimits limits;
+    limits.wallSeconds = 0;
+    EXPECT_EQ(sentenceOf([&] { importModel(file, limits); }),
+              file.string() +
+                  ": reading it as PLY did not end within 0 s; the file may be cut off or damaged, "
+                  "export it again");
+}
+
+TEST_F(Import, ReaderThatWaitsIsStopped) {
+    const fs::path program = write("sleeper", "#!/bin/sh\nsleep 60\n");
+    fs::permissions(program, fs::perms::owner_all);
+    ImportLimits limits;
+    limits.wallSeconds = 1;
+    const ImportOutcome outcome = runImportProcess(program, "a.obj", limits);
+    EXPECT_TRUE(outcome.tooSlow);
+    EXPECT_EQ(outcome.signal, SIGKILL);
+}
+
+TEST_F(Import, ReaderThatCrashesIsNamed) {
+    const fs::path program = write("crasher", "#!/bin/sh\necho why >&2\nkill -SEGV $$\n");
+    fs::permissions(program, fs::perms::owner_all);
+    const ImportOutcome outcome = runImportProcess(program, "a.obj", ImportLimits{});
+    EXPECT_EQ(outcome.signal, SIGSEGV);
+    EXPECT_FALSE(outcome.tooSlow);
+    EXPECT_EQ(outcome.log, "why\n");
+
+    ::setenv("KERF_EXECUTABLE", program.c_str(), 1);
+    const std::string sentence = sentenceOf([&] { loadModel(write("a.obj", "v 0 0 0\n")); });
+    ::unsetenv("KERF_EXECUTABLE");
+    EXPECT_THAT(sentence, HasSubstr("the OBJ reader failed on it (SEGV)"));
+}
+
+TEST_F(Import, ReaderThatIsMissingIsNamed) {
+    EXPECT_THAT(sentenceOf([&] { runImportProcess(folder_ / "gone", "a.obj", ImportLimits{}); }),
+                HasSubstr("can't be started"));
+}
+
+TEST_F(Import, HugeCountsInASmallFileEndInASentence) {
+    const fs::path file = write("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n");
+    ImportLimits limits;
+    limits.cpuSeconds = 5;
+    EXPECT_THAT(sentenceOf([&] { importModel(file, limits); }), StartsWith(file.string() + ": "));
+}
+
+TEST_F(Import, NotANumber) {
+    std::string text = test::objText(test::boxSoup());
+    text.replace(text.find("v ") + 2, 9, "nan");
+    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", text)); }),
+                HasSubstr("1 vertex has a coordinate that is not a finite number"));
+}
+
+TEST_F(Import, FileNameThatLooksLikeAnOption) {
+    write("--help.obj", test::objText(test::boxSoup()));
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_.path());
+    EXPECT_EQ(importModel("--help.obj").triangles.size(), 12u);
+    fs::current_path(before);
+}
+
+std::string damaged(std::size_t offset, std::uint64_t value) {
+    std::string answer = encodeImport({test::boxSoup(), {}, {}});
+    std::memcpy(answer.data() + offset, &value, sizeof(value));
+    return answer;
+}
+
+TEST(ImportProtocol, RoundTrip) {
+    const TriangleSoup soup = test::icosphereSoup(2);
+    const TriangleSoup back = decodeImport(encodeImport({soup, {}, {}})).soup;
+    EXPECT_EQ(back.positions, soup.positions);
+    EXPECT_EQ(back.triangles, soup.triangles);
+}
+
+TEST(ImportProtocol, FailureIsOneCleanLine) {
+    EXPECT_EQ(sentenceOf([] { decodeImport(encodeImportFailure("no\xFFgood.\nreally")); }),
+              "it can't be read (no?good); check that it is what its extension says, or export it "
+              "again");
+}
+
+TEST(ImportProtocol, NothingIsTrusted) {
+    const std::string answer = encodeImport({test::boxSoup(), {}, {}});
+    EXPECT_THAT(sentenceOf([&] { decodeImport(""); }), HasSubstr("before it answered"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, 63)); }),
+                HasSubstr("before it answered"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(0, 0)); }), HasSubstr("another kind"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, answer.size() - 1)); }),
+                HasSubstr("in the middle"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(answer + "x"); }), HasSubstr("in the middle"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(24, 1ull << 60)); }),
+                HasSubstr("at most 20000000"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(16, 1ull << 60)); }),
+                HasSubstr("of which at most"));
+    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(24, 0)); }), HasSubstr("no triangle in it"));
+    EXPECT_THAT(sentenceOf([&] {
+                    decodeImport(damaged(sizeof(ImportHeader) + 8 * 24 + 12 * 12 - 8, ~0ull));
+                }),
+                HasSubstr("not there"));
+}
+
+TEST(ImportProtocol, PositionsMustBeSane) {
+    EXPECT_EQ(sentenceOf([] { checkImportedPositions(test::boxSoup()); }), "");
+    TriangleSoup soup = test::boxSoup(Vec3::Constant(1e-7));
+    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
+    soup = test::boxSoup();
+    soup.positions[0].x() = 1e30;
+    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
+    soup.positions[0].x() = std::numeric_limits<double>::infinity();
+    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }),
+                HasSubstr("1 vertex has a coordinate that is not a finite number"));
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,202 @@
+// The system fails at each call by which a file is written, one after the other: what was there
+// stays whole, what is not done leaves nothing, and a sentence says what to do.
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "app/cli/replay.h"
+#include "app/editor/recent_files.h"
+#include "app/editor/settings_file.h"
+#include "app/files/io/file_io.h"
+#include "app/scene/editor_scene.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/support/file_fault.h"
+#include "tests/support/small_sessions.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+namespace fs = std::filesystem;
+
+/// Full disk, quota, read-only disk, no right, vanished folder, failing disk.
+constexpr int kErrors[] = {ENOSPC, EDQUOT, EROFS, EACCES, ENOENT, EIO};
+constexpr int kMostCalls = 500;
+
+/// The files below a folder, with what is in them.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    std::error_code none;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, none)) {
+        if (entry.is_regular_file()) {
+            files[entry.path().lexically_relative(folder)] = test::readBytes(entry.path());
+        }
+    }
+    return files;
+}
+
+/// Lets the system fail at each call of `write` in turn, until it comes to its end without.
+/// `write` answers with a sentence, "" where nothing went wrong.
+void failAtEachCall(const std::function<std::string()>& write,
+                    const std::function<void()>& afterFailure) {
+    int number = 1;
+    for (bool struck = true; struck && number < kMostCalls; ++number) {
+        SCOPED_TRACE("call " + std::to_string(number));
+        const int error = kErrors[number % std::size(kErrors)];
+        const test::FileFault fault(number, error);
+        const std::string sentence = write();
+        struck = fault.struck();
+        EXPECT_EQ(sentence.empty(), !struck) << sentence;
+        if (struck) {
+            EXPECT_THAT(sentence, HasSubstr(std::strerror(error)));
+            EXPECT_THAT(sentence, HasSubstr("; ")) << "and what to do";
+            afterFailure();
+        }
+    }
+    EXPECT_GT(number, 5) << "open, write, sync, close, rename";
+    EXPECT_LT(number, kMostCalls);
+}
+
+std::string writeSentence(const std::function<void()>& write) {
+    try {
+        write();
+        return "";
+    } catch (const OutputError& error) {
+        return error.what();
+    }
+}
+
+TEST(WriteFaults, AFileIsTheOldOneOrTheNewOne) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "a.txt", "old");
+    const auto before = contents(folder.path());
+    const std::string large(300'000, 'x');
+    failAtEachCall([&] { return writeSentence([&] { writeOutputFile(folder / "a.txt", large); }); },
+                   [&] { EXPECT_EQ(contents(folder.path()), before); });
+    EXPECT_EQ(test::readBytes(folder / "a.txt"), large);
+}
+
+TEST(WriteFaults, APictureIsTheOldOneOrTheNewOne) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "a.png", "old");
+    const auto before = contents(folder.path());
+    const render::Image picture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 99)};
+    failAtEachCall([&] { return writeSentence([&] { writePicture(picture, folder / "a.png"); }); },
+                   [&] { EXPECT_EQ(contents(folder.path()), before); });
+    EXPECT_EQ(readPicture(folder / "a.png").pixels, picture.pixels);
+}
+
+TEST(WriteFaults, ADeviceAFolderAndALongNameAreRefused) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(writeOutputFile("/dev/full", "x"), OutputError);
+    EXPECT_THROW(writeOutputFile(folder / "pipe", "x"), OutputError);
+    EXPECT_THROW(writeOutputFile(folder.path(), "x"), OutputError);
+    EXPECT_THAT(writeSentence([&] { writeOutputFile(folder / std::string(300, 'a'), "x"); }),
+                HasSubstr("choose a shorter name"));
+}
+
+TEST(WriteFaults, SettingsStayAsTheyWere) {
+    const test::TemporaryFolder folder;
+    ui::Settings wide;
+    wide.controlsWidth = 400;
+    test::writeText(folder / "settings.json", formatSettings(wide));
+    const auto before = contents(folder.path());
+    failAtEachCall(
+        [&] {
+            SettingsFile settings(folder / "settings.json");
+            settings.now.uiScale = 2;
+            std::string sentence = settings.save();
+            EXPECT_EQ(settings.now.uiScale, 2);
+            return sentence;
+        },
+        [&] { EXPECT_EQ(contents(folder.path()), before); });
+    EXPECT_EQ(SettingsFile(folder / "settings.json").now.uiScale, 2);
+}
+
+TEST(WriteFaults, TheListOfRecentFilesStaysWhole) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "model.obj", "");
+    RecentFiles(folder / "recent").add(folder / "model.obj");
+    const auto before = contents(folder.path());
+    for (int number = 1; number <= 5; ++number) {
+        const test::FileFault fault(number, ENOSPC);
+        RecentFiles(folder / "recent").add(folder / "other.obj");
+        EXPECT_EQ(contents(folder.path()), before) << number;
+    }
+}
+
+using WriteFaultsInReplays = test::GlTest;
+
+// A run that is not done has no summary, and nothing of it is cut off.
+TEST_F(WriteFaultsInReplays, EveryFileIsWholeOrNotThere) {
+    const test::TemporaryFolder folder;
+    test::writeText(folder / "a.kerf.json", test::sessionThatDoes(R"(
+        {"step": 1, "type": "screenshot", "file": "a.png", "width": 32, "height": 32},
+        {"step": 2, "type": "export", "file": "a.obj"},
+        {"step": 3, "type": "export", "file": "pieces.ply", "per_piece": true})"));
+    const Session session = readSession(folder / "a.kerf.json");
+    const ModelMesh model = loadSessionModel(session);
+    ReplayOptions options;
+    options.hashes = options.pieces = true;
+    const auto replay = [&](const std::string& out) {
+        return writeSentence([&] { replaySession(session, model, folder / out, {}, options); });
+    };
+    ASSERT_EQ(replay("whole"), "");
+    const auto whole = contents(folder / "whole");
+    failAtEachCall([&] { return replay("out"); },
+                   [&] {
+                       for (const auto& [name, bytes] : contents(folder / "out")) {
+                           EXPECT_TRUE(whole.contains(name)) << name;
+                           EXPECT_NE(name, kSummaryFile);
+                           if (name != kMetricsFile) {  // it has times
+                               EXPECT_EQ(bytes, whole.at(name)) << name;
+                           }
+                       }
+                   });
+    EXPECT_EQ(contents(folder / "out").size(), whole.size());
+}
+
+class WriteFaultsInTheEditor : public EditorTest {
+  protected:
+    /// Saves by keys under a name that is there already, and answers with what is said of it.
+    std::string writeByKeys(Key key, const std::string& name) {
+        tap(key, {.control = true});
+        frames(2);
+        type(name);
+        tap(Key::enter);
+        frames(2);
+        if (panels().files.asksToOverwrite) {
+            click("file.accept");
+        }
+        waitForWork();
+        return panels().toastIsError ? panels().toast : "";
+    }
+    void expectFailuresToLeaveAllAsItWas(Key key, const std::string& name) {
+        drag(kTop, kBottom, 10);
+        settle();
+        ASSERT_EQ(writeByKeys(key, name), "");
+        auto before = contents(folder.path());
+        ASSERT_FALSE(before.empty());
+        const std::string hash = editor->scene()->simulation().stateHash();
+        failAtEachCall([&] { return writeByKeys(key, name); },
+                       [&] {
+                           EXPECT_EQ(contents(folder.path()), before);
+                           EXPECT_EQ(editor->scene()->simulation().stateHash(), hash);
+                       });
+    }
+};
+
+TEST_F(WriteFaultsInTheEditor, ASessionThatCannotBeSavedLeavesTheOldOneAndTheWork) {
+    expectFailuresToLeaveAllAsItWas(Key::s, "work");
+}
+
+TEST_F(WriteFaultsInTheEditor, AnExportThatCannotBeWrittenLeavesTheOldOneAndTheWork) {
+    expectFailuresToLeaveAllAsItWas(Key::e, "work.ply");
+}
+
+}  // namespace
+}  // namespace kerf::app
