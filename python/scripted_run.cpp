@@ -112,10 +112,7 @@ void ScriptedRun::apply(const std::string& action) {
 }
 
 void ScriptedRun::perform(const Command& command, int event) {
-    const std::string problem = running_->execute(command);
-    if (!problem.empty()) {
-        throw InputError(running_->placeInFile(event) + ": " + problem);
-    }
+    running_->perform(command, event);
 }
 
 void ScriptedRun::take(const app::CheckEvent& check) {

@@ -142,10 +142,7 @@ class Replay {
         if (film_) {
             film_->note(command);
         }
-        const std::string problem = running_.execute(command);
-        if (!problem.empty()) {
-            throw InputError(running_.placeInFile(event) + ": " + problem);
-        }
+        running_.perform(command, event);
     }
     void take(const ScreenshotEvent& event) {
         pictureMs_ += outside_.measure([&] {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/doctor/drawn_session.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
+#include "app/session/running_session.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
 #include "sim/run/simulation.h"
@@ -114,16 +114,16 @@ struct CutRun {
 };
 
 CutRun playCut(const Session& session) {
-    DrawnSession play(session, render::Quality::light);
+    const SessionPlayer player(session);
+    RunningSession play(session, loadSessionModel(session), 0, render::Quality::light);
     CutRun run;
-    while (!play.isOver()) {
-        run.closed = play.step().closed && run.closed;
+    while (play.simulation().stepCount() < session.steps) {
+        run.closed = play.stepBy(player).closed && run.closed;
     }
     run.stateHash = play.simulation().stateHash();
     run.pieces = play.simulation().report().pieces;
     run.volumeRatio = play.simulation().report().volumeRatio;
-    play.draw(kPictureWidth, kPictureHeight);
-    run.picture = play.picture();
+    run.picture = play.draw(play.camera(), kPictureWidth, kPictureHeight);
     return run;
 }
 

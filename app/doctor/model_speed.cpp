@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "app/doctor/drawn_session.h"
 #include "app/session/paper_experiments.h"
+#include "app/session/running_session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "gpu/program.h"
@@ -24,14 +24,16 @@ struct Frame {
 };
 
 std::vector<Frame> playFrames(const Session& session, double seconds) {
-    DrawnSession play(session,
-                      gpu::queryDevice().software ? render::Quality::light : render::Quality::full);
+    const SessionPlayer player(session);
+    RunningSession play(
+        session, loadSessionModel(session), 0,
+        gpu::queryDevice().software ? render::Quality::light : render::Quality::full);
     std::vector<Frame> frames;
     const Stopwatch all;
-    while (!play.isOver() && all.seconds() < seconds) {
+    while (play.simulation().stepCount() < session.steps && all.seconds() < seconds) {
         const Stopwatch watch;
-        play.step();
-        play.draw(kWidth, kHeight);
+        play.stepBy(player);
+        play.show(play.camera(), kWidth, kHeight);
         gpu::finish();
         frames.push_back({watch.milliseconds(), play.simulation().blade().has_value()});
     }

@@ -1,11 +1,11 @@
 #include "app/regression/test_report.h"
 
-#include <nettle/base64.h>
 #include <spdlog/fmt/chrono.h>
 
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "app/files/io/base64.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
@@ -20,13 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::uintmax_t kMaxEmbeddedBytes = 256u << 20;
 constexpr std::string_view kPlaceOfData = "{\"tests\": []}";
 constexpr std::size_t kPlottedSteps = 400;
-
-std::string base64(const std::string& bytes) {
-    std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
-    base64_encode_raw(text.data(), bytes.size(),
-                      reinterpret_cast<const std::uint8_t*>(bytes.data()));
-    return text;
-}
 
 /// The picture as the address of an image; null where there is none.
 Json imageAddress(const fs::path& file) {

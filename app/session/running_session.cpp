@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
 #include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
@@ -9,6 +10,19 @@
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
+
+namespace {
+
+/// A host of SessionRunner::applyActions.
+struct CommandsAlone {
+    RunningSession& running;
+
+    void perform(const Command& command, int event) const { running.perform(command, event); }
+    template <class Event>
+    void take(const Event& /*event*/) const {}
+};
+
+}  // namespace
 
 void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size_t undoBudget) {
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
@@ -35,6 +49,18 @@ std::string RunningSession::execute(const Command& command) {
     std::string problem = simulation_.execute(command);
     followPlacement();
     return problem;
+}
+
+void RunningSession::perform(const Command& command, int event) {
+    const std::string problem = execute(command);
+    if (!problem.empty()) {
+        throw InputError(placeInFile(event) + ": " + problem);
+    }
+}
+
+const StepReport& RunningSession::stepBy(const SessionPlayer& player) {
+    runner_.applyActions(player, CommandsAlone{*this});
+    return step();
 }
 
 RunningSession::Place RunningSession::here() {
@@ -70,12 +96,16 @@ void RunningSession::preparePictures() {
     }
 }
 
-render::Image RunningSession::draw(const render::Camera& camera, int width, int height) {
+void RunningSession::show(const render::Camera& camera, int width, int height) {
     preparePictures();
     render::SceneView view =
         sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
     view.paint = session_.colors.showOwn() ? skin_.paintOf(simulation_) : nullptr;
     renderer_->draw(view, camera, width, height);
+}
+
+render::Image RunningSession::draw(const render::Camera& camera, int width, int height) {
+    show(camera, width, height);
     return renderer_->readPicture();
 }
 

@@ -33,8 +33,14 @@ class RunningSession {
 
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
+    /// The same for a command that the session says, under SessionEvent::number. Throws InputError
+    /// with the place in its file where it can't be performed.
+    void perform(const Command& command, int event);
     /// Runs one step.
     const StepReport& step() { return runner_.step(); }
+    /// Performs what the session says before the coming step, but for its pictures, exports and
+    /// checks, and runs that. Throws as perform().
+    const StepReport& stepBy(const SessionPlayer& player);
 
     /// The present, to come back to: with the poses that the running stroke left, and with what the
     /// blade was told to do in the coming step.
@@ -51,7 +57,9 @@ class RunningSession {
     /// Gets ready to draw, which measures the model; draw() does so too, but for the first picture
     /// only.
     void preparePictures();
-    /// A picture as it stands before the coming step, the sides in pixels.
+    /// Draws it as it stands before the coming step, the sides in pixels.
+    void show(const render::Camera& camera, int width, int height);
+    /// The same, as a picture.
     render::Image draw(const render::Camera& camera, int width, int height);
     /// The files of an export, with the looks of the model.
     std::vector<ExportedFile> encode(const ExportTarget& target);
