@@ -250,6 +250,19 @@ class EditorSoak : public EditorStorm {
     int acts_ = 0;
 };
 
+// There it would take a bookmark of the dialog, and what is saved then lies in somebody's folder.
+TEST_F(EditorSoak, ClicksOnNothingThatLiesUnderAFileDialog) {
+    tap(Key::s, {.control = true});
+    frames(2);
+    const ui::Rect bookmark = editor->itemRects().at("file.place.Here");
+    for (int i = 0; i < 500; ++i) {
+        const std::optional<Vec2> at = someItem();
+        ASSERT_TRUE(at);
+        EXPECT_FALSE(at->x() >= bookmark.x && at->x() < bookmark.x + bookmark.width &&
+                     at->y() >= bookmark.y && at->y() < bookmark.y + 8 * bookmark.height);
+    }
+}
+
 TEST_F(EditorSoak, MemoryAndObjectsStayTheMeshIsSoundAndNoFrameTakesLong) {
     keepFreedMemory();
     random_.seed(test::fuzzSeed(20261124));
