@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "render/scene/jpeg_check.h"
+#include "render/scene/jpeg.h"
 
 namespace kerf::render {
 namespace {
@@ -15,6 +15,21 @@ constexpr std::size_t kMostPixelsOfByte = 8300;
 
 const stbi_uc* data(std::string_view bytes) {
     return reinterpret_cast<const stbi_uc*>(bytes.data());
+}
+
+/// By the head, which may claim anything.
+PixelRect claimedSize(std::string_view bytes) {
+    if (kindOfImage(bytes) == ImageKind::jpeg) {
+        return sizeOfJpeg(bytes);
+    }
+    PixelRect size;
+    int channels = 0;
+    if (stbi_info_from_memory(data(bytes), static_cast<int>(bytes.size()), &size.width,
+                              &size.height, &channels) == 0 ||
+        size.width < 1 || size.height < 1) {
+        throw std::runtime_error("its head is damaged, or tells of more pixels than are read");
+    }
+    return size;
 }
 
 }  // namespace
@@ -38,18 +53,7 @@ ImageKind kindOfImage(std::string_view bytes) {
 }
 
 PixelRect sizeOfImage(std::string_view bytes) {
-    if (kindOfImage(bytes) == ImageKind::jpeg) {
-        if (const std::string fault = faultOfJpeg(bytes); !fault.empty()) {
-            throw std::runtime_error(fault);
-        }
-    }
-    PixelRect size;
-    int channels = 0;
-    if (stbi_info_from_memory(data(bytes), static_cast<int>(bytes.size()), &size.width,
-                              &size.height, &channels) == 0 ||
-        size.width < 1 || size.height < 1) {
-        throw std::runtime_error("its head is damaged, or tells of more pixels than are read");
-    }
+    const PixelRect size = claimedSize(bytes);
     const std::string sides =
         std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
     if (size.width > kMaxTextureSide || size.height > kMaxTextureSide) {
@@ -65,6 +69,9 @@ PixelRect sizeOfImage(std::string_view bytes) {
 
 Image decodeImage(std::string_view bytes) {
     sizeOfImage(bytes);
+    if (kindOfImage(bytes) == ImageKind::jpeg) {
+        return decodeJpeg(bytes);
+    }
     Image image;
     int channels = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(

@@ -30,6 +30,7 @@ nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log
 libboost-context-dev  lets steps rest while pictures are drawn
 libstb-dev          reads and writes pictures
+libturbojpeg0-dev   reads JPEG pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
 libcgal-dev         unites pieces that cross, in a program of its own

@@ -1,4 +1,4 @@
-// The decoder of pictures, compiled here so that the fuzzer sees into it and the sanitizers watch
+// The decoder of PNG, compiled here so that the fuzzer sees into it and the sanitizers watch
 // it. The library of the system is left out then.
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Weverything"
