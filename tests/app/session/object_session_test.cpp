@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/files/file_io.h"
+#include "app/files/io/file_io.h"
 #include "app/scene/editor_document.h"
 #include "app/session/session.h"
 #include "sim/mesh/invariants.h"
