@@ -2,12 +2,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
+#include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/exit_codes.h"
@@ -118,6 +121,18 @@ std::string describePlace(const PixelRect& place) {
                                           place.y + place.height / 2);
 }
 
+/// What was found, beside the limits: "12 of 3600 pixels differ visibly (0.333 %, limit 0.1 %), the
+/// worst place by 0.51 (limit 0.13) around x 31, y 20, mean 0.0021". `comparison` is of pictures of
+/// one size.
+std::string describeComparison(const PictureComparison& comparison, const PictureLimits& limits) {
+    return fmt::format(
+        "{} of {} pixels differ visibly ({:.3g} %, limit {:.3g} %), the worst place by {:.3g} "
+        "(limit {:.3g}){}, mean {:.3g}",
+        comparison.pixelsDiffering, comparison.pixelsCompared, 100 * comparison.shareDiffering(),
+        100 * limits.pixels, comparison.worst, limits.worst, describePlace(comparison.worstPlace),
+        comparison.mean);
+}
+
 std::string describeChannels(const Findings& findings, double threshold) {
     return fmt::format(
         "mean difference of a channel {:.3g} (threshold {:.3g}), the largest {:.3g}, {} by more "
@@ -151,7 +166,69 @@ void printSizes(const Image& a, const Image& b, bool wantsDiff, std::ostream& ou
         << (wantsDiff ? "; no picture of the difference is written" : "") << '\n';
 }
 
+/// CLI::Range lets NaN pass.
+std::string refuseOutsideOfOne(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    const bool valid = value && *value >= 0 && *value <= 1;
+    return valid ? "" : "'" + text + "' is no number from 0 to 1";
+}
+
+std::string refuseNoMask(const std::string& text) {
+    return readMask(text) ? "" : "'" + text + "' is no rectangle X,Y,W,H in whole pixels";
+}
+
+/// "at most 0.1 % of the pixels may differ visibly, and the worst place by 0.13".
+std::string describeLimits(const PictureLimits& limits) {
+    return fmt::format(
+        "at most {:.3g} % of the pixels may differ visibly, and the worst place by {}",
+        100 * limits.pixels, limits.worst);
+}
+
+/// What decides where no threshold is named.
+std::string explainLimits() {
+    return "Without --threshold " + describeLimits(render::kStrictLimits) + ";\nwith --tolerant " +
+           describeLimits(render::kTolerantLimits) + ".\nVisibly means by more than " +
+           formatNumber(render::kVisibleError) + " of LDR-FLIP; a place is " +
+           std::to_string(render::kPlaceSide) + " pixels wide.";
+}
+
+void describeHowToCompare(CLI::App& verb, CompareArguments& arguments) {
+    CLI::Option* threshold =
+        verb.add_option("--threshold", arguments.threshold,
+                        "Largest mean channel difference that passes, instead of the limits below")
+            ->check(refuseOutsideOfOne)
+            ->type_name("T");
+    verb.add_flag("--tolerant", arguments.tolerant, "Wide limits, for pictures of another driver")
+        ->excludes(threshold);
+    verb.add_option_function<std::vector<std::string>>(
+            "--mask",
+            [&arguments](const std::vector<std::string>& masks) {
+                for (const std::string& mask : masks) {
+                    arguments.masks.push_back(*readMask(mask));
+                }
+            },
+            "A rectangle of pixels to leave out; may be given several times")
+        ->check(refuseNoMask)
+        ->allow_extra_args(false)
+        ->type_name("X,Y,W,H");
+}
+
+std::function<int()> describeCompare(CLI::App& verb) {
+    const auto arguments = std::make_shared<CompareArguments>();
+    verb.add_option("A", arguments->a, "A PNG file")->required();
+    verb.add_option("B", arguments->b, "Another one")->required();
+    describeHowToCompare(verb, *arguments);
+    verb.add_option("--diff", arguments->diff,
+                    "Picture of the difference, written only where they differ")
+        ->type_name("D.png");
+    verb.add_flag("--json", arguments->json, "Print one JSON object");
+    verb.footer(explainLimits());
+    return [arguments] { return runCompare(*arguments, std::cout); };
+}
+
 }  // namespace
+
+const Verb kCompareVerb{"compare", "Compare two PNG pictures", describeCompare};
 
 std::optional<PixelRect> readMask(const std::string& text) {
     std::array<int, 4> numbers{};
@@ -169,22 +246,7 @@ std::optional<PixelRect> readMask(const std::string& text) {
                        : std::nullopt;
 }
 
-std::string describeLimits(const PictureLimits& limits) {
-    return fmt::format(
-        "at most {:.3g} % of the pixels may differ visibly, and the worst place by {}",
-        100 * limits.pixels, limits.worst);
-}
-
-std::string describeComparison(const PictureComparison& comparison, const PictureLimits& limits) {
-    return fmt::format(
-        "{} of {} pixels differ visibly ({:.3g} %, limit {:.3g} %), the worst place by {:.3g} "
-        "(limit {:.3g}){}, mean {:.3g}",
-        comparison.pixelsDiffering, comparison.pixelsCompared, 100 * comparison.shareDiffering(),
-        100 * limits.pixels, comparison.worst, limits.worst, describePlace(comparison.worstPlace),
-        comparison.mean);
-}
-
-int compareVerb(const CompareArguments& arguments, std::ostream& out) {
+int runCompare(const CompareArguments& arguments, std::ostream& out) {
     checkTarget(arguments);
     const Image a = readPicture(arguments.a);
     const Image b = readPicture(arguments.b);

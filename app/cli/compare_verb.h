@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/verb.h"
 #include "render/scene/picture_comparison.h"
 
 namespace kerf::app {
+
+/// `kerf compare A.png B.png`: whether two pictures look alike.
+extern const Verb kCompareVerb;
 
 /// The arguments of `kerf compare A.png B.png [--threshold T] [--tolerant] [--mask X,Y,W,H]...
 /// [--diff D.png] [--json]`, parsed.
@@ -27,19 +31,10 @@ struct CompareArguments {
 /// and height, all in whole pixels, the latter two at least 1. Empty for other texts.
 std::optional<render::PixelRect> readMask(const std::string& text);
 
-/// "at most 0.1 % of the pixels may differ visibly, and the worst place by 0.13".
-std::string describeLimits(const render::PictureLimits& limits);
-
-/// What was found, beside the limits: "12 of 3600 pixels differ visibly (0.333 %, limit 0.1 %), the
-/// worst place by 0.51 (limit 0.13) around x 31, y 20, mean 0.0021". `comparison` is of pictures of
-/// one size.
-std::string describeComparison(const render::PictureComparison& comparison,
-                               const render::PictureLimits& limits);
-
 /// Prints one line (or one JSON object) about the two pictures on `out`. Returns the exit code:
 /// 0 within the limits or the threshold, 1 where they differ (in size too). Throws InputError where
 /// a picture can't be read or the masks don't fit it, OutputError where the picture of the
 /// difference can't be written.
-int compareVerb(const CompareArguments& arguments, std::ostream& out);
+int runCompare(const CompareArguments& arguments, std::ostream& out);
 
 }  // namespace kerf::app

@@ -2,11 +2,14 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 
+#include "app/cli/option_checks.h"
 #include "app/doctor/doctor.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
@@ -20,6 +23,13 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kDoctorReportFile = "report.md";
 constexpr const char* kJsonFile = "doctor.json";
 constexpr const char* kPictureFile = "cut.png";
+
+/// The arguments of `kerf doctor [--quick] [--out DIR] [--json]`, parsed.
+struct DoctorArguments {
+    bool quick = false;         ///< leaves the speeds out
+    std::filesystem::path out;  ///< folder of the report; empty for none
+    bool json = false;
+};
 
 Json toJson(const Diagnosis& diagnosis) {
     Json findings = Json::array();
@@ -118,9 +128,8 @@ void writeReport(const Diagnosis& diagnosis, OutputFolder& folder) {
     folder.write(kDoctorReportFile, markdownOf(diagnosis));
 }
 
-}  // namespace
-
-int doctorVerb(const DoctorArguments& arguments, std::ostream& out, std::ostream& errors) {
+int runDoctor(const DoctorArguments& arguments, std::ostream& out, std::ostream& errors) {
+    refuseFileAsFolder(arguments.out);
     std::optional<OutputFolder> folder;
     if (!arguments.out.empty()) {
         folder.emplace(arguments.out);
@@ -141,5 +150,20 @@ int doctorVerb(const DoctorArguments& arguments, std::ostream& out, std::ostream
     }
     return diagnosis.right() ? kExitDone : kExitCheckFailed;
 }
+
+std::function<int()> describeDoctor(CLI::App& verb) {
+    const auto arguments = std::make_shared<DoctorArguments>();
+    verb.add_flag("--quick", arguments->quick, "Leave the speed of the models out");
+    addOut(verb, arguments->out,
+           "Folder for a report with a picture, to look at or to attach to a bug");
+    verb.add_flag("--json", arguments->json, "Print one JSON object");
+    return [arguments] { return runDoctor(*arguments, std::cout, std::cerr); };
+}
+
+}  // namespace
+
+const Verb kDoctorVerb{"doctor",
+                       "Check whether Kerf works as it should on this machine's graphics driver",
+                       describeDoctor};
 
 }  // namespace kerf::app

@@ -2,23 +2,26 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
+#include <iostream>
 #include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include "app/cli/fault_picture.h"
+#include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
 #include "app/files/export/export.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
+#include "app/files/import/mending.h"
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
 #include "app/files/import/shell_union.h"
@@ -42,6 +45,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kIndent = 11;  // of what is told of a model, beside its name
+
+/// The arguments of `kerf inspect`, parsed.
+struct InspectArguments {
+    std::filesystem::path model;  ///< a file, or the name of a builtin model
+    bool json = false;
+    bool pieces = false;            ///< a table of the pieces as CSV instead
+    std::filesystem::path mended;   ///< where a mended model is written; empty for nowhere
+    Mending mending;                ///< what is done for it beside a repair, as mendModel() does it
+    std::filesystem::path picture;  ///< where a picture with its faults goes; empty for nowhere
+    PictureSize pictureSize;
+};
 
 std::string helpOf(const ModelHelp& help) {
     std::string text =
@@ -400,9 +414,8 @@ std::vector<ui::PieceRow> pieceRows(const SurfaceMesh& mesh) {
     return rows;
 }
 
-}  // namespace
-
-int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
+/// Of a model that is refused the report is printed, and then the refusal thrown.
+int runInspect(const InspectArguments& arguments, std::ostream& out) {
     const std::filesystem::path file = modelFile(arguments.model);
     if (arguments.pieces) {
         out << ui::piecesAsCsv(pieceRows(loadModel(file)));
@@ -427,5 +440,88 @@ int inspectVerb(const InspectArguments& arguments, std::ostream& out) {
     }
     return kExitDone;
 }
+
+std::string refuseNoPng(const std::string& text) {
+    const bool isPng = lowerCase(std::filesystem::path(text).extension().string()) == ".png";
+    return isPng ? "" : "'" + text + "' must end in .png";
+}
+
+/// The ways to write the model mended.
+struct MendOptions {
+    CLI::Option* remesh;
+    CLI::Option* thicken;
+};
+
+MendOptions describeMends(CLI::App& verb, InspectArguments& arguments, CLI::Option* pieces) {
+    Mending& mending = arguments.mending;
+    const auto mends = [&](const char* name, const char* meaning, const auto& ask) {
+        return verb.add_option(name, arguments.mended, meaning)
+            ->type_name("OUT.ply")
+            ->check(refuseEmpty)
+            ->excludes(pieces)
+            ->each([ask](const std::string&) { ask(); });
+    };
+    CLI::Option* const repair =
+        mends("--repair", "Write the model here as a repair leaves it, and report that one", [] {});
+    CLI::Option* const remesh =
+        mends("--remesh", "Write the model here, repaired and with even triangles", [&mending] {
+            mending.remesh = true;
+        })->excludes(repair);
+    CLI::Option* const thicken =
+        mends("--thicken", "Write the model here, repaired, its open sheets given a thickness",
+              [&mending] { mending.thicken = mending.thicken.value_or(0); })
+            ->excludes(repair)
+            ->excludes(remesh);
+    return {remesh, thicken};
+}
+
+void describePicture(CLI::App& verb, InspectArguments& arguments, CLI::Option* pieces) {
+    CLI::Option* const picture =
+        verb.add_option("--picture", arguments.picture,
+                        "Write a picture (.png) of it here, with its faults as coloured lines")
+            ->type_name("FILE.png")
+            ->check(refuseNoPng)
+            ->excludes(pieces);
+    addPictureSize(
+        verb, [&arguments](const PictureSize& size) { arguments.pictureSize = size; },
+        "Size of that picture in pixels (1280x720)")
+        ->needs(picture);
+}
+
+void describeLengths(CLI::App& verb, Mending& mending, const MendOptions& mends) {
+    verb.add_option("--edge", mending.edge,
+                    "Length of their edges in the model's unit; as those of even triangles with "
+                    "the same areas, of a coarse model a 25th of its diagonal at most")
+        ->type_name("LENGTH")
+        ->check(refuseNoLength)
+        ->needs(mends.remesh);
+    verb.add_option("--thickness", mending.thicken,
+                    "That thickness in the model's unit; a 50th of the model's diagonal, or less "
+                    "where the sheet is bent or close to itself")
+        ->type_name("LENGTH")
+        ->check(refuseNoLength)
+        ->needs(mends.thicken);
+}
+
+std::function<int()> describeInspect(CLI::App& verb) {
+    const auto arguments = std::make_shared<InspectArguments>();
+    verb.add_option("MODEL", arguments->model, "A model file, or the name of a builtin one")
+        ->required()
+        ->check(refuseEmpty);
+    CLI::Option* const json = verb.add_flag("--json", arguments->json, "Print one JSON object");
+    CLI::Option* const pieces =
+        verb.add_flag("--pieces", arguments->pieces,
+                      "Print a table of the pieces as CSV: volume, areas, centre, box")
+            ->excludes(json);
+    const MendOptions mends = describeMends(verb, *arguments, pieces);
+    describePicture(verb, *arguments, pieces);
+    describeLengths(verb, arguments->mending, mends);
+    return [arguments] { return runInspect(*arguments, std::cout); };
+}
+
+}  // namespace
+
+const Verb kInspectVerb{"inspect", "Say what a model is and whether it can be cut",
+                        describeInspect};
 
 }  // namespace kerf::app

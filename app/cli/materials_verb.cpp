@@ -1,9 +1,12 @@
 #include "app/cli/materials_verb.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
+#include "app/cli/option_checks.h"
 #include "app/files/io/exit_codes.h"
 #include "app/session/material.h"
 #include "sim/base/text.h"
@@ -13,6 +16,12 @@ namespace kerf::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// The arguments of `kerf materials [NAME|FILE] [--json]`, parsed.
+struct MaterialsArguments {
+    std::string material;  ///< a builtin name or a file; empty for the list
+    bool json = false;
+};
 
 std::string padded(std::string text, std::size_t width) {
     text.resize(std::max(text.size(), width), ' ');
@@ -61,9 +70,7 @@ Json listAsJson() {
     return {{"materials", list}};
 }
 
-}  // namespace
-
-int materialsVerb(const MaterialsArguments& arguments, std::ostream& out) {
+int runMaterials(const MaterialsArguments& arguments, std::ostream& out) {
     const bool one = !arguments.material.empty();
     if (arguments.json) {
         out << (one ? toJson(findMaterial(arguments.material, {})) : listAsJson()).dump() << "\n";
@@ -74,5 +81,20 @@ int materialsVerb(const MaterialsArguments& arguments, std::ostream& out) {
     }
     return kExitDone;
 }
+
+std::function<int()> describeMaterials(CLI::App& verb) {
+    const auto arguments = std::make_shared<MaterialsArguments>();
+    verb.add_option("MATERIAL", arguments->material,
+                    "A name of the list, or a material file (.json)")
+        ->check(refuseEmpty);
+    verb.add_flag("--json", arguments->json, "Print one JSON object");
+    return [arguments] { return runMaterials(*arguments, std::cout); };
+}
+
+}  // namespace
+
+const Verb kMaterialsVerb{"materials",
+                          "List the materials that come with Kerf, or show one with its sources",
+                          describeMaterials};
 
 }  // namespace kerf::app

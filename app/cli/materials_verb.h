@@ -1,18 +1,10 @@
 #pragma once
 
-#include <iosfwd>
-#include <string>
+#include "app/cli/verb.h"
 
 namespace kerf::app {
 
-/// The arguments of `kerf materials [NAME|FILE] [--json]`, parsed.
-struct MaterialsArguments {
-    std::string material;  ///< a builtin name or a file; empty for the list
-    bool json = false;
-};
-
-/// Prints the materials that come with Kerf on `out`, a line each; or one with its values, spread
-/// and sources. Returns the exit code. Throws InputError.
-int materialsVerb(const MaterialsArguments& arguments, std::ostream& out);
+/// `kerf materials [NAME|FILE]`: the materials that come with Kerf.
+extern const Verb kMaterialsVerb;
 
 }  // namespace kerf::app

@@ -52,16 +52,6 @@ void setUpProgram() {
     setUpLog();
 }
 
-std::string refuseEmpty(const std::string& text) {
-    return text.empty() ? "the name is empty" : "";
-}
-
-void refuseFileAsFolder(const std::filesystem::path& out) {
-    if (std::filesystem::is_regular_file(out)) {
-        throw InputError(out.string() + ": --out is a file; name a folder.");
-    }
-}
-
 std::optional<int> parseWords(CLI::App& parser, int argc, char** argv) {
     try {
         parser.parse(argc, argv);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,11 +14,6 @@ inline constexpr const char* kExitCodes =
 
 /// Comes first in a program: its standard streams, signals, memory and log.
 void setUpProgram();
-
-/// An empty name is a mistake of the script that called, most often an unset variable.
-std::string refuseEmpty(const std::string& text);
-/// A file in the place of the folder for results is told before anything runs, by an InputError.
-void refuseFileAsFolder(const std::filesystem::path& out);
 
 /// The exit code where the words end the program: by a mistake, or by asking for help.
 std::optional<int> parseWords(CLI::App& parser, int argc, char** argv);

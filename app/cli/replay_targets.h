@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/replay_verb.h"
+#include "app/cli/replay_arguments.h"
 #include "app/session/session.h"
 
 namespace kerf::app {

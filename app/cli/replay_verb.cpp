@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
+#include "app/cli/option_checks.h"
 #include "app/cli/replay.h"
+#include "app/cli/replay_arguments.h"
 #include "app/cli/replay_targets.h"
 #include "app/cli/usage_error.h"
 #include "app/files/io/exit_codes.h"
@@ -235,8 +238,8 @@ Session sessionIn(const std::filesystem::path& file) {
     return isJournal(file) ? parseSession(readJournal(file).session, {}) : readSession(file);
 }
 
-}  // namespace
-
+/// Replaces parameters of a session at its start. Each of `settings` is NAME=VALUE with a value as
+/// JSON, or a bare word.
 void setParameters(Session& session, const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
@@ -252,7 +255,8 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
     }
 }
 
-int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& errors) {
+int runReplay(ReplayArguments arguments, std::ostream& out, std::ostream& errors) {
+    refuseFileAsFolder(arguments.out);
     takeFilms(arguments);
     requireNoExpectations(arguments.out);
     Session session = sessionIn(arguments.session);
@@ -280,5 +284,16 @@ int replayVerb(ReplayArguments arguments, std::ostream& out, std::ostream& error
     }
     return reference.sentences.empty() ? exitCode : kExitCheckFailed;
 }
+
+std::function<int()> describeReplayVerb(CLI::App& verb) {
+    const auto arguments = std::make_shared<ReplayArguments>();
+    describeReplay(verb, *arguments);
+    return [arguments] { return runReplay(*arguments, std::cout, std::cerr); };
+}
+
+}  // namespace
+
+const Verb kReplayVerb{"replay", "Run a session headless, as fast as it can, and write its results",
+                       describeReplayVerb};
 
 }  // namespace kerf::app

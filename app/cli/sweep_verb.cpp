@@ -3,11 +3,13 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
-#include <thread>
 
+#include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
@@ -30,10 +32,16 @@ using Numbers = std::vector<std::size_t>;
 
 constexpr std::size_t kMostNamed = 10;
 
-int jobsOf(const SweepArguments& arguments) {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    return arguments.jobs > 0 ? arguments.jobs : static_cast<int>(cores);
-}
+/// The arguments of `kerf sweep STUDY --out DIR ...`, parsed.
+struct SweepArguments {
+    std::filesystem::path study;
+    std::filesystem::path out;       ///< empty for none, which --list alone may do without
+    int jobs = 1;                    ///< runs at a time
+    std::optional<std::size_t> run;  ///< this run alone
+    bool list = false;               ///< says what the runs are, and runs nothing
+    bool gather = false;             ///< gathers what is there, and runs nothing
+    bool json = false;
+};
 
 /// "runs 3, 5 and 7"; of many the first ones.
 std::string nameRuns(const Numbers& numbers) {
@@ -164,7 +172,7 @@ void runPending(const Study& study, const Numbers& pending, const SweepArguments
     for (const std::size_t number : pending) {
         children.push_back(childArguments(arguments, number));
     }
-    runChildren(children, jobsOf(arguments), [&](std::size_t i, const ChildOutcome& outcome) {
+    runChildren(children, arguments.jobs, [&](std::size_t i, const ChildOutcome& outcome) {
         if (outcome.exitCode == kExitNoOpenGl) {
             throw gpu::ContextError("Run " + std::to_string(pending[i]) + ": " +
                                     sentenceAbout(outcome));
@@ -269,9 +277,8 @@ Study read(const SweepArguments& arguments) {
     return study;
 }
 
-}  // namespace
-
-int sweepVerb(const SweepArguments& arguments, std::ostream& out, std::ostream& errors) {
+int runSweep(const SweepArguments& arguments, std::ostream& out, std::ostream& errors) {
+    refuseFileAsFolder(arguments.out);
     if (arguments.out.empty() && !arguments.list) {
         throw UsageError("--out is missing; name the folder for the results");
     }
@@ -284,5 +291,37 @@ int sweepVerb(const SweepArguments& arguments, std::ostream& out, std::ostream& 
     }
     return arguments.gather ? gather(study, arguments, out) : sweep(study, arguments, out);
 }
+
+/// What is done instead of the whole sweep; one of these at most.
+void describePartsOfSweep(CLI::App& verb, SweepArguments& arguments) {
+    CLI::Option* run =
+        verb.add_option("--run", arguments.run, "Do this run alone, from 0; gather nothing")
+            ->check(CLI::Range(std::size_t{0}, kMostRuns - 1))
+            ->type_name("K");
+    CLI::Option* list =
+        verb.add_flag("--list", arguments.list, "Print a line for each run, and run nothing")
+            ->excludes(run);
+    verb.add_flag("--gather", arguments.gather,
+                  "Write the table and the plots of the runs that are done, and run nothing")
+        ->excludes(run)
+        ->excludes(list);
+    verb.add_flag("--json", arguments.json, "Print one JSON object")->excludes(run);
+}
+
+std::function<int()> describeSweep(CLI::App& verb) {
+    const auto arguments = std::make_shared<SweepArguments>();
+    verb.add_option("STUDY", arguments->study, "A study: see docs/sweeps.md")
+        ->required()
+        ->check(refuseEmpty);
+    addOut(verb, arguments->out, "Folder for the results");
+    addJobs(verb, arguments->jobs);
+    describePartsOfSweep(verb, *arguments);
+    return [arguments] { return runSweep(*arguments, std::cout, std::cerr); };
+}
+
+}  // namespace
+
+const Verb kSweepVerb{
+    "sweep", "Run sessions with many values of parameters; begun anew, it goes on", describeSweep};
 
 }  // namespace kerf::app

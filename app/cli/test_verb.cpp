@@ -3,11 +3,13 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
+#include <memory>
 #include <optional>
-#include <ostream>
-#include <thread>
 
+#include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
@@ -24,6 +26,17 @@ namespace kerf::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The arguments of `kerf test PATH... [--update] ...`, parsed.
+struct TestArguments {
+    std::vector<std::filesystem::path> paths;
+    bool update = false;
+    int jobs = 1;                  ///< runs at a time
+    std::filesystem::path junit;   ///< empty for none
+    std::filesystem::path report;  ///< empty for none
+    std::filesystem::path out;     ///< keeps the results of the runs; empty for nowhere
+    bool json = false;
+};
 
 /// A folder that can't be made is told before anything runs.
 void makeFolder(const fs::path& folder) {
@@ -55,11 +68,6 @@ class ResultFolder {
     fs::path path_;
     std::optional<FolderLock> lock_;
 };
-
-int jobsOf(const TestArguments& arguments) {
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    return arguments.jobs > 0 ? arguments.jobs : static_cast<int>(cores);
-}
 
 std::string lineAbout(const TestResult& result) {
     std::string line = fmt::format("{:<10} {} ({:.1f} s)", nameOf(result.status),
@@ -167,7 +175,7 @@ class TestRun {
         for (const fs::path& session : pending) {
             runs.push_back(runArguments(session, folder_.of(runs.size(), session), false));
         }
-        runChildren(runs, jobsOf(arguments_), [&](std::size_t run, const ChildOutcome& outcome) {
+        runChildren(runs, arguments_.jobs, [&](std::size_t run, const ChildOutcome& outcome) {
             const fs::path& session = pending[run];
             add(judgeRun(session, folder_.of(run, session), outcome, arguments_.update));
         });
@@ -253,9 +261,8 @@ int exitCodeOf(const std::vector<TestResult>& results) {
     return exitCode;
 }
 
-}  // namespace
-
-int testVerb(const TestArguments& arguments, std::ostream& out) {
+int runTests(const TestArguments& arguments, std::ostream& out) {
+    refuseFileAsFolder(arguments.out);
     const Interruption interruption;
     TestRun run(arguments, out);
     ReportFile junit(arguments.junit);
@@ -266,5 +273,31 @@ int testVerb(const TestArguments& arguments, std::ostream& out) {
     report.write(results, formatTestReport);
     return exitCodeOf(results);
 }
+
+std::function<int()> describeTest(CLI::App& verb) {
+    const auto arguments = std::make_shared<TestArguments>();
+    verb.add_option("PATH", arguments->paths,
+                    "A session, or a folder that is searched for *.kerf.json")
+        ->required()
+        ->check(refuseEmpty);
+    verb.add_flag("--update", arguments->update,
+                  "Make or renew the expectations (NAME.expected beside NAME.kerf.json)");
+    addJobs(verb, arguments->jobs);
+    verb.add_option("--junit", arguments->junit, "Write the results as JUnit XML")
+        ->check(refuseEmpty)
+        ->type_name("FILE");
+    verb.add_option("--report", arguments->report,
+                    "Write a page with expected, actual and different pictures, and plots")
+        ->check(refuseEmpty)
+        ->type_name("FILE.html");
+    addOut(verb, arguments->out, "Keep what the runs write, a folder for each");
+    verb.add_flag("--json", arguments->json, "Print one JSON object");
+    return [arguments] { return runTests(*arguments, std::cout); };
+}
+
+}  // namespace
+
+const Verb kTestVerb{
+    "test", "Run sessions as regression tests: states, counts, volumes and pictures", describeTest};
 
 }  // namespace kerf::app

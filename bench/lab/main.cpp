@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "app/cli/option_checks.h"
 #include "app/cli/program.h"
 #include "app/files/io/exit_codes.h"
 #include "app/session/paper_experiments.h"

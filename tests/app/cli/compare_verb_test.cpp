@@ -46,7 +46,7 @@ class CompareVerb : public testing::Test {
     }
     int run() {
         out_.str("");
-        return compareVerb(arguments_, out_);
+        return runCompare(arguments_, out_);
     }
     nlohmann::json report() {
         arguments_.json = true;

@@ -1,0 +1,37 @@
+#include "app/cli/experiment_verb.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "app/cli/program.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/jobs/own_programs.h"
+
+namespace kerf::app {
+
+namespace {
+
+/// The laboratory takes the place of this program, with the words behind the verb.
+int becomeLaboratory(char** words) {
+    std::string program = programBeside("kerf-lab");
+    words[0] = program.data();
+    ::execv(program.c_str(), words);
+    return complain(program + ", which runs experiments, can't be started (" +
+                        std::strerror(errno) +
+                        "); it is no part of an installed Kerf: scripts/build of the source tree "
+                        "makes it.",
+                    kExitInput);
+}
+
+}  // namespace
+
+const Verb kExperimentVerb{"experiment",
+                           "Run the paper's experiments, the virtual test bench, or a "
+                           "comparison with finite elements, headless and write a report; by "
+                           "kerf-lab, which is made from the source tree and not installed",
+                           nullptr, becomeLaboratory};
+
+}  // namespace kerf::app

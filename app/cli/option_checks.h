@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/cli/picture_size.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+// What options of several verbs have in common. Checks return why a text is refused, or nothing.
+namespace kerf::app {
+
+/// An empty name is a mistake of the script that called, most often an unset variable.
+std::string refuseEmpty(const std::string& text);
+/// Takes a length above zero.
+std::string refuseNoLength(const std::string& text);
+/// A file in the place of the folder for results is told before anything runs, by an InputError.
+void refuseFileAsFolder(const std::filesystem::path& out);
+
+/// A number and nothing else.
+std::optional<double> readNumber(const std::string& text);
+
+/// `--out DIR`, a folder.
+CLI::Option* addOut(CLI::App& verb, std::filesystem::path& out, const char* about);
+/// `--size WxH`, the size of a picture.
+CLI::Option* addPictureSize(CLI::App& verb, std::function<void(const PictureSize&)> take,
+                            const char* about);
+/// `--jobs N`: runs at a time, one per core where it is not given.
+void addJobs(CLI::App& verb, int& jobs);
+
+}  // namespace kerf::app

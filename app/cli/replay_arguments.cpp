@@ -1,0 +1,163 @@
+#include "app/cli/replay_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "app/cli/option_checks.h"
+#include "app/files/film/film_formats.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+namespace {
+
+constexpr int kMostFilmRate = 240;
+constexpr int kMostStripPictures = 1000;
+constexpr double kLeastFilmSpeed = 0.001;
+constexpr double kMostFilmSpeed = 1000;
+
+std::string refuseNoSpeed(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    const bool valid = value && *value >= kLeastFilmSpeed && *value <= kMostFilmSpeed;
+    return valid ? "" : "'" + text + "' is no number from 0.001 to 1000";
+}
+
+/// Options that change what is run.
+void describeReplayChanges(CLI::App& verb, ReplayArguments& arguments) {
+    verb.add_option("--set", arguments.set,
+                    "Replace a parameter at the start; VALUE is JSON. May be given several times")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    verb.add_option("--material", arguments.material,
+                    "Give the body another material at the start: a name, or a file (.json)")
+        ->check(refuseEmpty)
+        ->type_name("NAME|FILE");
+    verb.add_flag("--fine", arguments.fine,
+                  "Take screenshots as with Fine picture: for looking at, not for comparing");
+    verb.add_option("--until", arguments.until, "End after that many steps")
+        ->check(CLI::Range(1, kMaxSteps))
+        ->type_name("STEP");
+}
+
+/// Options that compare the run with another one, or write what later runs can be compared with.
+void describeReplayChecks(CLI::App& verb, ReplayArguments& arguments) {
+    verb.add_flag("--hashes", arguments.hashes,
+                  "Also write hashes.csv: what state each step ended in");
+    verb.add_flag("--pieces", arguments.pieces,
+                  "Also write pieces.csv: volume and box of each piece after each step");
+    verb.add_flag("--forces", arguments.forces,
+                  "Measure force and moment on a blade that pushes, in metrics.csv");
+    verb.add_option("--verify", arguments.verify,
+                    "Compare each step with a hashes.csv; end at the first one that differs")
+        ->check(refuseEmpty)
+        ->type_name("FILE");
+    CLI::Option* reference =
+        verb.add_option("--reference", arguments.reference,
+                        "Compare each screenshot with the one of its name in this folder")
+            ->check(refuseEmpty)
+            ->type_name("REF");
+    verb.add_flag("--update", arguments.update,
+                  "Write screenshots that differ or are missing into REF instead")
+        ->needs(reference);
+    verb.add_flag("--keep-going", arguments.keepGoing, "Run all steps, also after a check failed");
+    verb.add_flag("!--no-hash-checks", arguments.hashChecks,
+                  "Pass over the state hashes in the session's own checks");
+}
+
+/// The film, and how it looks.
+void describeFilm(CLI::App& verb, ReplayArguments& arguments) {
+    FilmOptions& film = arguments.film;
+    CLI::Option* const movie =
+        verb.add_option("--movie", film.file,
+                        "Also make a film of the run, by ffmpeg; FILE ends in " + filmEndings())
+            ->check(refuseEmpty)
+            ->type_name("FILE");
+    verb.add_option("--fps", film.rate, "Pictures in a second of the film (30, of a .gif 25)")
+        ->check(CLI::Range(1, kMostFilmRate))
+        ->type_name("N")
+        ->needs(movie);
+    verb.add_option("--speed", film.speed,
+                    "Simulated seconds in a second of the film (1): 0.25 slows it down")
+        ->check(refuseNoSpeed)
+        ->type_name("S")
+        ->needs(movie);
+    verb.add_flag("--turntable", film.turntable, "The camera turns once about the scene")
+        ->needs(movie);
+    verb.add_flag("--captions", film.captions, "The film tells the time, and what happens")
+        ->needs(movie);
+}
+
+int readCount(const std::string& text) {
+    const std::optional<double> value = readNumber(text);
+    if (!value || *value < 0 || *value > kMostStripPictures || *value != std::floor(*value)) {
+        throw CLI::ValidationError("--strip", "'" + text + "' is no number of pictures");
+    }
+    return static_cast<int>(*value);
+}
+
+/// Pictures of the run in files that are named here.
+void describeFilms(CLI::App& verb, ReplayArguments& arguments) {
+    describeFilm(verb, arguments);
+    verb.add_option_function<std::vector<std::string>>(
+            "--strip",
+            [&arguments](const std::vector<std::string>& words) {
+                arguments.strip.file = words[0];
+                arguments.strip.pictures = readCount(words[1]);
+            },
+            "Also make a picture (.png) of so many pictures of the run side by side")
+        ->type_size(2)
+        ->expected(1)
+        ->type_name("FILE N");
+    addPictureSize(
+        verb, [&arguments](const PictureSize& size) { arguments.pictureSize = size; },
+        "Size of the film in pixels, or of each picture of the strip");
+}
+
+/// "obj, ply, ...": the formats as the command line names them.
+std::string meshFormatNames() {
+    return joined(meshFormats(), ", ",
+                  [](const MeshFormatInfo& info) { return info.extension.substr(1); });
+}
+
+std::string refuseNoMeshFormat(const std::string& name) {
+    return meshFormatOf("mesh." + name)
+               ? ""
+               : "'" + name + "' is no format; there are " + meshFormatNames();
+}
+
+/// Meshes on the way.
+void describeSequence(CLI::App& verb, ReplayArguments& arguments) {
+    CLI::Option* const sequence =
+        verb.add_option("--sequence", arguments.sequence.every,
+                        "Also write the mesh every so many steps, into the folder sequence")
+            ->check(CLI::Range(1, kMaxSteps))
+            ->type_name("EVERY");
+    verb.add_option_function<std::string>(
+            "--meshes",
+            [&arguments](const std::string& name) {
+                arguments.sequence.format = *meshFormatOf("mesh." + name);
+            },
+            "The format of these meshes (ply): " + meshFormatNames())
+        ->check(refuseNoMeshFormat)
+        ->type_name("FORMAT")
+        ->needs(sequence);
+}
+
+}  // namespace
+
+void describeReplay(CLI::App& verb, ReplayArguments& arguments) {
+    verb.add_option("SESSION", arguments.session,
+                    "A *.kerf.json file, or a .journal that a window left behind")
+        ->required()
+        ->check(refuseEmpty);
+    addOut(verb, arguments.out, "Folder for the results")->required();
+    describeReplayChanges(verb, arguments);
+    describeReplayChecks(verb, arguments);
+    describeFilms(verb, arguments);
+    describeSequence(verb, arguments);
+    CLI::Option* json = verb.add_flag("--json", arguments.json, "Print one JSON object");
+    verb.add_flag("--jsonl", arguments.jsonl, "Print a JSON object for each step, as it is done")
+        ->excludes(json);
+}
+
+}  // namespace kerf::app
