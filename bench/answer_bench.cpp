@@ -20,6 +20,7 @@
 #include "bench/model_file.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
+#include "sim/run/simulation.h"
 
 namespace kerf {
 namespace {

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app/scene/editor_document.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/scene_readout.h"
+#include "sim/run/simulation.h"
 #include "ui/theme.h"
 
 namespace kerf::app {
@@ -98,7 +102,7 @@ bool BodyDisplay::join() {
 
 render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     const std::vector<Bounds>& bounds = scene.simulation().pieceBounds();
-    render::SceneView view = scene.view();
+    render::SceneView view = scene.readout().view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
     view.field.choice = settings.field;
@@ -113,8 +117,8 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
         view.focus = shownBounds(bounds, view.pieces);
     } else {
         addOverlays(settings.overlays, scene.simulation(), view);
-        if (settings.overlays.faults && scene.faults().any()) {
-            view.marks = scene.faultMarks();
+        if (settings.overlays.faults && scene.document().faults.any()) {
+            view.marks = scene.readout().faultMarks();
         }
     }
     return view;
@@ -122,7 +126,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
 
 Bounds BodyDisplay::boundsOf(const EditorScene& scene) const {
     const std::vector<Bounds>& pieces = scene.simulation().pieceBounds();
-    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
+    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.simulation().bounds();
 }
 
 Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {

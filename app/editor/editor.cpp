@@ -7,6 +7,10 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/scene_readout.h"
+#include "app/scene/scene_recorder.h"
+#include "app/scene/scene_timeline.h"
 #include "gpu/buffer.h"
 #include "gpu/context_loss.h"
 #include "render/scene/depth_field.h"
@@ -125,7 +129,7 @@ double Editor::idleSeconds() const {
         return opening->preparing() ? kWorkPause : 0;
     }
     if (s.work.saves() || s.work.placing() != nullptr || s.chooser.previews() ||
-        (scene && (scene->thickness().working() || scene->cuts().working()))) {
+        (scene && (scene->readout().thickness().working() || scene->readout().cuts().working()))) {
         return kWorkPause;
     }
     const bool soon =
@@ -208,9 +212,9 @@ void Editor::State::beginSteps() {
     view.display.join();
     s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
     const int passed = clock.takeDue(s.simulation().params().timeStep);
-    const int due = s.playing || s.pulling() ? passed : 0;
+    const int due = s.timeline().playing || s.hands().pulling() ? passed : 0;
     const int needed = s.strokeSteps();
-    const int most = std::max(due, std::min(s.seekSteps(), kMostSeekSteps));
+    const int most = std::max(due, std::min(s.timeline().seekSteps(), kMostSeekSteps));
     scene.begin(SceneWork::steps,
                 [this, needed, most](EditorScene& now) { clock.run(now, needed, most); });
 }
@@ -240,7 +244,7 @@ void Editor::State::goOn() {
     showMessages();
     redraw.steps();
     if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
-        scene->recordPicture(*seconds, renderMs);
+        scene->readout().addPicture(*seconds, renderMs);
         experiments.note(*scene);
     }
 }
@@ -322,20 +326,23 @@ void Editor::State::followMeasures() {
 
 void Editor::State::followPieceSums() {
     const bool wanted = view.display.settings.pieceDetails;
-    if (scene != nullptr && !scene.underWay() && scene->followPieceSums(wanted)) {
+    if (scene != nullptr && !scene.underWay() &&
+        scene->readout().followPieceSums(wanted && !scene->running())) {
         redraw.panels();
     }
 }
 
 void Editor::State::followCuts() {
-    if (scene != nullptr && !scene.underWay() && scene->followCuts(panels.shows("cuts"))) {
+    if (scene != nullptr && !scene.underWay() &&
+        scene->readout().followCuts(panels.shows("cuts"))) {
         redraw.panels();
     }
 }
 
 void Editor::State::followThickness() {
     const bool wanted = view.display.settings.field.field == render::SurfaceField::thickness;
-    if (scene != nullptr && !scene.underWay() && scene->followThickness(wanted)) {
+    if (scene != nullptr && !scene.underWay() &&
+        scene->readout().followThickness(wanted, !scene->running())) {
         redraw.scene();
     }
 }
@@ -343,8 +350,8 @@ void Editor::State::followThickness() {
 void Editor::State::saveScreenshot() {
     if (std::exchange(screenshotWanted, false)) {
         const int number = savePicture(picture.read(), "kerf");
-        if (scene != nullptr && scene.meanwhile()->recording()) {
-            toast.offerOnceSaved(scene->here(), number);
+        if (scene != nullptr && scene.meanwhile()->recorder().recording()) {
+            toast.offerOnceSaved(scene->recorder().here(), number);
         }
     }
 }

@@ -4,6 +4,12 @@
 #include "app/editor/plot_export.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/free_file.h"
+#include "app/scene/editor_stroke.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/scene_body.h"
+#include "app/scene/scene_readout.h"
+#include "app/scene/scene_recorder.h"
+#include "app/scene/scene_timeline.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
 #include "gpu/data_path.h"
@@ -51,8 +57,8 @@ void cancelWork(State& s) {
     }
     EditorScene& scene = *s.scene.meanwhile();
     if (scene.stroke().pending() == 0) {
-        scene.playing = false;
-        scene.stopSeeking();
+        scene.timeline().playing = false;
+        scene.timeline().stopSeeking();
     }
     stopTools(s);
 }
@@ -118,10 +124,10 @@ void freePins(State& s) {
 
 void removeRetractor(State& s) {
     s.view.retractTool.release(*s.scene);
-    const std::vector<Hands::Hand> hooks = s.scene->hooks();
+    const std::vector<Hands::Hand> hooks = s.scene->hands().hooks();
     if (!hooks.empty()) {
         const auto under = RetractTool::hookAt(s.view.frame(), s.view.pointer, *s.scene);
-        s.scene->removeRetractor(under.value_or(hooks.back().number));
+        s.scene->hands().removeRetractor(under.value_or(hooks.back().number));
     }
 }
 
@@ -136,7 +142,7 @@ void letFall(State& s) {
     if (s.scene->simulation().params().gravity.norm() == 0) {
         toggleGravity(s);
     }
-    s.scene->playing = true;
+    s.scene->timeline().playing = true;
 }
 
 void toggleTimeWhileCutting(State& s) {
@@ -145,12 +151,12 @@ void toggleTimeWhileCutting(State& s) {
 }
 
 void playOrPause(State& s) {
-    bool& playing = s.scene.meanwhile()->playing;
+    bool& playing = s.scene.meanwhile()->timeline().playing;
     playing = !playing;
 }
 
 void stepOnce(State& s) {
-    s.scene->playing = false;
+    s.scene->timeline().playing = false;
     s.clock.run(*s.scene, 1, 0);
 }
 
@@ -161,46 +167,47 @@ void reset(State& s) {
 
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
-    if (!s.scene->recording()) {
+    if (!s.scene->recorder().recording()) {
         s.view.cancelTools(*s.scene);
         s.scene->startRecording();
         s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
     }
-    s.scene->stopRecording();
+    s.scene->recorder().stop();
     s.save({ui::FilePurpose::saveSession,
             freeFile(s.chooser.here(), s.scene->document().name, ".kerf.json")});
 }
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s) {
-    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->here());
-    const std::string file = s.scene->addPicture(place);
+    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->recorder().here());
+    const std::string file = s.scene->recorder().addPicture(place);
     s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
                  false);
 }
 
 void addCheck(State& s) {
-    s.scene->addCheck();
-    s.toast.show("The session checks step " + std::to_string(s.scene->here().step) + ".", false);
+    s.scene->recorder().addCheck();
+    s.toast.show("The session checks step " + std::to_string(s.scene->recorder().here().step) + ".",
+                 false);
 }
 
 void addExport(State& s) {
-    const std::string file = s.scene->addExport();
-    s.toast.show(
-        file + " is an export of step " + std::to_string(s.scene->here().step) + " in the session.",
-        false);
+    const std::string file = s.scene->recorder().addExport();
+    s.toast.show(file + " is an export of step " + std::to_string(s.scene->recorder().here().step) +
+                     " in the session.",
+                 false);
 }
 
 void addCamera(State& s) {
-    s.scene->addCamera(s.view.camera.destination());
+    s.scene->recorder().addCamera(s.view.camera.destination());
     s.toast.show("A film of the session is seen from here at step " +
-                     std::to_string(s.scene->here().step) + ".",
+                     std::to_string(s.scene->recorder().here().step) + ".",
                  false);
 }
 
 void useView(State& s) {
-    s.scene->useView(s.view.camera.destination());
+    s.scene->recorder().useView(s.view.camera.destination());
     s.toast.show("The pictures of the session are taken from here.", false);
 }
 
@@ -222,7 +229,7 @@ void toggleOverlay(State& s) {
 
 void toggleApart(State& s) {
     double& apart = s.view.display.settings.apart;
-    apart = apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
+    apart = apart > 0 || s.scene->simulation().report().pieces < 2 ? 0 : kApart;
 }
 
 void takeNextField(State& s) {
@@ -237,7 +244,8 @@ void toggleSection(State& s) {
     if (section) {
         section.reset();
     } else {
-        section = sectionAcross(s.scene.meanwhile()->bounds(), s.view.camera.destination());
+        section =
+            sectionAcross(s.scene.meanwhile()->simulation().bounds(), s.view.camera.destination());
     }
 }
 
@@ -309,7 +317,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::faster, Needs::scene,
             [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
     Handler{ActionId::record, Needs::body, toggleRecording},
-    Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->toggleLoop(); }},
+    Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->timeline().toggleLoop(); }},
     Handler{ActionId::addPicture, Needs::body, addPicture},
     Handler{ActionId::addCheck, Needs::body, addCheck},
     Handler{ActionId::addExport, Needs::body, addExport},
@@ -318,7 +326,7 @@ constexpr std::array kHandlers{
     Handler{ActionId::frameBody, Needs::scene,
             [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene.meanwhile())); }},
     Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->homeView()); }},
+            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->rest().homeView()); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
@@ -393,13 +401,13 @@ void exportMeasures(State& s) {
 
 void exportPieces(State& s) {
     s.work.saveBehind("kerf-pieces", ".csv",
-                      [text = ui::piecesAsCsv(s.scene->measurePieces())](
+                      [text = ui::piecesAsCsv(s.scene->readout().measurePieces())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
 void placeBox(State& s) {
-    const Bounds body = s.scene->bounds();
+    const Bounds body = s.scene->simulation().bounds();
     const ViewFrame frame = s.view.frame();
     const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
     if (!s.execute(AddBox{box})) {
@@ -461,7 +469,7 @@ struct Answer {
     }
     void onBody(const ui::PlaceModel& wanted) const {
         s.view.cancelTools(*s.scene);
-        s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
+        s.place(s.scene->body().placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
     void onBody(const ui::Remesh& wanted) const { s.remesh(wanted); }
@@ -474,7 +482,7 @@ struct Answer {
         s.scene->seek(wanted.step);
         s.redraw.scene();
     }
-    void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
+    void onBody(const ui::RemoveMark& removal) const { s.scene->recorder().removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {

@@ -4,8 +4,11 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/scene_readout.h"
+#include "app/scene/scene_timeline.h"
 #include "app/scene/section_pick.h"
 #include "sim/base/text.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -39,7 +42,7 @@ void Editor::State::describe(bool withOverlay) {
     }
     panels.describe(told);
     if (EditorScene* const now = scene.meanwhile()) {
-        model.playing = now->playing;
+        model.playing = now->timeline().playing;
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
             model.overlay =
@@ -73,7 +76,7 @@ ui::FieldLegend Editor::State::fieldLegend(bool inView) {
         return legend;
     }
     if (legend.field == render::SurfaceField::thickness) {
-        legend.note = scene->thickness().note(scene->simulation());
+        legend.note = scene->readout().thickness().note(scene->simulation());
     }
     if (inView && view.display.settings.apart == 0) {
         if (const auto point = pickVisible(*scene, view.frame().rayThrough(view.pointer),
@@ -115,7 +118,8 @@ std::string Editor::State::title() const {
         return "Kerf";
     }
     const EditorScene& now = *scene.meanwhile();
-    const std::size_t pieces = scene.underWay() ? told.pieces.size() : now.pieceCount();
+    const std::size_t pieces =
+        scene.underWay() ? told.pieces.size() : now.simulation().report().pieces;
     return "Kerf - " + now.document().name + " - " + counted(pieces, "piece", "pieces");
 }
 

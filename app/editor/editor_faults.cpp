@@ -9,6 +9,9 @@
 
 #include "app/editor/editor_state.h"
 #include "app/files/import/model_units.h"
+#include "app/scene/scene_body.h"
+#include "app/scene/scene_readout.h"
+#include "app/scene/scene_timeline.h"
 #include "app/scene/triangle_text.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
@@ -32,7 +35,7 @@ ModelReference& referenceOf(Session& session, int model) {
 /// Of all models together.
 TriangleFigures figuresOf(const EditorScene& scene) {
     TriangleFigures all;
-    for (const EditorScene::ModelFigures& model : scene.rest().models) {
+    for (const ModelFigures& model : scene.rest().models()) {
         all.triangles += model.triangles.triangles;
         all.needles += model.triangles.needles;
     }
@@ -174,17 +177,17 @@ void Editor::State::closeScene() {
 // --- Remeshing, pieces that cross --------------------------------------------------------------
 
 void Editor::State::remesh(const ui::Remesh& wanted) {
-    Session start = scene->startOfScene();
+    Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, wanted.model);
     reference.remesh = true;
-    const double edge = wanted.edge > 0 ? wanted.edge : scene->proposedEdge(wanted.model);
+    const double edge = wanted.edge > 0 ? wanted.edge : scene->body().proposedEdge(wanted.model);
     reference.edge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
     exchangeModel(start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
 }
 
 /// A session was made on the triangles that its model has: only models are told to be coarse.
 void Editor::State::tellOfModel(std::string note) {
-    const EditorScene::ModelFigures& model = scene->rest().models.front();
+    const ModelFigures& model = scene->rest().models().front();
     const double diagonal = model.bounds.diagonal();
     const bool coarse = scene->document().guess && isCoarse(model.triangles, diagonal);
     if (coarse) {
@@ -205,7 +208,7 @@ void Editor::State::tellOfModel(std::string note) {
 }
 
 void Editor::State::unitePieces(int model) {
-    Session start = scene->startOfScene();
+    Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, model);
     reference.repair = true;
     exchangeModel(start, reference, fmt::format("Uniting the pieces of {}", reference.name()),
@@ -220,7 +223,7 @@ void Editor::State::partModel() {
                    true);
         return;
     }
-    const Session start = parted(scene->startOfScene(), objects);
+    const Session start = parted(scene->body().start(), objects);
     exchangeModel(start, start.model, "Parting into models", kPart);
 }
 
@@ -255,8 +258,8 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     const TriangleFigures before = figuresOf(*scene);
     const TriangleFigures now = figuresOf(*next);
     view.cancelTools(*scene);
-    scene->playing = false;
-    scene->stopSeeking();
+    scene->timeline().playing = false;
+    scene->timeline().stopSeeking();
     picture.setRestDepth(uploaded.depth);
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
     depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
@@ -300,8 +303,8 @@ void Editor::State::followExchange() {
         return;
     }
     view.cancelTools(*scene);
-    scene->playing = false;
-    scene->stopSeeking();
+    scene->timeline().playing = false;
+    scene->timeline().stopSeeking();
     const int saved = keeping.savedDeeds();
     std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
     SceneSteps::Kept kept =
@@ -345,7 +348,7 @@ void Editor::State::describeFaults() {
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {
-            model.faults = ui::faultRows(*scene.meanwhile()->faultMarks());
+            model.faults = ui::faultRows(*scene.meanwhile()->readout().faultMarks());
         }
     }
     if (faulty) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/scene_timeline.h"
 #include "sim/base/text.h"
 #include "ui/action_table.h"
 
@@ -19,7 +20,7 @@ bool pressesKey(const std::vector<ui::InputEvent>& batch) {
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
-    if (EditorScene* const now = scene.meanwhile(); now != nullptr && !now->playing) {
+    if (EditorScene* const now = scene.meanwhile(); now != nullptr && !now->timeline().playing) {
         now->stroke().elapse(elapsedSeconds);
     }
     // At least one update, so that the panels live; later batches of one picture take no time.

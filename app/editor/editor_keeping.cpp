@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/editor_document.h"
+#include "app/scene/scene_timeline.h"
 
 namespace kerf::app {
 namespace {
@@ -115,7 +117,7 @@ void Editor::State::giveUpScene(const std::string& sentence) {
 }
 
 bool Editor::State::comesBack() {
-    comingBack = comingBack && scene != nullptr && scene.meanwhile()->seekSteps() > 0;
+    comingBack = comingBack && scene != nullptr && scene.meanwhile()->timeline().seekSteps() > 0;
     return comingBack;
 }
 

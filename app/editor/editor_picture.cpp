@@ -9,6 +9,7 @@
 
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {

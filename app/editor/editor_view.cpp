@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/editor_stroke.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/rest_of_body.h"
 #include "app/scene/section_pick.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -24,15 +28,15 @@ bool EditorView::resize(int newWidth, int newHeight) {
 }
 
 void EditorView::begin(const EditorScene& scene) {
-    camera = EditorCamera(scene.homeView());
+    camera = EditorCamera(scene.rest().homeView());
     display.begin(scene.document());
     measures.clear();
-    bladeTool.fitTo(scene.bounds());
+    bladeTool.fitTo(scene.simulation().bounds());
     pullTool = {};
     retractTool = {};
     moveTool.forget();
-    placement_ = scene.placementRevision();
-    restBounds_ = scene.rest().bounds;
+    placement_ = scene.rest().revision();
+    restBounds_ = scene.rest().bounds();
 }
 
 void EditorView::beginAgain(const EditorScene& scene) {
@@ -45,12 +49,12 @@ void EditorView::beginAgain(const EditorScene& scene) {
 }
 
 bool EditorView::follow(const EditorScene& scene) {
-    if (placement_ == scene.placementRevision()) {
+    if (placement_ == scene.rest().revision()) {
         return false;
     }
-    placement_ = scene.placementRevision();
-    const Bounds before = std::exchange(restBounds_, scene.rest().bounds);
-    bladeTool.fitTo(scene.bounds());
+    placement_ = scene.rest().revision();
+    const Bounds before = std::exchange(restBounds_, scene.rest().bounds());
+    bladeTool.fitTo(scene.simulation().bounds());
     if (moveTool.holds()) {
         return true;  // The view stands while the model moves in it.
     }
@@ -88,11 +92,11 @@ void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
         return;
     }
     if (turned) {
-        camera.keepNear(scene->bounds());
+        camera.keepNear(scene->simulation().bounds());
     }
     if (sectionTool.holds() && display.settings.section) {
-        display.settings.section =
-            sectionTool.moved(frame(), pointer, *display.settings.section, scene->bounds());
+        display.settings.section = sectionTool.moved(frame(), pointer, *display.settings.section,
+                                                     scene->simulation().bounds());
         return;
     }
     bladeTool.move(frame(), pointer, move.modifiers, *scene);
@@ -132,7 +136,7 @@ std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene
 
 bool EditorView::pressSection(const EditorScene& scene) {
     const std::optional<render::SectionPlane>& section = display.settings.section;
-    return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
+    return section && sectionTool.press(frame(), pointer, *section, scene.simulation().bounds());
 }
 
 void EditorView::pressMeasure(EditorScene& scene) {
@@ -174,7 +178,7 @@ bool EditorView::rightClicks() const {
 
 void EditorView::removeRetractorAt(const Vec2& pixel, EditorScene& scene) const {
     if (const std::optional<int> hook = RetractTool::hookAt(frame(), pixel, scene)) {
-        scene.removeRetractor(*hook);
+        scene.hands().removeRetractor(*hook);
     }
 }
 
@@ -182,7 +186,7 @@ void EditorView::zoom(double notches, EditorScene* scene) {
     const ViewFrame seen = frame();
     camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
     if (scene != nullptr) {
-        camera.keepNear(scene->bounds());
+        camera.keepNear(scene->simulation().bounds());
     }
 }
 
@@ -249,7 +253,8 @@ ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) con
         overlay.chooses = moveTool.isOver(frame(), at, scene);
     }
     if (display.settings.section) {
-        sectionTool.addTo(overlay, frame(), at, *display.settings.section, scene.bounds());
+        sectionTool.addTo(overlay, frame(), at, *display.settings.section,
+                          scene.simulation().bounds());
     }
     return overlay;
 }

@@ -1,7 +1,9 @@
 #include "app/editor/experiment_board.h"
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_readout.h"
 #include "app/session/paper_experiments.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -21,7 +23,7 @@ const PaperExperiment* experimentOf(const EditorScene* scene) {
 
 void ExperimentBoard::note(const EditorScene& scene) {
     const PaperExperiment* experiment = experimentOf(&scene);
-    const auto figures = scene.readings().figures();
+    const auto figures = scene.readout().readings().figures();
     if (experiment != nullptr && figures) {
         runs_[experiment->name] = {*figures, scene.simulation().report().triangles};
     }

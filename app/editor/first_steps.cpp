@@ -1,6 +1,9 @@
 #include "app/editor/first_steps.h"
 
+#include "app/scene/editor_stroke.h"
+#include "app/scene/scene_timeline.h"
 #include "sim/base/text.h"
+#include "sim/run/simulation.h"
 #include "ui/action_table.h"
 
 namespace kerf::app {
@@ -157,7 +160,7 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
 
 void NewcomerGuide::begin(const EditorScene& scene) {
     cutWatch_ = {};
-    piecesAtFirst_ = scene.pieceCount();
+    piecesAtFirst_ = scene.simulation().report().pieces;
 }
 
 Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
@@ -167,13 +170,13 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
         return now;
     }
     now.open = true;
-    now.playing = scene->playing;
+    now.playing = scene->timeline().playing;
     now.weightless = scene->simulation().params().gravity.norm() == 0;
-    now.past = scene->inThePast();
-    now.session = scene->playingBack() && !now.past;
+    now.past = scene->timeline().inThePast();
+    now.session = scene->timeline().playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
     now.touching = view.holdsBody();
-    now.pieces = scene->pieceCount();
+    now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
     now.outcome = cutWatch_.outcome();
     now.refusal = scene->simulation().refusalOfStroke();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "sim/run/simulation.h"
+
 namespace kerf::app {
 namespace {
 

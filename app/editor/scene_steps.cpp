@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/run/simulation.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {

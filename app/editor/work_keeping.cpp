@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "app/files/io/file_io.h"
+#include "app/scene/editor_document.h"
+#include "app/scene/scene_recorder.h"
 
 namespace kerf::app {
 namespace {
@@ -73,10 +75,10 @@ void WorkKeeping::follow(EditorScene& scene, const render::Camera& camera,
     }
     if (untilPicture_) {
         *untilPicture_ = std::max(0.0, *untilPicture_ - elapsedSeconds);
-        session_ = scene.sessionWithoutEvents(camera, colors);
+        session_ = scene.recorder().sessionWithoutEvents(camera, colors);
     }
     if (writer_ == nullptr) {
-        start(scene, scene.sessionWithoutEvents(camera, colors));
+        start(scene, scene.recorder().sessionWithoutEvents(camera, colors));
     } else {
         note(scene);
     }
@@ -93,7 +95,7 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
         addHashes(hashed, *hashes);
         return journalStart(name, hashed);
     });
-    write(scene.takeChange(true), isUnsaved(scene));
+    write(scene.recorder().takeChange(true), isUnsaved(scene));
     if (isUnsaved(scene)) {
         untilPicture_ = kUntilPicture;
     }
@@ -101,7 +103,7 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
 
 /// That time goes by is noted now and then; what is done, at once.
 void WorkKeeping::note(EditorScene& scene) {
-    SessionChange change = scene.takeChange(false);
+    SessionChange change = scene.recorder().takeChange(false);
     const bool unsaved = isUnsaved(scene);
     const bool isDone = change.dropped > 0 || !change.added.empty();
     const bool goesBy =

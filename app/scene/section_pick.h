@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "app/scene/cut_preview.h"
 #include "app/scene/editor_scene.h"
+#include "render/scene/camera.h"
 #include "render/scene/section_plane.h"
 
 namespace kerf::app {

@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "app/scene/cut_preview.h"
+#include "app/scene/editor_stroke.h"
+#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
 #include "sim/mesh/triangle.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -124,8 +127,9 @@ void BladeTool::pressStroke(const ViewFrame& view, const Vec2& pixel, EditorScen
     const std::optional<double> depth =
         settings_.throughAll ? std::nullopt : std::optional(settings_.strokeDepth);
     // Where an earlier stroke is still being cut, this one's poses queue up behind it.
-    scene.stroke().begin(StrokeSpace(view.camera, view.aspect(), scene.bounds(), depth),
-                         view.toNdc(pixel));
+    scene.stroke().begin(
+        StrokeSpace(view.camera, view.aspect(), scene.simulation().bounds(), depth),
+        view.toNdc(pixel));
     ruler_.emplace(pixel);
     held_ = true;
 }
@@ -158,7 +162,7 @@ void BladeTool::moveGuillotine(const ViewFrame& view, const Vec2& pixel, bool sn
 }
 
 void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.pick(view.rayThrough(pixel));
+    const auto point = scene.readout().pick(view.rayThrough(pixel));
     if (!point) {
         scalpel_.reset();
         scene.stroke().end();
@@ -171,7 +175,7 @@ void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScen
         if (scene.stroke().drawing()) {
             scene.stroke().moveTo(pose);
         } else {
-            scene.stroke().begin(pose, {0.5, maxStrokeStep(scene.bounds())});
+            scene.stroke().begin(pose, {0.5, maxStrokeStep(scene.simulation().bounds())});
         }
     }
 }
@@ -219,7 +223,7 @@ void BladeTool::lowerTo(double lowered, EditorScene& scene) {
     }
     if (!scene.stroke().drawing()) {
         scene.stroke().begin(guillotine_.at(settings_.lowered),
-                             {0.5, maxStrokeStep(scene.bounds())});
+                             {0.5, maxStrokeStep(scene.simulation().bounds())});
     }
     settings_.lowered = lowered;
     scene.stroke().moveTo(guillotine_.at(lowered));
@@ -268,7 +272,7 @@ std::vector<Blade> BladeTool::wayAhead(const ViewFrame& view, const Vec2& pixel,
         return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
     }
     if (settings_.tool == ui::Tool::scalpel) {
-        const auto point = scene.pick(view.rayThrough(pixel));
+        const auto point = scene.readout().pick(view.rayThrough(pixel));
         if (point) {
             return {Scalpel(settings_.scalpelDepth).at(*point)};
         }
@@ -291,7 +295,7 @@ ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
         addSwept(view, way, overlay);
     }
     if (way.size() > 1 && scene.simulation().report().triangles <= kMostPreviewTriangles) {
-        const CutPreview& preview = scene.preview(way);
+        const CutPreview& preview = scene.readout().preview(way);
         addTouched(view, scene.simulation().meshAsRead(), preview.touched, overlay);
         for (const auto& line : preview.wound) {
             view.addLine(line[0], line[1], overlay.wound);

@@ -11,6 +11,7 @@
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/piece_figures.h"
+#include "sim/run/simulation.h"
 #include "ui/pieces_panel.h"
 
 namespace kerf::app {

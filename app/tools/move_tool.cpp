@@ -5,8 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "app/scene/rest_of_body.h"
+#include "app/scene/scene_readout.h"
 #include "sim/base/turn.h"
 #include "sim/mesh/ray_box.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -76,7 +79,7 @@ std::optional<GizmoFrame> MoveTool::frameOf(EditorScene& scene) const {
             frame.at = middleOfPins(scene);
             return frame;
         case Kind::model:
-            frame.at = scene.rest().models[subject.number].bounds.center();
+            frame.at = scene.rest().models()[subject.number].bounds.center();
             frame.scales = true;
             break;
     }
@@ -102,7 +105,7 @@ std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, cons
     const render::Ray ray = view.rayThrough(pixel);
     std::optional<Subject> found;
     double nearest = std::numeric_limits<double>::max();
-    if (const auto point = scene.pick(ray)) {
+    if (const auto point = scene.readout().pick(ray)) {
         found = isPinned(scene, *point) ? Subject{Kind::pins}
                                         : Subject{Kind::model, modelAt(scene, *point)};
         nearest = (point->position - ray.origin).norm();

@@ -6,7 +6,10 @@
 #include <numbers>
 
 #include "app/scene/cut_preview.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -102,12 +105,13 @@ std::string PullTool::press(const ViewFrame& view, const Vec2& pixel,
         paint(view, pixel, scene);
         return "";
     }
-    const auto point =
-        settings.tool == ui::Tool::grab ? scene.pick(view.rayThrough(pixel)) : std::nullopt;
+    const auto point = settings.tool == ui::Tool::grab
+                           ? scene.readout().pick(view.rayThrough(pixel))
+                           : std::nullopt;
     if (!point) {
         return "";
     }
-    std::string problem = scene.grab(point->position, settings.grabRadius);
+    std::string problem = scene.hands().grab(point->position, settings.grabRadius);
     if (problem.empty()) {
         held_ = to_ = point->position;
     }
@@ -117,7 +121,7 @@ std::string PullTool::press(const ViewFrame& view, const Vec2& pixel,
 void PullTool::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
     if (held_) {
         to_ = view.onPlaneThrough(*held_, pixel);
-        scene.dragTo(to_);
+        scene.hands().dragTo(to_);
     } else if (brush_) {
         paintUpTo(view, pixel, scene);
     } else if (box_) {
@@ -137,7 +141,7 @@ void PullTool::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& 
 
 /// Where all is pinned already nothing changes; that is no problem.
 void PullTool::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.pick(view.rayThrough(pixel));
+    const auto point = scene.readout().pick(view.rayThrough(pixel));
     if (point &&
         scene.execute(Pin{Ball{point->position, brush_->radius}, brush_->pins, brush_->begun})
             .empty()) {
@@ -148,7 +152,7 @@ void PullTool::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scen
 std::string PullTool::release(const ViewFrame& view, EditorScene& scene) {
     std::string problem;
     if (box_ && (box_->to - box_->from).norm() >= kLeastBox) {
-        const Bounds box = boxBetween(view, box_->from, box_->to, scene.bounds());
+        const Bounds box = boxBetween(view, box_->from, box_->to, scene.simulation().bounds());
         problem = scene.execute(Pin{box, box_->pins});
     }
     cancel(scene);
@@ -157,7 +161,7 @@ std::string PullTool::release(const ViewFrame& view, EditorScene& scene) {
 
 void PullTool::cancel(EditorScene& scene) {
     if (held_) {
-        scene.letGo();
+        scene.hands().letGo();
     }
     *this = PullTool{};
 }
@@ -171,13 +175,13 @@ void PullTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pi
         return;
     }
     if (box_) {
-        addBox(view, boxBetween(view, box_->from, box_->to, scene.bounds()), overlay);
+        addBox(view, boxBetween(view, box_->from, box_->to, scene.simulation().bounds()), overlay);
         return;
     }
     if (const std::optional<double> radius = reachOf(settings)) {
-        if (const auto point = scene.pick(view.rayThrough(pixel))) {
+        if (const auto point = scene.readout().pick(view.rayThrough(pixel))) {
             const bool fits = settings.tool == ui::Tool::grab && !isCostly(scene);
-            const double reach = fits ? scene.reachOfHand(point->position, *radius) : *radius;
+            const double reach = fits ? scene.hands().reachAt(point->position, *radius) : *radius;
             addRing(view, *point, reach, overlay);
         }
     }

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "app/scene/held_hands.h"
+#include "app/scene/rest_of_body.h"
+#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
 #include "sim/base/quantity_text.h"
+#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -12,7 +16,7 @@ constexpr double kBesideACut = 0.25;  // of the body's diagonal, from a press to
 constexpr double kWidest = 0.6;       // of the body's diagonal
 
 std::optional<Incision> incisionAt(const Vec3& point, EditorScene& scene) {
-    const double reach = kBesideACut * scene.rest().bounds.diagonal();
+    const double reach = kBesideACut * scene.rest().bounds().diagonal();
     return incisionNear(scene.simulation().mesh(), point, reach);
 }
 
@@ -27,7 +31,7 @@ std::string RetractTool::press(const ViewFrame& view, const Vec2& pixel, EditorS
 }
 
 std::string RetractTool::hookLips(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.pick(view.rayThrough(pixel));
+    const auto point = scene.readout().pick(view.rayThrough(pixel));
     if (!point) {
         return "";
     }
@@ -35,7 +39,7 @@ std::string RetractTool::hookLips(const ViewFrame& view, const Vec2& pixel, Edit
     if (!incision) {
         return "No cut is near that place. Press on the skin beside a cut.";
     }
-    const std::variant<int, std::string> hooked = scene.hook(*incision);
+    const std::variant<int, std::string> hooked = scene.hands().hook(*incision);
     if (const auto* problem = std::get_if<std::string>(&hooked)) {
         return *problem;
     }
@@ -49,7 +53,7 @@ std::string RetractTool::hookLips(const ViewFrame& view, const Vec2& pixel, Edit
 }
 
 void RetractTool::takeAgain(int hook, const EditorScene& scene) {
-    const std::vector<Hands::Hand> hooks = scene.hooks();
+    const std::vector<Hands::Hand> hooks = scene.hands().hooks();
     const auto taken = std::ranges::find(hooks, hook, &Hands::Hand::number);
     const auto other = std::ranges::find(hooks, partnerOf(hook), &Hands::Hand::number);
     if (taken == hooks.end() || other == hooks.end() || taken->to == other->to) {
@@ -70,22 +74,22 @@ void RetractTool::move(const ViewFrame& view, const Vec2& pixel, EditorScene& sc
     }
     const Vec3 way = view.onPlaneThrough(drag_->at, pixel) - drag_->at;
     const double wanted = drag_->isNew ? way.norm() : -2 * way.dot(drag_->across);
-    const double widest = kWidest * scene.rest().bounds.diagonal();
+    const double widest = kWidest * scene.rest().bounds().diagonal();
     drag_->by = std::clamp(wanted, -drag_->before, std::max(0.0, widest - drag_->before));
     moveHooks(scene);
 }
 
 void RetractTool::moveHooks(EditorScene& scene) const {
     const Vec3 half = 0.5 * drag_->by * drag_->across;
-    scene.dragTo(drag_->from[0] - half, drag_->hooks[0]);
-    scene.dragTo(drag_->from[1] + half, drag_->hooks[1]);
-    scene.settle();
+    scene.hands().dragTo(drag_->from[0] - half, drag_->hooks[0]);
+    scene.hands().dragTo(drag_->from[1] + half, drag_->hooks[1]);
+    scene.hands().settle();
 }
 
 void RetractTool::release(EditorScene& scene) {
     if (drag_) {
         drag_.reset();
-        scene.letGo();
+        scene.hands().letGo();
     }
 }
 
@@ -94,7 +98,7 @@ void RetractTool::cancel(EditorScene& scene) {
         return;
     }
     if (drag_->isNew) {
-        scene.removeRetractor(drag_->hooks[0]);
+        scene.hands().removeRetractor(drag_->hooks[0]);
     } else {
         drag_->by = 0;
         moveHooks(scene);
@@ -106,7 +110,7 @@ std::optional<int> RetractTool::hookAt(const ViewFrame& view, const Vec2& pixel,
                                        const EditorScene& scene) {
     std::optional<int> nearest;
     double least = kHandleReach;
-    for (const Hands::Hand& hook : scene.hooks()) {
+    for (const Hands::Hand& hook : scene.hands().hooks()) {
         const auto at = view.toPixel(hook.to);
         const double away = at ? (Vec2(at->x, at->y) - pixel).norm() : least;
         if (away < least) {
@@ -120,7 +124,7 @@ std::optional<int> RetractTool::hookAt(const ViewFrame& view, const Vec2& pixel,
 void RetractTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
                         EditorScene& scene) const {
     const std::optional<int> hot = drag_ ? drag_->hooks[0] : hookAt(view, pixel, scene);
-    const std::vector<Hands::Hand> hooks = scene.hooks();
+    const std::vector<Hands::Hand> hooks = scene.hands().hooks();
     for (const Hands::Hand& hook : hooks) {
         const auto other = std::ranges::find(hooks, partnerOf(hook.number), &Hands::Hand::number);
         if (other != hooks.end() && hook.number < other->number) {
@@ -144,7 +148,7 @@ void RetractTool::addLips(ui::Overlay& overlay, const ViewFrame& view, const Vec
                           EditorScene& scene) const {
     const bool costly =
         scene.running() || scene.simulation().report().triangles > kMostPreviewTriangles;
-    const auto point = costly ? std::nullopt : scene.pick(view.rayThrough(pixel));
+    const auto point = costly ? std::nullopt : scene.readout().pick(view.rayThrough(pixel));
     if (!point) {
         return;
     }

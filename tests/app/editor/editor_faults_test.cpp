@@ -3,7 +3,10 @@
 
 #include "app/files/io/file_io.h"
 #include "app/scene/document_loading.h"
+#include "app/scene/editor_document.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/rest_of_body.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/model_defects.h"
@@ -95,7 +98,7 @@ class EditorFaultsTest : public EditorTest {
 };
 
 TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
-    const render::Camera before = editor->scene()->homeView();
+    const render::Camera before = editor->scene()->rest().homeView();
     openBroken({"large hole"});
     ASSERT_NE(panels().question.text, "");
     EXPECT_TRUE(panels().showsFaulty);
@@ -108,7 +111,7 @@ TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
     EXPECT_THAT(panels().faults, IsEmpty());
     EXPECT_EQ(pixelsOf(editor->readPicture(), kOpen), 0);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(editor->scene()->homeView().eye, before.eye);
+    EXPECT_EQ(editor->scene()->rest().homeView().eye, before.eye);
 }
 
 TEST_F(EditorFaultsTest, TheViewCanBeTurnedBesideTheQuestion) {
@@ -306,7 +309,7 @@ TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
 
 TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     cut();
-    const int pieces = editor->scene()->pieceCount();
+    const int pieces = editor->scene()->simulation().report().pieces;
     ASSERT_FALSE(panels().untouched);
     const std::string before = hash();
     const std::size_t own = changes().size();
@@ -319,7 +322,7 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     EXPECT_EQ(changes().size(), own + 1);
     undo();
     EXPECT_EQ(hash(), before);
-    EXPECT_EQ(editor->scene()->pieceCount(), pieces);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, pieces);
     undo();
     EXPECT_TRUE(panels().untouched) << "the cut before is undone in its turn";
     redo();
@@ -422,19 +425,19 @@ TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
     editor->open(folder / "boxes.obj");
     waitForWork();
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     EXPECT_TRUE(panels().models[0].crosses);
     const std::string before = hash();
     unfoldModel();
     click("model.unite");
     waitForWork();
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     EXPECT_FALSE(panels().models[0].crosses);
     EXPECT_THAT(changes(), ElementsAre("Unite pieces"));
     undo();
     EXPECT_EQ(hash(), before);
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
 }
 
 TEST_F(EditorFaultsTest, AModelOfTheCommandLineIsSearchedForPiecesThatCross) {

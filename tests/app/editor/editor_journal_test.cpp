@@ -7,6 +7,8 @@
 
 #include "app/journal/journal_folder.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_readout.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/file_fault.h"
@@ -170,7 +172,7 @@ TEST_F(EditorJournalTest, WhatComesBackInPortionsIsToldOfAtOnce) {
     awaitQuestion();
     click("question.0");
     waitForWork();
-    EXPECT_EQ(panels().history, &editor->scene()->readings().history());
+    EXPECT_EQ(panels().history, &editor->scene()->readout().readings().history());
 }
 
 TEST_F(EditorJournalTest, UndoneAndFallingWorkComesBackToo) {

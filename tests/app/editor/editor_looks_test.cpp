@@ -7,6 +7,7 @@
 
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_recorder.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"
 
@@ -88,7 +89,7 @@ TEST_F(EditorLooksTest, TheLookIsShownInsteadOnDemandAndInTheSession) {
     click("color.own");
     EXPECT_FALSE(isGreen(middle()));
     const SavedSession saved =
-        editor->scene()->savedSession(render::Camera{}, panels().display.colors);
+        editor->scene()->recorder().savedSession(render::Camera{}, panels().display.colors);
     EXPECT_TRUE(saved.session.colors.ofLook);
 }
 

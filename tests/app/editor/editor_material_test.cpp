@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/rest_of_body.h"
+#include "app/scene/scene_recorder.h"
 #include "app/session/material.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
@@ -125,7 +128,10 @@ TEST_F(EditorMaterialTest, ASavedSessionHasTheMaterialInItsEvents) {
     choose("Fat");
     editor->scene()->step();
     const Session session =
-        editor->scene()->savedSession(editor->scene()->homeView(), panels().display.colors).session;
+        editor->scene()
+            ->recorder()
+            .savedSession(editor->scene()->rest().homeView(), panels().display.colors)
+            .session;
     const Session again = parseSession(formatSession(session), folder.path());
     EXPECT_EQ(again.colors, findMaterial("fat", {}).colors);
     int sets = 0;

@@ -8,6 +8,7 @@
 #include "app/files/import/builtin_models.h"
 #include "app/scene/editor_scene.h"
 #include "gpu/buffer.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {

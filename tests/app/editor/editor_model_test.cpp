@@ -3,7 +3,10 @@
 
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/rest_of_body.h"
+#include "app/scene/scene_recorder.h"
 #include "sim/repair/soup_inspection.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
@@ -31,8 +34,8 @@ class EditorModelTest : public EditorTest {
     Simulation& simulation() { return editor->scene()->simulation(); }
     /// Where the middle of the body is in the picture, and how large it looks.
     Vec3 appearance() {
-        const render::Camera camera = editor->scene()->homeView();
-        const Bounds& bounds = editor->scene()->rest().bounds;
+        const render::Camera camera = editor->scene()->rest().homeView();
+        const Bounds& bounds = editor->scene()->rest().bounds();
         return (camera.eye - bounds.center()) / bounds.diagonal();
     }
     Bounds exportedBounds(const std::string& name, bool inScene) {
@@ -67,7 +70,7 @@ TEST_F(EditorModelTest, AClickTakesAnotherUnitAndTheViewComesAlong) {
     EXPECT_NEAR(model().size.y(), 9.66, 1e-4);
     EXPECT_THAT(model().physics, HasSubstr("sinks flat"));
     EXPECT_TRUE(appearance().isApprox(before, 1e-4));
-    EXPECT_NEAR(panels().tools.longest, 2 * editor->scene()->rest().bounds.diagonal(), 1e-6);
+    EXPECT_NEAR(panels().tools.longest, 2 * editor->scene()->rest().bounds().diagonal(), 1e-6);
     tap(Key::z, {.control = true});
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_TRUE(appearance().isApprox(before, 1e-4));
@@ -77,7 +80,7 @@ TEST_F(EditorModelTest, AnotherAxisLaysItDownOnTheFloor) {
     click("model.up.z");
     EXPECT_NEAR(model().size.z(), 0.0966, 1e-6);
     EXPECT_NEAR(model().size.y(), 0.03, 1e-6);
-    const Bounds& bounds = editor->scene()->rest().bounds;
+    const Bounds& bounds = editor->scene()->rest().bounds();
     EXPECT_NEAR(bounds.low.y(), 0.02 * bounds.diagonal(), 1e-6);
 }
 
@@ -99,23 +102,24 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     editor->resize(320, 240);
     drag({160, 5}, {160, 235}, 6);
     settle();
-    ASSERT_EQ(editor->scene()->pieceCount(), 2);
+    ASSERT_EQ(editor->scene()->simulation().report().pieces, 2);
     EXPECT_FALSE(panels().untouched);
     const std::string cut = simulation().stateHash();
     Placement feet = model().placement;
     feet.unit = LengthUnit::foot;
     EXPECT_EQ(editor->scene()->place(feet, false), "");
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     tap(Key::z, {.control = true});
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     EXPECT_EQ(simulation().stateHash(), cut);
     tap(Key::z, {.shift = true, .control = true});
     EXPECT_EQ(model().placement.unit, LengthUnit::foot);
     drag({160, 5}, {160, 235}, 6);
     settle();
-    editor->scene()->addExport();
-    const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
+    editor->scene()->recorder().addExport();
+    const Session session =
+        editor->scene()->recorder().savedSession(editor->scene()->rest().homeView(), {}).session;
     const Session again = parseSession(formatSession(session, folder.path()), folder.path());
     EXPECT_EQ(again.placement, opened.session.placement);
     ModelMesh model(opened.mesh, opened.looks);
@@ -135,7 +139,7 @@ TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {
 TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     const TriangleSoup soup = test::boxSoup(Vec3(4, 2, 2), 2);
     test::writeText(folder / "stool.obj", test::objText(soup));
-    const Bounds before = editor->scene()->rest().bounds;
+    const Bounds before = editor->scene()->rest().bounds();
     tap(Key::o, {.shift = true, .control = true});
     frames(2);
     type("stool.obj");
@@ -144,18 +148,19 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     frames(2);
     ASSERT_EQ(panels().models.size(), 2u);
     EXPECT_EQ(panels().models[1].name, "stool");
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
-    const EditorScene::RestFigures& rest = editor->scene()->rest();
-    EXPECT_GT(rest.models[1].bounds.low.x(), before.high.x());
-    EXPECT_GT(rest.models[1].bounds.low.y(), -1e-9);  // on the floor
-    EXPECT_NEAR(rest.models[1].volume, 16, 1e-9);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
+    const std::vector<ModelFigures>& models = editor->scene()->rest().models();
+    EXPECT_GT(models[1].bounds.low.x(), before.high.x());
+    EXPECT_GT(models[1].bounds.low.y(), -1e-9);  // on the floor
+    EXPECT_NEAR(models[1].volume, 16, 1e-9);
     click("model.1");
     click("model.unit.in");
     EXPECT_EQ(simulation().placement(1).unit, LengthUnit::inch);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
     editor->scene()->step();
-    editor->scene()->addExport();
-    const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
+    editor->scene()->recorder().addExport();
+    const Session session =
+        editor->scene()->recorder().savedSession(editor->scene()->rest().homeView(), {}).session;
     expectReplayed(session, loadSessionModel(session));
     click("model.remove.1");
     frames(2);
@@ -163,7 +168,7 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     waitForWork();
     frames(2);
     EXPECT_EQ(panels().models.size(), 1u);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
 }
 

@@ -1,7 +1,9 @@
 // The gizmo on boxes, on pins, on the model and on the guillotine.
 #include "app/scene/editor_scene.h"
+#include "app/scene/rest_of_body.h"
 #include "app/session/session.h"
 #include "app/tools/view_frame.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
@@ -155,7 +157,7 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
     settle();
     const Placement moved = scene().simulation().placement();
     EXPECT_GT(moved.translate.x(), 0.05);
-    EXPECT_NEAR(scene().rest().bounds.center().x(), moved.translate.x(), 0.01);
+    EXPECT_NEAR(scene().rest().bounds().center().x(), moved.translate.x(), 0.01);
     EXPECT_EQ(moved.scale, 1);
     frames(2);
     const ui::Overlay::AxisDot* corner = nullptr;
@@ -163,12 +165,12 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
         corner = dot.axis < 0 ? &dot : corner;
     }
     ASSERT_NE(corner, nullptr);
-    const Vec3 middle = scene().rest().bounds.center();
+    const Vec3 middle = scene().rest().bounds().center();
     dragSlowly(Vec2(corner->at.x, corner->at.y), Vec2(30, -30));
     press(false);
     settle();
     EXPECT_GT(scene().simulation().placement().scale, 1.1);
-    EXPECT_LT((scene().rest().bounds.center() - middle).norm(), 1e-3) << "about its middle";
+    EXPECT_LT((scene().rest().bounds().center() - middle).norm(), 1e-3) << "about its middle";
     undo();
     undo();
     EXPECT_EQ(scene().simulation().placement(), Placement{});
@@ -201,7 +203,7 @@ TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
     EXPECT_EQ(panels().changes.done, changes + 1);
     EXPECT_EQ(panels().changes.rows.back().name, "Move pins");
     EXPECT_GT(panels().step, 5) << "time runs, so that the body follows";
-    EXPECT_GT(scene().bounds().center().x(), 0.02);
+    EXPECT_GT(scene().simulation().bounds().center().x(), 0.02);
     dragSlowly(ring(1), Vec2(20, 10));
     press(false);
     settle();

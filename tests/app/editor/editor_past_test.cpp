@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_recorder.h"
 #include "app/session/session.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
@@ -16,7 +18,7 @@ class EditorPastTest : public EditorTest {
     EditorScene& scene() { return *editor->scene(); }
     int step() { return scene().simulation().stepCount(); }
     std::string hash() { return scene().simulation().stateHash(); }
-    int pieces() { return scene().pieceCount(); }
+    int pieces() { return scene().simulation().report().pieces; }
     void goTo(int wanted) {
         scene().seek(wanted);
         settle();
@@ -48,7 +50,7 @@ class EditorPastTest : public EditorTest {
     void expectItReplays() {
         const Document& document = scene().document();
         const Session session =
-            scene().savedSession(document.camera, document.session.colors).session;
+            scene().recorder().savedSession(document.camera, document.session.colors).session;
         const auto file = folder / "past.kerf.json";
         test::writeText(file, formatSession(session, folder.path()));
         EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.looks}), hash());

@@ -1,8 +1,12 @@
 // Steps that are done in portions, with pictures and input in their midst.
 #include "app/scene/editor_scene.h"
+#include "app/scene/editor_stroke.h"
+#include "app/scene/scene_recorder.h"
+#include "app/scene/scene_timeline.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "gpu/data_path.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
@@ -73,7 +77,7 @@ TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
     tap(Key::space);
     EditorScene& scene = *editor->scene();
     ASSERT_GT(scene.simulation().stepCount(), 20);
-    const Session session = scene.savedSession({}, {}).session;
+    const Session session = scene.recorder().savedSession({}, {}).session;
     EXPECT_EQ(hashAfter(session, sphereDocument()), scene.simulation().stateHash());
 }
 
@@ -104,7 +108,7 @@ TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
     tap(Key::space);
     frames(400);
     EXPECT_GT(editor->scene()->simulation().params().gravity.norm(), 0);
-    EXPECT_FALSE(editor->scene()->playing);
+    EXPECT_FALSE(editor->scene()->timeline().playing);
 }
 
 TEST_F(EditorPortionsTest, AnotherDocumentTakesThePlaceOfAStepThatIsUnderWay) {

@@ -2,7 +2,9 @@
 #include <set>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/held_hands.h"
 #include "app/session/session.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
@@ -20,7 +22,7 @@ class EditorRetractTest : public EditorTest {
         click("blade.through");
         drag(kTop, kBottom, 10);  // a slit down the ball's front
         settle();
-        ASSERT_EQ(editor->scene()->pieceCount(), 1);
+        ASSERT_EQ(editor->scene()->simulation().report().pieces, 1);
         changes_ = panels().changes.done;
         tap(Key::y);
         frames(1);

@@ -6,8 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/scene/editor_document.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_timeline.h"
 #include "sim/base/params.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "ui/action_table.h"
 
@@ -274,7 +277,7 @@ class EditorStorm : public EditorTest {
             tap(Key::escape);
         }
         waitForWork();
-        editor->scene()->playing = false;
+        editor->scene()->timeline().playing = false;
         editor->scene()->seek(simulation().stepCount());
         settle();
     }

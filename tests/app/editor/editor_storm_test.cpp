@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "app/scene/editor_document.h"
+#include "app/scene/scene_recorder.h"
+#include "app/scene/scene_timeline.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/nightly.h"
 #include "tests/support/session_validator.h"
@@ -66,7 +69,7 @@ class EditorStormTest : public EditorStorm {
     void playToTheEnd() {
         editor->scene()->seek(panels().playback.steps);
         settle();
-        editor->scene()->playing = false;
+        editor->scene()->timeline().playing = false;
     }
 
     void expectItReplays() {
@@ -75,8 +78,10 @@ class EditorStormTest : public EditorStorm {
             editor->scene()->step();  // a session has one at least
         }
         const Document& document = editor->scene()->document();
-        const Session recorded =
-            editor->scene()->savedSession(document.camera, document.session.colors).session;
+        const Session recorded = editor->scene()
+                                     ->recorder()
+                                     .savedSession(document.camera, document.session.colors)
+                                     .session;
         test::writeText(folder / "storm.kerf.json", formatSession(recorded, folder.path()));
         if (const char* kept = std::getenv("KERF_STORM_KEEP")) {
             std::filesystem::copy_file(folder / "storm.kerf.json", kept,

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/scene_readout.h"
 #include "app/tools/pull_tool.h"
 #include "app/tools/ruler.h"
 #include "tests/app/editor/editor_fixture.h"
@@ -132,7 +133,7 @@ TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
     tap(Key::s);
     moveTo(kMiddle.x(), kMiddle.y());
     settle();
-    const auto searches = [this] { return editor->scene()->surfaceSearches(); };
+    const auto searches = [this] { return editor->scene()->readout().surfaceSearches(); };
     const int before = searches();
     EXPECT_GT(before, 0);
     frames(5);

@@ -3,6 +3,7 @@
 
 #include "app/editor/body_display.h"
 #include "app/session/session.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
@@ -345,10 +346,11 @@ TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
     drag(kTop, kBottom, 10);
     settle();
     BodyDisplay display;
-    EXPECT_EQ(display.boundsOf(*editor->scene()).diagonal(), editor->scene()->bounds().diagonal());
+    EXPECT_EQ(display.boundsOf(*editor->scene()).diagonal(),
+              editor->scene()->simulation().bounds().diagonal());
     display.settings.apart = 1;
     EXPECT_GT(display.boundsOf(*editor->scene()).diagonal(),
-              1.15 * editor->scene()->bounds().diagonal());
+              1.15 * editor->scene()->simulation().bounds().diagonal());
 }
 
 TEST_F(EditorViewTest, TheCameraLooksAtTheMiddleOfWhatThePanelsLeaveFree) {

@@ -11,6 +11,7 @@
 #include "app/editor/settings_file.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/file_fault.h"
 #include "tests/support/small_sessions.h"
