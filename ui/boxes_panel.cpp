@@ -48,7 +48,7 @@ bool isClosedAndOutOfView(const char* node) {
            !ImGui::IsRectVisible({1, ImGui::GetTextLineHeight()});
 }
 
-void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
+void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
     const std::string name = "box." + std::to_string(index);
     ImGui::PushID(index);
     if (isClosedAndOutOfView("##box")) {
@@ -64,9 +64,9 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
     }
     noteItem(name + ".remove");
     if (open) {
-        ChangeBox change{index, model.boxes[index]};
-        const auto step = static_cast<float>(0.002 * model.bodySize);
-        const char* const metres = lengthFormat(model.bodySize);
+        ChangeBox change{index, body.boxes[index]};
+        const auto step = static_cast<float>(0.002 * body.size);
+        const char* const metres = lengthFormat(body.size);
         const std::array drags{
             dragVector("Center", change.box.center,
                        {step, -kFarthestBox, kFarthestBox, "m", metres}, name),
@@ -87,14 +87,14 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
 
 }  // namespace
 
-void drawBoxes(const PanelModel& model, std::vector<Action>& actions) {
+void drawBoxes(const BodyState& body, std::vector<Action>& actions) {
     if (ImGui::Button("Add a box", {-1, 0})) {
         actions.emplace_back(PlaceBox{});
     }
     noteItem("boxes.add");
     itemTooltip("A cube beside the body, which it collides with");
-    for (int i = 0; i < static_cast<int>(model.boxes.size()); ++i) {
-        drawBox(i, model, actions);
+    for (int i = 0; i < static_cast<int>(body.boxes.size()); ++i) {
+        drawBox(i, body, actions);
     }
 }
 

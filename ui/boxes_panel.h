@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/panel_model.h"
+#include "ui/body_state.h"
 
 namespace kerf::ui {
 
 /// Draws the boxes that the body collides with, one foldable group each, and a button for another
 /// one.
-void drawBoxes(const PanelModel& model, std::vector<Action>& actions);
+void drawBoxes(const BodyState& body, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -7,6 +7,7 @@
 #include "sim/base/text.h"
 #include "ui/action_table.h"
 #include "ui/menu_bar.h"
+#include "ui/panel_model.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {

@@ -1,10 +1,21 @@
 #pragma once
 
-#include "ui/panel_model.h"
+#include <string>
+#include <vector>
+
+#include "sim/cut/subdivision_pattern.h"
+#include "ui/cut_rows.h"
 
 namespace kerf::ui {
 
+/// How the cuts came out.
+struct CutsState {
+    std::vector<CutRow> rows;
+    std::string note;                  ///< what is to be said of them; may be empty
+    SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
+};
+
 /// Draws how well the cuts came out: the figures of all of them beside those of the last stroke.
-void drawCuts(const PanelModel& model);
+void drawCuts(const CutsState& cuts);
 
 }  // namespace kerf::ui

@@ -115,8 +115,8 @@ void drawCard(const ExperimentCard& card, std::vector<Action>& actions) {
 
 }  // namespace
 
-void drawExperiments(const PanelModel& model, std::vector<Action>& actions) {
-    for (const ExperimentCard& card : model.experiments) {
+void drawExperiments(const std::vector<ExperimentCard>& experiments, std::vector<Action>& actions) {
+    for (const ExperimentCard& card : experiments) {
         drawCard(card, actions);
     }
 }

@@ -62,6 +62,7 @@ struct FileDialogState {
     bool inScene = false;              ///< of an export: in metres of the scene
     FilmLook film;                     ///< of a film
     bool adds = false;  ///< what is opened is added to the scene instead of opened in its place
+    std::vector<std::filesystem::path> recent;  ///< files that were opened last
 };
 
 // What a person does in a file dialog.

@@ -7,6 +7,7 @@
 
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
+#include "ui/panel_model.h"
 #include "ui/theme.h"
 
 namespace kerf::ui {
@@ -88,7 +89,7 @@ void drawGroups(const std::vector<Group>& groups, int columns) {
 }  // namespace
 
 void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
-    if (!model.helpOpen) {
+    if (!model.help.open) {
         return;
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;

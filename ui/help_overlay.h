@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
+
+struct PanelModel;
 
 /// Draws all keys and gestures, made from the table of actions, over everything while the help is
 /// open.

@@ -7,14 +7,15 @@
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/offer.h"
+#include "ui/panel_model.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
 
 void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
-    const Hint& hint = model.hint;
-    if (hint.text.empty() || model.stroking || model.helpOpen) {
+    const Hint& hint = model.help.hint;
+    if (hint.text.empty() || model.transport.stroking || model.help.open) {
         return;
     }
     const float line = ImGui::GetFontSize();
@@ -28,8 +29,8 @@ void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& ac
                {.accent = palette().blade, .opacity = 1});
 }
 
-void drawPanelsHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
-    if (model.settings.showsPanels()) {
+void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Action>& actions) {
+    if (settings.showsPanels()) {
         return;
     }
     const std::string label = "Panels   " + std::string(keyOf(ActionId::togglePanels));

@@ -21,6 +21,7 @@
 #include "ui/menu_bar.h"
 #include "ui/model_panel.h"
 #include "ui/overlay.h"
+#include "ui/panel_model.h"
 #include "ui/parameters_panel.h"
 #include "ui/pieces_panel.h"
 #include "ui/plots_panel.h"
@@ -114,29 +115,59 @@ void closeTopPopup() {
     ImGui::ClosePopupToLevel(ImGui::GetCurrentContext()->OpenPopupStack.Size - 1, true);
 }
 
-/// The sections of the left panel, which scroll.
-void drawSections(const PanelModel& model, float height, std::vector<Action>& actions) {
+/// A part of a panel under a heading or in a tab of its own.
+struct PanelPart {
+    const char* title;
+    void (*draw)(const PanelModel& model, std::vector<Action>& actions);
+    const char* id = "";  ///< of a section, in Settings::folded
+};
+using Actions = std::vector<Action>;
+
+/// The sections of the left panel, from top to bottom.
+constexpr std::array kSections{
+    PanelPart{"Experiments of the paper",
+              [](const PanelModel& m, Actions& to) { drawExperiments(m.experiments, to); },
+              "experiments"},
+    PanelPart{
+        "Model",
+        [](const PanelModel& m, Actions& to) { drawModel(m.model, m.parameters, m.display, to); },
+        "model"},
+    PanelPart{"Tool", [](const PanelModel& m, Actions& to) { drawTools(m, to); }, "tools"},
+    PanelPart{"Simulation",
+              [](const PanelModel& m, Actions& to) { drawParameters(m.parameters, to); },
+              "simulation"},
+    PanelPart{"Display", [](const PanelModel& m, Actions& to) { drawDisplay(m, to); }, "display"},
+    PanelPart{"Quality of the cuts", [](const PanelModel& m, Actions& /*to*/) { drawCuts(m.cuts); },
+              "cuts"},
+    PanelPart{"Window", [](const PanelModel& m, Actions& to) { drawWindowRows(m.settings, to); },
+              "window"},
+};
+
+/// The tabs of the right panel.
+constexpr std::array kTabs{
+    PanelPart{"Times",
+              [](const PanelModel& m, Actions& /*to*/) {
+                  ImGui::BeginChild("times");
+                  drawStages(*m.plots.history, m.cuts.subdivisions);
+                  ImGui::EndChild();
+              }},
+    PanelPart{"History", [](const PanelModel& m, Actions& to) { drawChanges(m, to); }},
+    PanelPart{"Session", [](const PanelModel& m, Actions& to) { drawSessionMarks(m.session, to); }},
+    PanelPart{"Boxes",
+              [](const PanelModel& m, Actions& to) {
+                  ImGui::BeginChild("boxes");
+                  drawBoxes(m.body, to);
+                  ImGui::EndChild();
+              }},
+    PanelPart{"Log", [](const PanelModel& m, Actions& /*to*/) { drawLog(m.log); }},
+};
+
+void drawSections(const PanelModel& model, float height, Actions& actions) {
     ImGui::BeginChild("sections", {0, height});
-    if (beginSection("experiments", "Experiments of the paper", model, actions)) {
-        drawExperiments(model, actions);
-    }
-    if (beginSection("model", "Model", model, actions)) {
-        drawModel(model, actions);
-    }
-    if (beginSection("tools", "Tool", model, actions)) {
-        drawTools(model, actions);
-    }
-    if (beginSection("simulation", "Simulation", model, actions)) {
-        drawParameters(model, actions);
-    }
-    if (beginSection("display", "Display", model, actions)) {
-        drawDisplay(model, actions);
-    }
-    if (beginSection("cuts", "Quality of the cuts", model, actions)) {
-        drawCuts(model);
-    }
-    if (beginSection("window", "Window", model, actions)) {
-        drawWindowRows(model, actions);
+    for (const PanelPart& section : kSections) {
+        if (beginSection(section.id, section.title, model.settings, actions)) {
+            section.draw(model, actions);
+        }
     }
     ImGui::EndChild();
 }
@@ -165,17 +196,17 @@ constexpr float kLeastTabs = 4;    // lines
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
-    drawTransport(model, actions);
+    drawTransport(model.transport, model.session.playback, actions);
     const Division division = Division::ofTheRest();
     const float upper = std::max(division.upper(1 - model.settings.piecesShare, kLeastPieces),
-                                 division.height - piecesHeight(model));
+                                 division.height - piecesHeight(model.pieces, model.display));
     drawSections(model, upper, actions);
     if (const auto share = horizontalSplitter("pieces", division.top, division.height)) {
         Settings settings = model.settings;
         settings.piecesShare = 1 - *share;
         actions.emplace_back(SetSettings{settings});
     }
-    drawPieces(model, actions);
+    drawPieces(model.pieces, model.display, actions);
     ImGui::End();
 }
 
@@ -202,29 +233,11 @@ void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
     if (!narrowly([] { return ImGui::BeginTabBar("readings"); })) {
         return;
     }
-    if (beginTab("Times")) {
-        ImGui::BeginChild("times");
-        drawStages(model);
-        ImGui::EndChild();
-        ImGui::EndTabItem();
-    }
-    if (beginTab("History")) {
-        drawChanges(model, actions);
-        ImGui::EndTabItem();
-    }
-    if (beginTab("Session")) {
-        drawSessionMarks(model, actions);
-        ImGui::EndTabItem();
-    }
-    if (beginTab("Boxes")) {
-        ImGui::BeginChild("boxes");
-        drawBoxes(model, actions);
-        ImGui::EndChild();
-        ImGui::EndTabItem();
-    }
-    if (beginTab("Log")) {
-        drawLog(model);
-        ImGui::EndTabItem();
+    for (const PanelPart& tab : kTabs) {
+        if (beginTab(tab.title)) {
+            tab.draw(model, actions);
+            ImGui::EndTabItem();
+        }
     }
     ImGui::EndTabBar();
 }
@@ -232,7 +245,8 @@ void drawTabs(const PanelModel& model, std::vector<Action>& actions) {
 void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("readings", rect);
     const Division division = Division::ofTheRest();
-    drawPlots(model, division.upper(model.settings.plotsShare, kLeastTabs), actions);
+    drawPlots(model.plots, model.transport, model.settings,
+              division.upper(model.settings.plotsShare, kLeastTabs), actions);
     if (const auto share = horizontalSplitter("plots", division.top, division.height)) {
         Settings settings = model.settings;
         settings.plotsShare = *share;
@@ -276,21 +290,21 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
         layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, timed);
     noteCovered(model.settings, layout);
     freeView_ = layout.view;
-    drawOverlay(model.overlay, scale);
+    drawOverlay(model.view.overlay, scale);
     if (model.settings.showControls) {
         drawControls(model, layout.controls, actions);
     }
     if (model.settings.showReadings) {
         drawReadings(model, layout.plots, actions);
     }
-    drawEdges(model, layout, scale, actions);
-    drawPanelsHint(model, layout.view, actions);
-    if (!model.name.empty() || model.showsFaulty) {
-        drawLegend(model, layout.view, scale);
-        drawAxes(model.axes, layout.view, scale, actions);
+    drawEdges(model.settings, layout, scale, actions);
+    drawPanelsHint(model.settings, layout.view, actions);
+    if (!model.name.empty() || model.looks.showsFaulty) {
+        drawLegend(model.looks, model.display, layout.view, scale);
+        drawAxes(model.view.axes, layout.view, scale, actions);
     }
     if (timed) {
-        drawTimeline(model, layout.timeline, actions);
+        drawTimeline(model.session, layout.timeline, actions);
     }
     drawStatusBar(model, layout.status);
     drawHint(model, layout.view, actions);
@@ -298,7 +312,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     drawHelp(model, actions);
     fileDialog_.draw(model.files, actions);
     questionBox_.draw(model.question, layout.view, actions);
-    drawToast(model, layout.view, actions);
+    drawToast(model.toast, layout.view, actions);
     ImGui::Render();
     return actions;
 }

@@ -19,12 +19,12 @@ void drawLine(const LogLine& line) {
 
 }  // namespace
 
-void drawLog(const PanelModel& model) {
+void drawLog(const std::vector<LogLine>& log) {
     ImGui::BeginChild("log");
-    if (model.log.empty()) {
+    if (log.empty()) {
         ImGui::TextDisabled("Nothing was said yet.");
     }
-    for (const LogLine& line : model.log) {
+    for (const LogLine& line : log) {
         drawLine(line);
     }
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) {

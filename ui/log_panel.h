@@ -1,10 +1,17 @@
 #pragma once
 
-#include "ui/panel_model.h"
+#include <string>
+#include <vector>
 
 namespace kerf::ui {
 
+/// One line of the log.
+struct LogLine {
+    std::string text;
+    bool isError = false;
+};
+
 /// Draws the sentences that were shown so far, the newest at the bottom and in sight.
-void drawLog(const PanelModel& model);
+void drawLog(const std::vector<LogLine>& log);
 
 }  // namespace kerf::ui

@@ -74,12 +74,13 @@ void drawList(const std::vector<MeasureRow>& measures, std::vector<Action>& acti
 
 }  // namespace
 
-bool drawMeasureRows(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions) {
+bool drawMeasureRows(const std::vector<MeasureRow>& measures, ToolSettings& tools,
+                     std::vector<Action>& actions) {
     const bool changed = chooseKind(tools);
-    if (model.measures.empty()) {
+    if (measures.empty()) {
         ImGui::TextDisabled("Click on the body.");
     } else {
-        drawList(model.measures, actions);
+        drawList(measures, actions);
     }
     return changed;
 }

@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/panel_model.h"
+#include "ui/overlay.h"
 
 namespace kerf::ui {
 
 /// Draws what the clicks of the measuring tool tell, and the list of all measures. True where
 /// `tools` changed.
-bool drawMeasureRows(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions);
+bool drawMeasureRows(const std::vector<MeasureRow>& measures, ToolSettings& tools,
+                     std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
+
+struct PanelModel;
 
 /// Draws a menu per group of the table of actions, in the menu bar of the panel that is being
 /// drawn.

@@ -98,7 +98,7 @@ bool changeNumbers(const NumberRow& row, bool live, double* values) {
 struct ShownModel {
     const ModelState& state;
     int number = 0;
-    bool live = true;  ///< see PanelModel::liveModels
+    bool live = true;  ///< see ModelPanelState::live
 };
 
 void drawNumbers(const NumberRow& row, const ShownModel& model, const Placement& edited,
@@ -143,7 +143,7 @@ void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
 }
 
 /// The lines of the list, with one between those that come with Kerf and a person's own.
-void offerMaterials(const PanelModel& model, const ShownModel& shown,
+void offerMaterials(const ModelPanelState& model, const ShownModel& shown,
                     std::vector<Action>& actions) {
     for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
         const MaterialRow& row = model.materials[m];
@@ -166,7 +166,8 @@ void offerMaterials(const PanelModel& model, const ShownModel& shown,
     itemTooltip("Saves the values and the look of the body as a material of your own");
 }
 
-void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
+void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
+                  std::vector<Action>& actions) {
     const bool known = shown.state.material >= 0;
     const MaterialRow* const row = known ? &model.materials[shown.state.material] : nullptr;
     ImGui::AlignTextToFramePadding();
@@ -215,7 +216,8 @@ void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
 }
 
 /// How poor the triangles are, and what can be done about it.
-void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
+void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
+                   const DisplaySettings& shownNow, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
     drawWrapped(state.triangles, false);
     noteItem("model.triangles");
@@ -243,7 +245,7 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
             model.objects));
     }
     if (model.faultCount > 0) {
-        DisplaySettings display = model.display;
+        DisplaySettings display = shownNow;
         if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
             actions.emplace_back(SetDisplay{display});
         }
@@ -254,7 +256,7 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
 }
 
 /// A row per model of the scene. Returns the chosen one.
-int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
+int chooseModel(const ModelPanelState& model, std::vector<Action>& actions) {
     int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
     chosen = std::min(chosen, static_cast<int>(model.models.size()) - 1);
     for (int m = 0; m < static_cast<int>(model.models.size()); ++m) {
@@ -281,12 +283,13 @@ int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
 
 }  // namespace
 
-void drawModel(const PanelModel& model, std::vector<Action>& actions) {
+void drawModel(const ModelPanelState& model, const ParametersState& parameters,
+               const DisplaySettings& display, std::vector<Action>& actions) {
     if (model.models.empty()) {
         return;
     }
     const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;
-    const ShownModel shown{model.models[number], number, model.liveModels};
+    const ShownModel shown{model.models[number], number, model.live};
     const ModelState& state = shown.state;
     drawWrapped(sizeText(state.size), false);
     noteItem("model.size");
@@ -295,13 +298,13 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
     drawTurnAndScale(shown, actions);
     drawMaterial(model, shown, actions);
     if (number > 0) {
-        drawOwnParameters(number, model, actions);
+        drawOwnParameters(number, parameters, actions);
     }
     drawWrapped(state.physics, false);
     if (!state.guess.empty()) {
         drawWrapped(state.guess, true);
     }
-    drawTriangles(model, shown, actions);
+    drawTriangles(model, shown, display, actions);
     if (!model.untouched) {
         drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
                     true);

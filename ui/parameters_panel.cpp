@@ -243,22 +243,22 @@ void drawMark(const std::string& param, const ParamValue& value, const char* too
 }
 
 /// Where the value is not what it was at the start.
-void drawReset(const ParamInfo& info, const PanelModel& model, float top,
+void drawReset(const ParamInfo& info, const ParametersState& parameters, float top,
                std::vector<Action>& actions) {
-    const ParamValue start = getParam(model.startParams, info.name);
-    if (getParam(model.params, info.name) != start) {
+    const ParamValue start = getParam(parameters.start, info.name);
+    if (getParam(parameters.now, info.name) != start) {
         drawMark(std::string(info.name), start, "Back to the value at the start", top, actions);
     }
 }
 
-void drawOwnRow(const ParamInfo& info, int model, const PanelModel& panels,
+void drawOwnRow(const ParamInfo& info, int model, const ParametersState& parameters,
                 std::vector<Action>& actions) {
     const std::string name = ownName(info.name, model);
     ImGui::PushID(name.c_str());
     const float top = ImGui::GetCursorPosY();
-    const ParamValue own = getParam(panels.params, name);
+    const ParamValue own = getParam(parameters.now, name);
     const bool has = !std::holds_alternative<std::monostate>(own);
-    double value = std::get<double>(has ? own : getParam(panels.params, info.name));
+    double value = std::get<double>(has ? own : getParam(parameters.now, info.name));
     SlideText text = textOf(info);
     text.item = "param." + name;
     text.label.append(has ? "" : " of all");
@@ -273,8 +273,8 @@ void drawOwnRow(const ParamInfo& info, int model, const PanelModel& panels,
     ImGui::PopID();
 }
 
-void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
-    bool on = model.params.gravity.norm() > 0;
+void drawGravitySwitch(const ParametersState& parameters, std::vector<Action>& actions) {
+    bool on = parameters.now.gravity.norm() > 0;
     if (ImGui::Checkbox("##switch", &on)) {
         actions.emplace_back(ActionId::toggleGravity);
     }
@@ -282,22 +282,23 @@ void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine();
 }
 
-void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>& actions) {
+void drawRow(const ParamInfo& info, const ParametersState& parameters,
+             std::vector<Action>& actions) {
     ImGui::PushID(info.name.data(), info.name.data() + info.name.size());
     const float top = ImGui::GetCursorPosY();
     if (info.name == "gravity") {
-        drawGravitySwitch(model, actions);
+        drawGravitySwitch(parameters, actions);
     }
     if (info.type == ParamType::vector) {
         drawVectorLabel(info);
     }
-    ParamValue value = getParam(model.params, info.name);
+    ParamValue value = getParam(parameters.now, info.name);
     const SlideEdit edit = slideValue(info, value);
     if (edit.changed) {
         actions.emplace_back(SetParam{std::string(info.name), value, edit.continues});
     }
-    drawReset(info, model, top, actions);
-    if (const std::string remark = remarkOn(info, model); !remark.empty()) {
+    drawReset(info, parameters, top, actions);
+    if (const std::string remark = remarkOn(info, parameters); !remark.empty()) {
         ImGui::TextWrapped("%s", remark.c_str());
         noteItem("remark." + std::string(info.name));
     }
@@ -306,20 +307,20 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
 
 }  // namespace
 
-void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>& actions) {
+void drawOwnParameters(int model, const ParametersState& parameters, std::vector<Action>& actions) {
     for (const ParamInfo& info : paramTable()) {
         if (info.perModel) {
-            drawOwnRow(info, model, panels, actions);
+            drawOwnRow(info, model, parameters, actions);
         }
     }
 }
 
-std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
-    if (info.name != "iterations" || model.sweeps == nullptr ||
-        !model.sweeps->isTooLittle(model.params)) {
+std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
+    if (info.name != "iterations" || parameters.sweeps == nullptr ||
+        !parameters.sweeps->isTooLittle(parameters.now)) {
         return "";
     }
-    const std::optional<int> enough = model.sweeps->enoughIterations(model.params);
+    const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
     const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
                                       : "A smaller time step helps.";
     return "Too few for this stiffness: the body is softer than its modulus. " + advice;
@@ -333,16 +334,16 @@ std::string sliderFormat(const ParamInfo& info) {
     return "%." + std::to_string(decimalsFor(info)) + "f" + tail;
 }
 
-void drawParameters(const PanelModel& model, std::vector<Action>& actions) {
+void drawParameters(const ParametersState& parameters, std::vector<Action>& actions) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemSpacing.x, 0.2F * ImGui::GetFontSize()});
     for (const std::string_view name : kProminent) {
-        drawRow(*findParam(name), model, actions);
+        drawRow(*findParam(name), parameters, actions);
     }
     if (ImGui::CollapsingHeader("More")) {
         for (const ParamInfo& info : paramTable()) {
             if (!isProminent(info)) {
-                drawRow(info, model, actions);
+                drawRow(info, parameters, actions);
             }
         }
     }

@@ -3,22 +3,30 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/params.h"
+#include "sim/solve/sweep_strength.h"
 #include "ui/action.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
 
+/// What the panel of parameters shows.
+struct ParametersState {
+    Params now;
+    Params start;  ///< as they were when it was opened: what the reset mark returns to
+    const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
+};
+
 /// Draws a row per parameter of paramTable(): the four that people turn first on top, the rest
 /// under "More". Each answers with a SetParam command.
-void drawParameters(const PanelModel& model, std::vector<Action>& actions);
+void drawParameters(const ParametersState& parameters, std::vector<Action>& actions);
 
 /// Draws the rows of what model `model` of the scene, not the first, may have of its own; the
 /// others' value is shown where it has none.
-void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>& actions);
+void drawOwnParameters(int model, const ParametersState& parameters, std::vector<Action>& actions);
 
 /// A remark about a parameter as things stand, for instance that the iterations are too few for the
 /// modulus; "" for none.
-std::string remarkOn(const ParamInfo& info, const PanelModel& model);
+std::string remarkOn(const ParamInfo& info, const ParametersState& parameters);
 
 /// The printf format of a slider: decimals that suit the range, and the unit ("%.4f s"). It does
 /// not follow the value, since ImGui rounds to it and scales logarithmic sliders by it.

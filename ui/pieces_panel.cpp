@@ -183,16 +183,16 @@ std::vector<int> orderOf(const std::vector<PieceRow>& rows) {
 }
 
 /// The row under the pointer, -1 for none.
-int drawRows(const PanelModel& model, std::vector<Action>& actions) {
+int drawRows(const PiecesState& pieces, bool details, std::vector<Action>& actions) {
     int hovered = -1;
-    const std::vector<int> order = orderOf(model.pieces);
+    const std::vector<int> order = orderOf(pieces.rows);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(order.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const int piece = order[static_cast<std::size_t>(i)];
-            const bool on = drawRow(piece, model.pieces[static_cast<std::size_t>(piece)],
-                                    model.display.pieceDetails, actions);
+            const bool on =
+                drawRow(piece, pieces.rows[static_cast<std::size_t>(piece)], details, actions);
             hovered = on ? piece : hovered;
         }
     }
@@ -200,12 +200,12 @@ int drawRows(const PanelModel& model, std::vector<Action>& actions) {
 }
 
 /// Buttons at the right end of the heading: all columns, and the export.
-void drawTableButtons(const PanelModel& model, std::vector<Action>& actions) {
+void drawTableButtons(const DisplaySettings& chosen, std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const char* const label = model.display.pieceDetails ? "Less" : "More";
+    const char* const label = chosen.pieceDetails ? "Less" : "More";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(label) - buttonWidth("CSV") - gap);
     if (ImGui::SmallButton(label)) {
-        DisplaySettings display = model.display;
+        DisplaySettings display = chosen;
         display.pieceDetails = !display.pieceDetails;
         actions.emplace_back(SetDisplay{display});
     }
@@ -221,10 +221,10 @@ void drawTableButtons(const PanelModel& model, std::vector<Action>& actions) {
 }
 
 /// Draws the pieces away from each other, without moving them.
-void slideApart(const PanelModel& model, std::vector<Action>& actions) {
+void slideApart(const DisplaySettings& chosen, std::vector<Action>& actions) {
     constexpr double kLeast = 0;
     constexpr double kMost = 1;
-    DisplaySettings display = model.display;
+    DisplaySettings display = chosen;
     const std::string tooltip =
         "Shows the pieces apart without moving them, until time runs or a blade comes. " +
         describeAction(ActionId::showApart);
@@ -237,20 +237,21 @@ void slideApart(const PanelModel& model, std::vector<Action>& actions) {
 }
 
 /// The heading, and what brings hidden pieces back or shows all apart.
-void drawTitle(const PanelModel& model, std::vector<Action>& actions) {
-    const auto hidden = std::ranges::count_if(model.pieces, &PieceRow::hidden);
-    ImGui::TextDisabled("Pieces: %zu", model.pieces.size());
-    drawTableButtons(model, actions);
+void drawTitle(const PiecesState& pieces, const DisplaySettings& chosen,
+               std::vector<Action>& actions) {
+    const auto hidden = std::ranges::count_if(pieces.rows, &PieceRow::hidden);
+    ImGui::TextDisabled("Pieces: %zu", pieces.rows.size());
+    drawTableButtons(chosen, actions);
     if (hidden == 0) {
-        if (model.pieces.size() > 1) {
-            slideApart(model, actions);
+        if (pieces.rows.size() > 1) {
+            slideApart(chosen, actions);
         }
         return;
     }
     ImGui::TextDisabled("(%td hidden)", hidden);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Show all"));
     if (ImGui::SmallButton("Show all")) {
-        for (std::size_t i = 0; i < model.pieces.size(); ++i) {
+        for (std::size_t i = 0; i < pieces.rows.size(); ++i) {
             actions.emplace_back(ShowPiece{static_cast<int>(i), true});
         }
     }
@@ -273,17 +274,18 @@ std::string volumeText(double volume) {
     return text;
 }
 
-float piecesHeight(const PanelModel& model) {
-    const std::size_t rows = model.pieces.size();
+float piecesHeight(const PiecesState& pieces, const DisplaySettings& display) {
+    const std::size_t rows = pieces.rows.size();
     const float slider = rows > 1 ? ImGui::GetFrameHeightWithSpacing() : 0;
     const float row = ImGui::GetTextLineHeight() + 2 * kRowPadding * ImGui::GetFontSize();
-    const float bar = model.display.pieceDetails ? ImGui::GetStyle().ScrollbarSize : 0;
+    const float bar = display.pieceDetails ? ImGui::GetStyle().ScrollbarSize : 0;
     return ImGui::GetFrameHeightWithSpacing() + slider + static_cast<float>(rows + 1) * row + bar;
 }
 
-void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
-    drawTitle(model, actions);
-    const bool details = model.display.pieceDetails;
+void drawPieces(const PiecesState& pieces, const DisplaySettings& display,
+                std::vector<Action>& actions) {
+    drawTitle(pieces, display, actions);
+    const bool details = display.pieceDetails;
     const ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
         (details ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit
@@ -294,11 +296,11 @@ void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
     const int columns = static_cast<int>(columnCount(details)) + 1;
     if (ImGui::BeginTable(details ? "all columns" : "pieces", columns, flags)) {
         drawHeader(details);
-        hovered = drawRows(model, actions);
+        hovered = drawRows(pieces, details, actions);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
-    if (hovered != model.hoveredPiece) {
+    if (hovered != pieces.hovered) {
         actions.emplace_back(HoverPiece{hovered});
     }
 }

@@ -25,9 +25,9 @@ PlotReference paperValue(double value) {
     return {value, text};
 }
 
-std::optional<PlotReference> referenceOf(const PlotKind& kind, const PanelModel& model) {
-    if (kind.paper != nullptr && model.paper) {
-        return paperValue((*model.paper).*kind.paper);
+std::optional<PlotReference> referenceOf(const PlotKind& kind, const PlotsState& plots) {
+    if (kind.paper != nullptr && plots.paper) {
+        return paperValue((*plots.paper).*kind.paper);
     }
     if (kind.atRest) {
         return PlotReference{*kind.atRest, "at rest " + std::to_string(std::lround(*kind.atRest))};
@@ -77,7 +77,7 @@ std::vector<std::string> withPlot(const Settings& settings, const char* id, bool
     return plots;
 }
 
-void drawChooser(const PanelModel& model, std::vector<Action>& actions) {
+void drawChooser(const Settings& chosen, std::vector<Action>& actions) {
     if (ImGui::Button("Plots \u25be")) {
         ImGui::OpenPopup("choose plots");
     }
@@ -88,10 +88,10 @@ void drawChooser(const PanelModel& model, std::vector<Action>& actions) {
         return;
     }
     for (const PlotKind& kind : kPlots) {
-        bool on = isChosen(model.settings, kind.id);
+        bool on = isChosen(chosen, kind.id);
         if (ImGui::Checkbox(kind.title, &on)) {
-            Settings settings = model.settings;
-            settings.plots = withPlot(model.settings, kind.id, on);
+            Settings settings = chosen;
+            settings.plots = withPlot(chosen, kind.id, on);
             actions.emplace_back(SetSettings{settings});
         }
         noteItem(std::string("plots.") + kind.id);
@@ -110,8 +110,8 @@ bool barButton(const char* label, const char* name, const std::string& tooltip) 
     return pressed;
 }
 
-void drawHold(const PanelModel& model, std::vector<Action>& actions) {
-    const bool held = model.plotView.end.has_value();
+void drawHold(const PlotView& view, std::vector<Action>& actions) {
+    const bool held = view.end.has_value();
     if (held) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     }
@@ -123,9 +123,9 @@ void drawHold(const PanelModel& model, std::vector<Action>& actions) {
     }
 }
 
-void drawButtons(const PanelModel& model, std::vector<Action>& actions) {
-    drawChooser(model, actions);
-    drawHold(model, actions);
+void drawButtons(const PlotView& view, const Settings& settings, std::vector<Action>& actions) {
+    drawChooser(settings, actions);
+    drawHold(view, actions);
     if (barButton("Fit", "plots.fit", describeAction(ActionId::fitPlots))) {
         actions.emplace_back(ActionId::fitPlots);
     }
@@ -146,15 +146,15 @@ float plotHeight(float room, std::size_t count) {
 
 }  // namespace
 
-std::vector<PlotSpec> chosenPlots(const PanelModel& model) {
+std::vector<PlotSpec> chosenPlots(const PlotsState& state, const Settings& settings) {
     std::vector<PlotSpec> plots;
     for (const PlotKind& kind : kPlots) {
-        if (isChosen(model.settings, kind.id)) {
+        if (isChosen(settings, kind.id)) {
             plots.push_back({.id = kind.id,
                              .title = kind.title,
-                             .curves = curvesOf(kind, *model.history),
-                             .marks = model.history->marks,
-                             .reference = referenceOf(kind, model),
+                             .curves = curvesOf(kind, *state.history),
+                             .marks = state.history->marks,
+                             .reference = referenceOf(kind, state),
                              .minSpan = kind.minSpan,
                              .readoutDecimals = kind.readoutDecimals});
         }
@@ -162,12 +162,13 @@ std::vector<PlotSpec> chosenPlots(const PanelModel& model) {
     return plots;
 }
 
-void drawPlots(const PanelModel& model, float height, std::vector<Action>& actions) {
+void drawPlots(const PlotsState& state, const TransportState& transport, const Settings& settings,
+               float height, std::vector<Action>& actions) {
     ImGui::BeginChild("plots", {0, height});
-    drawButtons(model, actions);
+    drawButtons(state.view, settings, actions);
     ImGui::BeginChild("curves");
-    const std::vector<PlotSpec> plots = chosenPlots(model);
-    const PlotTimeline timeline{model.plotView, model.time, model.playing,
+    const std::vector<PlotSpec> plots = chosenPlots(state, settings);
+    const PlotTimeline timeline{state.view, transport.time, transport.playing,
                                 ImGui::IsWindowHovered()};
     const float room = ImGui::GetContentRegionAvail().y;
     for (const PlotSpec& plot : plots) {

@@ -38,13 +38,14 @@ void drawButtons(std::vector<Action>& actions) {
     ImGui::NewLine();
 }
 
-void drawRow(const PanelModel& model, const SessionMark& mark, std::vector<Action>& actions) {
+void drawRow(const SessionPanelState& session, const SessionMark& mark,
+             std::vector<Action>& actions) {
     ImGui::PushID(mark.id);
     ImGui::TableNextColumn();
     textRight(std::to_string(mark.step));
     ImGui::TableNextColumn();
     const std::string label = labelOf(mark);
-    const bool goes = model.playback.goesBack;
+    const bool goes = session.playback.goesBack;
     if (ImGui::Selectable(label.c_str()) && goes) {
         actions.emplace_back(SeekTo{mark.step});
     }
@@ -60,7 +61,7 @@ void drawRow(const PanelModel& model, const SessionMark& mark, std::vector<Actio
 }
 
 /// There may be thousands.
-void drawRows(const PanelModel& model, std::vector<Action>& actions) {
+void drawRows(const SessionPanelState& session, std::vector<Action>& actions) {
     if (!ImGui::BeginTable("marks", 3, ImGuiTableFlags_ScrollY)) {
         return;
     }
@@ -69,10 +70,10 @@ void drawRows(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("remove", ImGuiTableColumnFlags_WidthFixed, buttonWidth(kRemove));
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(model.marks.size()));
+    clipper.Begin(static_cast<int>(session.marks.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(model, model.marks[i], actions);
+            drawRow(session, session.marks[i], actions);
         }
     }
     ImGui::EndTable();
@@ -90,9 +91,9 @@ void drawSessionAdditions(std::vector<Action>& actions) {
     }
 }
 
-void drawSessionMarks(const PanelModel& model, std::vector<Action>& actions) {
+void drawSessionMarks(const SessionPanelState& session, std::vector<Action>& actions) {
     drawButtons(actions);
-    if (model.marks.empty()) {
+    if (session.marks.empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled(
             "Pictures, checks and exports that a replay of the session makes, and "
@@ -100,7 +101,7 @@ void drawSessionMarks(const PanelModel& model, std::vector<Action>& actions) {
         ImGui::PopTextWrapPos();
         return;
     }
-    drawRows(model, actions);
+    drawRows(session, actions);
 }
 
 }  // namespace kerf::ui

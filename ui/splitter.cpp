@@ -57,36 +57,36 @@ void lightUp(bool upright) {
 }
 
 /// Sets the width to which the edge is dragged.
-void dragEdge(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
+void dragEdge(const Settings& chosen, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     const float x = ImGui::GetIO().MousePos.x;
     const float reach =
         side.isLeft ? x - 1.5F * edge.width : ImGui::GetIO().DisplaySize.x - x - 1.5F * edge.width;
     const double wanted = reach / scale;
-    Settings settings = model.settings;
+    Settings settings = chosen;
     settings.*side.shown = wanted > kPutAway * Settings::kLeastWidth;
     if (settings.*side.shown) {
         settings.*side.width = std::clamp(wanted, Settings::kLeastWidth, Settings::kMostWidth);
     }
-    if (!(settings == model.settings)) {
+    if (!(settings == chosen)) {
         actions.emplace_back(SetSettings{settings});
     }
 }
 
-void drawEdge(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
+void drawEdge(const Settings& chosen, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     beginBare(side.name, edge);
     ImGui::InvisibleButton("edge", {edge.width, edge.height});
     noteItem(side.name);
     lightUp(true);
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1)) {
-        dragEdge(model, side, edge, scale, actions);
+        dragEdge(chosen, side, edge, scale, actions);
     }
     ImGui::End();
 }
 
 /// A button at the border of the picture.
-void drawOpener(const PanelModel& model, const PanelSide& side, float scale,
+void drawOpener(const Settings& chosen, const PanelSide& side, float scale,
                 std::vector<Action>& actions) {
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
     const float width = 18 * scale;
@@ -96,7 +96,7 @@ void drawOpener(const PanelModel& model, const PanelSide& side, float scale,
     beginBare(name.c_str(), {x, (picture.y - height) / 2, width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
     if (ImGui::Button(side.arrow, {width, height})) {
-        Settings settings = model.settings;
+        Settings settings = chosen;
         settings.*side.shown = true;
         actions.emplace_back(SetSettings{settings});
     }
@@ -106,23 +106,23 @@ void drawOpener(const PanelModel& model, const PanelSide& side, float scale,
     ImGui::End();
 }
 
-void drawSide(const PanelModel& model, const PanelSide& side, const Rect& edge, float scale,
+void drawSide(const Settings& chosen, const PanelSide& side, const Rect& edge, float scale,
               std::vector<Action>& actions) {
     // The edge stays where it is held, so that one drag can put the panel away and bring it back.
-    if (model.settings.*side.shown || ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        drawEdge(model, side, edge, scale, actions);
+    if (chosen.*side.shown || ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        drawEdge(chosen, side, edge, scale, actions);
     }
-    if (!(model.settings.*side.shown)) {
-        drawOpener(model, side, scale, actions);
+    if (!(chosen.*side.shown)) {
+        drawOpener(chosen, side, scale, actions);
     }
 }
 
 }  // namespace
 
-void drawEdges(const PanelModel& model, const Layout& layout, float scale,
+void drawEdges(const Settings& chosen, const Layout& layout, float scale,
                std::vector<Action>& actions) {
-    drawSide(model, kLeft, layout.controlsEdge, scale, actions);
-    drawSide(model, kRight, layout.plotsEdge, scale, actions);
+    drawSide(chosen, kLeft, layout.controlsEdge, scale, actions);
+    drawSide(chosen, kRight, layout.plotsEdge, scale, actions);
 }
 
 std::optional<double> horizontalSplitter(const char* id, float top, float height) {

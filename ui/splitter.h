@@ -5,13 +5,12 @@
 
 #include "ui/action.h"
 #include "ui/layout.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
 
 /// Draws the edges between the side panels and the view: dragged they set the width, dragged to the
 /// side they put the panel away; an arrow brings it back.
-void drawEdges(const PanelModel& model, const Layout& layout, float scale,
+void drawEdges(const Settings& settings, const Layout& layout, float scale,
                std::vector<Action>& actions);
 
 /// Draws a bar across the panel that is being drawn, under the last item. While it is dragged it

@@ -26,11 +26,11 @@ constexpr std::array kTexts{
 };
 
 /// Sum of the means of the four stages [ms]; frames hold them and what lies between.
-double sumOfMeans(const PanelModel& model) {
+double sumOfMeans(const History& history) {
     double sum = 0;
     for (const Reading stage :
          {Reading::deformMs, Reading::collideMs, Reading::cutMs, Reading::renderMs}) {
-        sum += (*model.history)[stage].mean();
+        sum += history[stage].mean();
     }
     return sum;
 }
@@ -54,14 +54,14 @@ void explainCut(const SubdivisionCounts& counts) {
     ImGui::Text("other: %d", otherPatterns(counts));
 }
 
-void explain(const StageText& row, const PanelModel& model) {
+void explain(const StageText& row, const SubdivisionCounts& subdivisions) {
     if (!ImGui::IsItemHovered()) {
         return;
     }
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(row.meaning);
     if (row.reading == Reading::cutMs) {
-        explainCut(model.subdivisions);
+        explainCut(subdivisions);
     }
     ImGui::EndTooltip();
 }
@@ -81,19 +81,20 @@ std::span<const TimeColumn> timesFor(float width) {
                                    (width < kLeastLetters * ImGui::GetFontSize() ? 1 : 0));
 }
 
-void drawRow(const StageText& row, std::span<const TimeColumn> times, const PanelModel& model) {
-    const Series& series = (*model.history)[row.reading];
+void drawRow(const StageText& row, std::span<const TimeColumn> times, const History& history,
+             const SubdivisionCounts& subdivisions) {
+    const Series& series = history[row.reading];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name);
-    explain(row, model);
+    explain(row, subdivisions);
     if (series.empty()) {
         return;
     }
     for (const TimeColumn& time : times) {
         millisecondsCell((series.*time.value)());
     }
-    const double sum = sumOfMeans(model);
+    const double sum = sumOfMeans(history);
     if (row.reading != Reading::frameMs && sum > 0) {
         numberCell("%.0f %%", 100 * series.mean() / sum);
     }
@@ -115,7 +116,7 @@ void drawHeader(std::span<const TimeColumn> times) {
 
 }  // namespace
 
-void drawStages(const PanelModel& model) {
+void drawStages(const History& history, const SubdivisionCounts& subdivisions) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
     const std::span<const TimeColumn> times = timesFor(ImGui::GetContentRegionAvail().x);
@@ -126,7 +127,7 @@ void drawStages(const PanelModel& model) {
                                 ImGui::CalcTextSize("Collide").x);
         drawHeader(times);
         for (const StageText& row : kTexts) {
-            drawRow(row, times, model);
+            drawRow(row, times, history, subdivisions);
         }
         ImGui::EndTable();
     }

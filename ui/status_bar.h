@@ -3,9 +3,10 @@
 #include <string>
 
 #include "ui/layout.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
+
+struct PanelModel;
 
 /// A line about what is open: its name, its size, how often pieces were lost, whether time runs.
 std::string statusText(const PanelModel& model);

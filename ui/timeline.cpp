@@ -120,8 +120,8 @@ const char* adviceOn(const PlaybackState& playback) {
                            : "Go back to a step. What you do there goes on from it";
 }
 
-StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
-    const PlaybackState& playback = model.playback;
+StepScale drawSlider(const SessionPanelState& session, std::vector<Action>& actions) {
+    const PlaybackState& playback = session.playback;
     int step = std::min(playback.step, playback.steps);
     ImGui::SetNextItemWidth(-1);
     ImGui::BeginDisabled(!playback.goesBack || playback.steps == 0);
@@ -131,10 +131,10 @@ StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::EndDisabled();
     noteItem("scrubber");
     const StepScale scale(playback.steps);
-    drawTicks(model.course, scale);
+    drawTicks(session.course, scale);
     markDivergence(playback, scale);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
-        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, model.course, scale) + adviceOn(playback));
+        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, session.course, scale) + adviceOn(playback));
     }
     return scale;
 }
@@ -248,13 +248,13 @@ void drawRemovals(const std::vector<PlacedMark>& marks, std::vector<Action>& act
     ImGui::EndPopup();
 }
 
-void drawMarks(const PanelModel& model, const Rect& strip, const StepScale& scale,
+void drawMarks(const SessionPanelState& session, const Rect& strip, const StepScale& scale,
                std::vector<Action>& actions) {
     ImGui::SetCursorScreenPos({strip.x, strip.y});
     ImGui::InvisibleButton("##marks", {strip.width, strip.height},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     noteItem("timeline.marks");
-    const std::vector<PlacedMark> marks = placed(model.marks, scale);
+    const std::vector<PlacedMark> marks = placed(session.marks, scale);
     for (const PlacedMark& place : marks) {
         drawMark(place.mark->kind, {place.x, strip.y + strip.height / 2}, markSize());
     }
@@ -310,15 +310,16 @@ std::string labelOf(const SessionMark& mark) {
     return "Check: " + mark.text;
 }
 
-void drawTimeline(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
+void drawTimeline(const SessionPanelState& session, const Rect& rect,
+                  std::vector<Action>& actions) {
     beginStrip(rect);
-    const float left = drawStep(model.playback);
+    const float left = drawStep(session.playback);
     const float height = kStripHeight * ImGui::GetFontSize();
     const float gap = (rect.height - height - ImGui::GetFontSize()) / 3;
     ImGui::SetCursorPos({left, 2 * gap + height});
-    const StepScale scale = drawSlider(model, actions);
+    const StepScale scale = drawSlider(session, actions);
     const Rect strip{ImGui::GetItemRectMin().x, rect.y + gap, ImGui::GetItemRectSize().x, height};
-    drawMarks(model, strip, scale, actions);
+    drawMarks(session, strip, scale, actions);
     ImGui::End();
 }
 

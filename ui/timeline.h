@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "ui/layout.h"
-#include "ui/panel_model.h"
+#include "ui/session_panel.h"
 
 namespace kerf::ui {
 
 /// Draws the time line of a session that is played over the whole of `rect`: a slider to go to any
 /// step with ticks for strokes and changes, and above it a mark for each picture, export and check.
-void drawTimeline(const PanelModel& model, const Rect& rect, std::vector<Action>& actions);
+void drawTimeline(const SessionPanelState& session, const Rect& rect, std::vector<Action>& actions);
 
 /// A mark as people read it: "Picture ball-120.png".
 std::string labelOf(const SessionMark& mark);

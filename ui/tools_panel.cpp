@@ -8,6 +8,7 @@
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/measure_rows.h"
+#include "ui/panel_model.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
@@ -116,8 +117,8 @@ bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
 
 void drawRetractRow(const PanelModel& model, std::vector<Action>& actions) {
     const std::string label =
-        model.hooks == 0 ? "No retractor holds a cut open" : "Remove the last";
-    if (model.hooks == 0) {
+        model.body.hooks == 0 ? "No retractor holds a cut open" : "Remove the last";
+    if (model.body.hooks == 0) {
         ImGui::TextDisabled("%s", label.c_str());
     } else if (ImGui::Button(label.c_str(), {-1, 0})) {
         actions.emplace_back(ActionId::removeRetractor);
@@ -146,7 +147,7 @@ bool drawRowsOf(const PanelModel& model, ToolSettings& tools, std::vector<Action
         case Tool::move:
             return false;
         case Tool::measure:
-            return drawMeasureRows(model, tools, actions);
+            return drawMeasureRows(model.view.measures, tools, actions);
     }
     return false;
 }

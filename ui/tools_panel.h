@@ -3,9 +3,10 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/panel_model.h"
 
 namespace kerf::ui {
+
+struct PanelModel;
 
 /// Draws the buttons of the tools and the settings of the one that is chosen.
 void drawTools(const PanelModel& model, std::vector<Action>& actions);

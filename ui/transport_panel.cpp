@@ -87,7 +87,7 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
 }
 
 /// In a narrow panel words need the room more than what is around them.
-void drawTransportButtons(const PanelModel& model, std::vector<Action>& actions) {
+void drawTransportButtons(const TransportState& transport, std::vector<Action>& actions) {
     constexpr std::array kWords{"Pause", "Step", "Restart", "Record"};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
     float around = ImGui::GetContentRegionAvail().x - (kWords.size() - 1) * gap;
@@ -98,34 +98,35 @@ void drawTransportButtons(const PanelModel& model, std::vector<Action>& actions)
         return ImGui::CalcTextSize(kWords[i]).x + around / kWords.size();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
-    playButton(model.playing, width(0), actions);
+    playButton(transport.playing, width(0), actions);
     ImGui::SameLine(0, gap);
     actionButton("Step", ActionId::stepOnce, width(1), actions);
     ImGui::SameLine(0, gap);
     actionButton("Restart", ActionId::reset, width(2), actions);
     ImGui::SameLine(0, gap);
-    recordButton(model.recording, width(3), actions);
+    recordButton(transport.recording, width(3), actions);
     ImGui::PopStyleVar();
 }
 
 }  // namespace
 
-void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
+void drawTransport(const TransportState& transport, const PlaybackState& playback,
+                   std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
-    drawTransportButtons(model, actions);
+    drawTransportButtons(transport, actions);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("step %d, %.3f s", model.step, model.time);
+    ImGui::TextDisabled("step %d, %.3f s", transport.step, transport.time);
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
-    drawSpeed(model.speed, actions);
-    const bool played = model.playback.played;
-    if (played || model.recording) {
+    drawSpeed(transport.speed, actions);
+    const bool played = playback.played;
+    if (played || transport.recording) {
         drawAddButton(width, actions);
     }
     if (played) {
         ImGui::SameLine();
-        drawLoop(model.playback, actions);
+        drawLoop(playback, actions);
     }
 }
 

@@ -66,8 +66,8 @@ bool chooseMouse(Settings& settings) {
 
 }  // namespace
 
-void drawWindowRows(const PanelModel& model, std::vector<Action>& actions) {
-    Settings settings = model.settings;
+void drawWindowRows(const Settings& chosen, std::vector<Action>& actions) {
+    Settings settings = chosen;
     rowLabel("Theme");
     bool changed = chooseTheme(settings);
     rowLabel("Size");

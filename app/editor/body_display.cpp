@@ -167,12 +167,12 @@ void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) cons
     }
     const render::BodyLook look =
         render::colored(ownLook(*scene), {.look = settings.colors.look, .skin = {}, .flesh = {}});
-    model.ownSkin = render::toDisplay(look.skin);
-    model.ownFlesh = render::toDisplay(look.inner);
-    model.hasOwnColors = scene->document().looks.colored();
-    model.hoveredPiece = hovered_;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-        model.pieces[p].hidden = hidden_.contains(static_cast<int>(p));
+    model.looks.ownSkin = render::toDisplay(look.skin);
+    model.looks.ownFlesh = render::toDisplay(look.inner);
+    model.looks.hasOwnColors = scene->document().looks.colored();
+    model.pieces.hovered = hovered_;
+    for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
+        model.pieces.rows[p].hidden = hidden_.contains(static_cast<int>(p));
     }
 }
 

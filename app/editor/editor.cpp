@@ -168,7 +168,7 @@ ui::Cursor Editor::cursor() const {
     if (s.panels.interface.ownsPointer()) {
         return s.panels.interface.cursor();
     }
-    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.overlay);
+    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.view.overlay);
 }
 
 std::string Editor::title() const {

@@ -109,7 +109,7 @@ void take(State& s) {
 /// Holds what is shown now, or follows what comes.
 void holdPlots(State& s) {
     std::optional<double>& end = s.panels.plotView.end;
-    end = end ? std::nullopt : std::optional(s.panels.model.time);
+    end = end ? std::nullopt : std::optional(s.panels.model.transport.time);
 }
 
 void freePins(State& s) {
@@ -380,7 +380,8 @@ bool needsBody(const ui::Action& action) {
 
 void exportPlots(State& s, bool asPicture) {
     using std::filesystem::path;
-    const std::vector<ui::PlotSpec> plots = ui::chosenPlots(s.panels.model);
+    const std::vector<ui::PlotSpec> plots =
+        ui::chosenPlots(s.panels.model.plots, s.panels.model.settings);
     if (plots.empty()) {
         s.toast.show("No plot is chosen that could be saved.", true);
     } else if (asPicture) {

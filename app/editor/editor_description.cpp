@@ -30,32 +30,32 @@ void Editor::State::describeScene() {
         scene->describe(told);
         sceneSteps.describe(*scene, told.changes);
     }
-    told.hint = guide.hint(scene.get(), view);
+    told.help.hint = guide.hint(scene.get(), view);
     experiments.describe(scene.get(), told);
 }
 
 void Editor::State::describe(bool withOverlay) {
     ui::PanelModel& model = panels.model;
-    ui::Overlay before = std::move(model.overlay);
+    ui::Overlay before = std::move(model.view.overlay);
     if (!scene.underWay()) {
         describeScene();
     }
     panels.describe(told);
     if (EditorScene* const now = scene.meanwhile()) {
-        model.playing = now->timeline().playing;
+        model.transport.playing = now->timeline().playing;
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
-            model.overlay =
+            model.view.overlay =
                 withOverlay ? view.overlay(inView, !scene.underWay(), *now) : std::move(before);
         }
     }
     view.display.describe(scene.meanwhile(), model);
-    model.fieldLegend = fieldLegend(withOverlay && !panels.interface.ownsPointer());
-    model.axes = axesOf(view.camera.shown());
-    model.orthographic = view.camera.shown().orthographic;
+    model.looks.field = fieldLegend(withOverlay && !panels.interface.ownsPointer());
+    model.view.axes = axesOf(view.camera.shown());
+    model.view.orthographic = view.camera.shown().orthographic;
     model.tools = view.bladeTool.settings();
-    model.measures = view.measures.rows();
-    model.speed = clock.speed();
+    model.view.measures = view.measures.rows();
+    model.transport.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);
     model.work = work.state();
@@ -119,7 +119,7 @@ std::string Editor::State::title() const {
     }
     const EditorScene& now = *scene.meanwhile();
     const std::size_t pieces =
-        scene.underWay() ? told.pieces.size() : now.simulation().report().pieces;
+        scene.underWay() ? told.pieces.rows.size() : now.simulation().report().pieces;
     return "Kerf - " + now.document().name + " - " + counted(pieces, "piece", "pieces");
 }
 

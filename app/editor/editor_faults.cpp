@@ -234,7 +234,7 @@ void Editor::State::exchangeModel(const Session& start, const ModelReference& mo
                                  return kerf::app::openScene(name, start, options);
                              },
                              nullptr, change};
-    if (told.untouched && scene->document().session.events.empty()) {
+    if (told.model.untouched && scene->document().session.events.empty()) {
         open(order);
         return;
     }
@@ -348,16 +348,16 @@ void Editor::State::describeFaults() {
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {
-            model.faults = ui::faultRows(*scene.meanwhile()->readout().faultMarks());
+            model.looks.faults = ui::faultRows(*scene.meanwhile()->readout().faultMarks());
         }
     }
     if (faulty) {
-        model.showsFaulty = true;
-        model.faults = ui::faultRows(faulty->scene.marks());
-        model.overlay = {};
-        model.hint = {};
+        model.looks.showsFaulty = true;
+        model.looks.faults = ui::faultRows(faulty->scene.marks());
+        model.view.overlay = {};
+        model.help.hint = {};
         if (!asked) {
-            model.hint = {
+            model.help.hint = {
                 faulty->order.file.filename().string() + " can't be cut: these are its faults.",
                 {{ui::ActionId::cancel, "Back"}}};
         }

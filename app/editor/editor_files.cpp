@@ -105,7 +105,7 @@ void Editor::State::place(const Place& command) {
     work.stopPlacing();
     const Simulation& simulation = scene->simulation();
     const bool known = command.model < simulation.modelCount();
-    if (known && !told.liveModels) {
+    if (known && !told.model.live) {
         work.place(std::make_unique<BodyPlacing>(simulation, command));
     } else {
         say(scene->execute(command));

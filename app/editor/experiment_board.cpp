@@ -45,7 +45,7 @@ void ExperimentBoard::describe(const EditorScene* scene, ui::PanelModel& model) 
             card.ourTriangles = run->second.triangles;
         }
         if (card.open) {
-            model.paper = card.paper;
+            model.plots.paper = card.paper;
         }
     }
 }

@@ -234,8 +234,8 @@ std::vector<std::string> EditorScene::takeMessages() {
 
 void EditorScene::describe(ui::PanelModel& model) {
     readout().describe(model);
-    model.stroking = stroke().drawing() || stroke().pending() > 0;
-    model.recording = recorder().recording();
+    model.transport.stroking = stroke().drawing() || stroke().pending() > 0;
+    model.transport.recording = recorder().recording();
 }
 
 // --- Its parts ---------------------------------------------------------------------------------

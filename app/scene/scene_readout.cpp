@@ -123,29 +123,29 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.name = body_.document.name;
     describeModels(model);
     const Vec3 toScene = -body_.document.session.origin;
-    model.params = countedFrom(simulation.params(), toScene);
-    model.startParams = countedFrom(body_.document.session.params, toScene);
-    model.boxes = countedFrom(simulation.boxes(), toScene);
-    model.pinned = simulation.pinnedVertices().size();
-    model.hooks = hooksOf(simulation.hands()).size();
-    model.bodySize = body_.rest.bounds().diagonal();
-    model.bodyBounds = simulation.bounds();
-    model.sweeps = &sweeps_;
-    model.playing = timeline_.playing;
-    model.step = simulation.stepCount() - timeline_.start().step;
-    model.time = timeline_.time();
+    model.parameters.now = countedFrom(simulation.params(), toScene);
+    model.parameters.start = countedFrom(body_.document.session.params, toScene);
+    model.body.boxes = countedFrom(simulation.boxes(), toScene);
+    model.body.pinned = simulation.pinnedVertices().size();
+    model.body.hooks = hooksOf(simulation.hands()).size();
+    model.body.size = body_.rest.bounds().diagonal();
+    model.body.bounds = simulation.bounds();
+    model.parameters.sweeps = &sweeps_;
+    model.transport.playing = timeline_.playing;
+    model.transport.step = simulation.stepCount() - timeline_.start().step;
+    model.transport.time = timeline_.time();
     describeChanges(model.changes);
-    model.vertices = report.vertices;
-    model.triangles = report.triangles;
-    model.subdivisions = simulation.subdivisions();
-    model.cuts = cuts_.rows();
-    model.cutsNote = cuts_.note();
-    model.pieces = pieces_.rows();
-    model.history = &readings_.history();
-    timeline_.describe(model.playback);
+    model.body.vertices = report.vertices;
+    model.body.triangles = report.triangles;
+    model.cuts.subdivisions = simulation.subdivisions();
+    model.cuts.rows = cuts_.rows();
+    model.cuts.note = cuts_.note();
+    model.pieces.rows = pieces_.rows();
+    model.plots.history = &readings_.history();
+    timeline_.describe(model.session.playback);
     marks_.follow(timeline_.journal());
-    model.marks = marks_.marks();
-    model.course = marks_.course();
+    model.session.marks = marks_.marks();
+    model.session.course = marks_.course();
 }
 
 void SceneReadout::describeChanges(ui::ChangeList& list) const {
@@ -178,16 +178,17 @@ void SceneReadout::describeModels(ui::PanelModel& model) const {
                                      proposedEdge(figures.triangles, figures.bounds.diagonal()));
         state.crosses =
             !reference.repair && faults.of(repair::FaultKind::crossingTriangle).count() > 0;
-        model.models.push_back(std::move(state));
+        model.model.models.push_back(std::move(state));
     }
-    model.models.front().guess = body_.document.guess ? body_.document.guess->sentence : "";
-    model.objects = static_cast<int>(body_.document.objects.size());
-    model.faultCount = 0;
+    model.model.models.front().guess = body_.document.guess ? body_.document.guess->sentence : "";
+    model.model.objects = static_cast<int>(body_.document.objects.size());
+    model.model.faultCount = 0;
     for (const repair::FaultPlaces& places : faults.places) {
-        model.faultCount += places.count();
+        model.model.faultCount += places.count();
     }
-    model.untouched = simulation.report().triangles == body_.rest.uncut().mesh.aliveTriangles();
-    model.liveModels = simulation.report().triangles <= kMostLiveTriangles;
+    model.model.untouched =
+        simulation.report().triangles == body_.rest.uncut().mesh.aliveTriangles();
+    model.model.live = simulation.report().triangles <= kMostLiveTriangles;
 }
 
 }  // namespace kerf::app

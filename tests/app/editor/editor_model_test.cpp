@@ -30,7 +30,7 @@ class EditorModelTest : public EditorTest {
         waitForWork();
         frames(2);
     }
-    const ui::ModelState& model() { return panels().models[0]; }
+    const ui::ModelState& model() { return panels().model.models[0]; }
     Simulation& simulation() { return editor->scene()->simulation(); }
     /// Where the middle of the body is in the picture, and how large it looks.
     Vec3 appearance() {
@@ -54,12 +54,12 @@ class EditorModelTest : public EditorTest {
 };
 
 TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
-    EXPECT_THAT(panels().toast, HasSubstr("taken as centimetres"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("taken as centimetres"));
     EXPECT_EQ(model().placement.scale, 1);
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
     EXPECT_THAT(model().physics, HasSubstr("9.66 cm of this material weighs 86.9 g."));
-    EXPECT_TRUE(panels().untouched);
+    EXPECT_TRUE(panels().model.untouched);
     EXPECT_TRUE(editor->itemRects().contains("model.unit.m"));  // unfolded
 }
 
@@ -103,7 +103,7 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     drag({160, 5}, {160, 235}, 6);
     settle();
     ASSERT_EQ(editor->scene()->simulation().report().pieces, 2);
-    EXPECT_FALSE(panels().untouched);
+    EXPECT_FALSE(panels().model.untouched);
     const std::string cut = simulation().stateHash();
     Placement feet = model().placement;
     feet.unit = LengthUnit::foot;
@@ -146,8 +146,8 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     tap(Key::enter);
     waitForWork();
     frames(2);
-    ASSERT_EQ(panels().models.size(), 2u);
-    EXPECT_EQ(panels().models[1].name, "stool");
+    ASSERT_EQ(panels().model.models.size(), 2u);
+    EXPECT_EQ(panels().model.models[1].name, "stool");
     EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     const std::vector<ModelFigures>& models = editor->scene()->rest().models();
     EXPECT_GT(models[1].bounds.low.x(), before.high.x());
@@ -167,7 +167,7 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     click("question.0");
     waitForWork();
     frames(2);
-    EXPECT_EQ(panels().models.size(), 1u);
+    EXPECT_EQ(panels().model.models.size(), 1u);
     EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
 }
@@ -179,8 +179,8 @@ TEST_F(EditorModelTest, AddsNoSession) {
     type("other.kerf.json");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("a session has a scene of its own"));
-    EXPECT_EQ(panels().models.size(), 1u);
+    EXPECT_THAT(panels().toast.text, HasSubstr("a session has a scene of its own"));
+    EXPECT_EQ(panels().model.models.size(), 1u);
 }
 
 }  // namespace

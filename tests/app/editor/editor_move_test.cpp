@@ -31,7 +31,7 @@ class EditorMoveTest : public EditorTest {
     }
     /// Pixel of the tip of an arrow.
     Vec2 tip(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
             if (dot.axis == axis && !dot.square) {
                 return {dot.at.x, dot.at.y};
             }
@@ -40,7 +40,7 @@ class EditorMoveTest : public EditorTest {
         return kMiddle;
     }
     Vec2 square(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
             if (dot.axis == axis && dot.square) {
                 return {dot.at.x, dot.at.y};
             }
@@ -50,7 +50,7 @@ class EditorMoveTest : public EditorTest {
     }
     /// Some pixel of a ring that no arrow is near.
     Vec2 ring(int axis) {
-        const auto& lines = panels().overlay.axisLines;
+        const auto& lines = panels().view.overlay.axisLines;
         std::vector<Vec2> points;
         for (const ui::Overlay::AxisLine& line : lines) {
             if (line.axis == axis) {
@@ -80,7 +80,7 @@ TEST_F(EditorMoveTest, AnArrowMovesABoxAndOneUndoTakesTheDragBack) {
     const std::size_t changes = panels().changes.done;
     dragSlowly(tip(0), Vec2(40, 0));
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand);
-    ASSERT_EQ(panels().overlay.labels.size(), 1U) << "the number is shown";
+    ASSERT_EQ(panels().view.overlay.labels.size(), 1U) << "the number is shown";
     press(false);
     settle();
     EXPECT_GT(box(0).center.x(), 0.95);
@@ -161,7 +161,7 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
     EXPECT_EQ(moved.scale, 1);
     frames(2);
     const ui::Overlay::AxisDot* corner = nullptr;
-    for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+    for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
         corner = dot.axis < 0 ? &dot : corner;
     }
     ASSERT_NE(corner, nullptr);
@@ -180,12 +180,12 @@ TEST_F(EditorMoveTest, ACutModelStaysAndSaysWhy) {
     drag(kTop, kBottom, 8);
     settle();
     takeTool();
-    EXPECT_TRUE(panels().overlay.axisDots.empty());
+    EXPECT_TRUE(panels().view.overlay.axisDots.empty());
     moveTo(kMiddle.x() + 40, kMiddle.y());
     press(true);
     press(false);
     settle();
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("The model is cut"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("The model is cut"));
 }
 
 TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
@@ -202,7 +202,7 @@ TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
     EXPECT_NEAR(after.y(), before.y(), 1e-6);
     EXPECT_EQ(panels().changes.done, changes + 1);
     EXPECT_EQ(panels().changes.rows.back().name, "Move pins");
-    EXPECT_GT(panels().step, 5) << "time runs, so that the body follows";
+    EXPECT_GT(panels().transport.step, 5) << "time runs, so that the body follows";
     EXPECT_GT(scene().simulation().bounds().center().x(), 0.02);
     dragSlowly(ring(1), Vec2(20, 10));
     press(false);
@@ -215,9 +215,9 @@ TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     tap(Key::g);
     moveTo(5, kHeight - 5);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    EXPECT_EQ(panels().overlay.axisDots.size(), 3U);
-    const auto middle = [this] { return panels().overlay.handles[0].at; };
+    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
+    EXPECT_EQ(panels().view.overlay.axisDots.size(), 3U);
+    const auto middle = [this] { return panels().view.overlay.handles[0].at; };
     const ui::PlotPoint before = middle();
     const Vec2 up = tip(1);
     dragSlowly(up, Vec2(0, 30));
@@ -228,7 +228,7 @@ TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     press(false);
     frames(2);
     EXPECT_NEAR(middle().y, before.y, 0.5) << "Esc brings it back";
-    EXPECT_EQ(panels().step, 0) << "posing cuts nothing";
+    EXPECT_EQ(panels().transport.step, 0) << "posing cuts nothing";
 }
 
 }  // namespace

@@ -70,12 +70,12 @@ TEST_F(EditorPastTest, EachMomentIsAsItWas) {
     goTo(0);
     EXPECT_EQ(step(), 0);
     EXPECT_EQ(pieces(), 1);
-    EXPECT_TRUE(panels().playback.played);
+    EXPECT_TRUE(panels().session.playback.played);
     goTo(between);
     EXPECT_EQ(hash(), then);
     goTo(end);
     EXPECT_EQ(hash(), last);
-    EXPECT_FALSE(panels().playback.played) << "the present again";
+    EXPECT_FALSE(panels().session.playback.played) << "the present again";
     expectItReplays();
     goTo(between);
     EXPECT_EQ(hash(), then);
@@ -87,9 +87,9 @@ TEST_F(EditorPastTest, ThePointerDragsTheTimeLineBack) {
     dragTimeLineTo(0.02);
     EXPECT_LT(step(), end / 10);
     EXPECT_EQ(pieces(), 1);
-    EXPECT_FALSE(panels().playing);
-    EXPECT_THAT(panels().hint.text, HasSubstr("This is past"));
-    EXPECT_EQ(panels().playback.steps, end) << "nothing is lost yet";
+    EXPECT_FALSE(panels().transport.playing);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("This is past"));
+    EXPECT_EQ(panels().session.playback.steps, end) << "nothing is lost yet";
     tap(Key::space);
     frames(end);
     EXPECT_EQ(step(), end) << "at the present it stops";
@@ -105,8 +105,8 @@ TEST_F(EditorPastTest, AStrokeThereLeavesOutWhatCameAfter) {
     settle();
     EXPECT_EQ(pieces(), 2);
     EXPECT_LT(step(), end);
-    EXPECT_FALSE(panels().playback.played);
-    EXPECT_THAT(panels().toast, HasSubstr("is left out"));
+    EXPECT_FALSE(panels().session.playback.played);
+    EXPECT_THAT(panels().toast.text, HasSubstr("is left out"));
     expectItReplays();
     const int here = step();
     const std::string now = hash();
@@ -135,15 +135,15 @@ TEST_F(EditorPastTest, ItGoesBackBeyondARestart) {
     tap(Key::r);
     settle();
     playFor(10);
-    EXPECT_LT(panels().step, fallen) << "counts from the restart";
+    EXPECT_LT(panels().transport.step, fallen) << "counts from the restart";
     const int end = step();
     const std::string last = hash();
     goTo(fallen);
     EXPECT_EQ(hash(), then);
-    EXPECT_EQ(panels().step, fallen);
+    EXPECT_EQ(panels().transport.step, fallen);
     goTo(end);
     EXPECT_EQ(hash(), last);
-    EXPECT_LT(panels().step, fallen);
+    EXPECT_LT(panels().transport.step, fallen);
 }
 
 TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
@@ -152,7 +152,7 @@ TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
     tap(Key::r);
     settle();
     EXPECT_EQ(pieces(), 1);
-    EXPECT_FALSE(panels().playback.played);
+    EXPECT_FALSE(panels().session.playback.played);
     playFor(5);
     EXPECT_EQ(pieces(), 1) << "no stroke comes of itself";
     expectItReplays();
@@ -173,7 +173,7 @@ TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
     goTo(1);
     press(false);
     goTo(end);
-    EXPECT_FALSE(panels().playback.played);
+    EXPECT_FALSE(panels().session.playback.played);
     expectItReplays();
 }
 

@@ -88,7 +88,7 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
     tap(Key::space);
     frames(1);
     const int before = editor->scene()->simulation().stepCount();
-    const Vec3 axis = editor->panels().axes.axes[0];
+    const Vec3 axis = editor->panels().view.axes.axes[0];
     moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true, Button::right);
     for (int i = 1; i <= 10; ++i) {
@@ -96,7 +96,7 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
         frames(1);
     }
     press(false, Button::right);
-    EXPECT_NE(editor->panels().axes.axes[0], axis) << "the view has turned";
+    EXPECT_NE(editor->panels().view.axes.axes[0], axis) << "the view has turned";
     EXPECT_LE(editor->scene()->simulation().stepCount(), before + 2)
         << "ten pictures were no ten steps";
 }

@@ -212,7 +212,7 @@ class EditorStorm : public EditorTest {
 
     /// In a file dialog, keys alone: a click could lead out of the test's folder.
     Act actFor(const ui::PanelModel& shown) {
-        const bool asked = shown.files.purpose != ui::FilePurpose::none || shown.helpOpen;
+        const bool asked = shown.files.purpose != ui::FilePurpose::none || shown.help.open;
         if (asked && oneIn(3)) {
             return {"leave", &EditorStorm::leaveDialog, 0};
         }

@@ -67,7 +67,7 @@ class EditorStormTest : public EditorStorm {
 
     /// A session that is played is saved whole, with what was changed.
     void playToTheEnd() {
-        editor->scene()->seek(panels().playback.steps);
+        editor->scene()->seek(panels().session.playback.steps);
         settle();
         editor->scene()->timeline().playing = false;
     }
@@ -106,12 +106,13 @@ class EditorStormTest : public EditorStorm {
             const Act act = actFor(panels());
             SCOPED_TRACE("act " + std::to_string(i) + ": " + act.name);
             if (traced) {
-                std::cerr << i << " " << act.name << ", step " << panels().step << ", "
-                          << editor->title() << ", " << panels().toast << "\n";
+                std::cerr << i << " " << act.name << ", step " << panels().transport.step << ", "
+                          << editor->title() << ", " << panels().toast.text << "\n";
             }
             (this->*act.act)();
             frames(2);
-            restarted_ |= panels().recording || editor->scene()->document().name != started;
+            restarted_ |=
+                panels().transport.recording || editor->scene()->document().name != started;
             expectSound();
             if (HasFatalFailure()) {
                 return;
