@@ -13,6 +13,7 @@
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
 #include "gpu/data_path.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/action_table.h"
 #include "ui/plots_panel.h"
 #include "ui/unit_text.h"

@@ -16,6 +16,7 @@
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/repair/soup_editing.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/action_table.h"
 #include "ui/unit_text.h"
 

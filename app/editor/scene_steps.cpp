@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sim/run/simulation.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/quantity_text.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

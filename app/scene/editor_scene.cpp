@@ -7,6 +7,7 @@
 #include "app/scene/held_hands.h"
 #include "app/scene/scene_readout.h"
 #include "app/scene/scene_recorder.h"
+#include "sim/run/start/body_upload.h"
 
 namespace kerf::app {
 namespace {
@@ -224,6 +225,14 @@ void EditorScene::putUp(const std::vector<StaticBox>& boxes) {
 }
 
 // --- What is shown -----------------------------------------------------------------------------
+
+std::optional<SurfacePoint> EditorScene::pick(const render::Ray& ray) {
+    return readout().look().pick(simulation(), ray);
+}
+
+const CutPreview& EditorScene::preview(const std::vector<Blade>& way) {
+    return readout().look().preview(simulation(), way);
+}
 
 std::vector<std::string> EditorScene::takeMessages() {
     std::vector<std::string> messages = simulation().takeMessages();

@@ -1,15 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf {
 class BodyUpload;
 class Simulation;
 }  // namespace kerf
+
+namespace kerf::render {
+struct Ray;
+}
 
 namespace kerf::ui {
 struct PanelModel;
@@ -23,8 +28,10 @@ class RestOfBody;
 class SceneReadout;
 class SceneRecorder;
 class SceneTimeline;
+struct CutPreview;
 struct Document;
 struct SceneBody;
+struct SurfacePoint;
 
 /// An open document as it runs: its body, the stroke that is being drawn, the hands that pull, its
 /// way through the steps, what was done since the start, and what is read of all that. Each has a
@@ -64,6 +71,10 @@ class EditorScene {
     /// Whether time runs while a stroke is cut in a pause; otherwise it stands, so that the stroke
     /// cuts where it was aimed, and costs no more than the cut.
     bool timeRunsWhileCutting = false;
+    /// Finds the point at which a ray meets the body as it is.
+    std::optional<SurfacePoint> pick(const render::Ray& ray);
+    /// Finds the places where a blade would meet the body on its way.
+    const CutPreview& preview(const std::vector<Blade>& way);
     /// Sentences for the person: those of the simulation, and what came out differently.
     std::vector<std::string> takeMessages();
     /// Fills in what the panels show of the scene.

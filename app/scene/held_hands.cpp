@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/scene_timeline.h"
+
 namespace kerf::app {
 namespace {
 
@@ -47,6 +49,10 @@ std::variant<int, std::string> HeldHands::hook(const Incision& incision) {
     }
     pulling_ = problem.empty();
     return problem.empty() ? std::variant<int, std::string>(*first) : problem;
+}
+
+std::vector<Hands::Hand> HeldHands::hooks() const {
+    return hooksOf(body_.simulation.hands());
 }
 
 void HeldHands::removeRetractor(int hook) {

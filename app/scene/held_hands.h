@@ -7,9 +7,11 @@
 
 #include "app/scene/hooks.h"
 #include "app/scene/incision.h"
-#include "app/scene/scene_timeline.h"
 
 namespace kerf::app {
+
+class SceneTimeline;
+struct SceneBody;
 
 /// Hands that pull at the body of a scene: a person's own, and the hooks of retractors. Time runs
 /// while they do, also in a pause.
@@ -35,7 +37,7 @@ class HeldHands {
     /// Lets time run on for a while: for what hooks and pins hold to follow them.
     void settle();
     /// The hooks of all retractors, by number.
-    std::vector<Hands::Hand> hooks() const { return hooksOf(body_.simulation.hands()); }
+    std::vector<Hands::Hand> hooks() const;
     /// Takes away the retractor that a hook belongs to.
     void removeRetractor(int hook);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 
 namespace kerf::app {

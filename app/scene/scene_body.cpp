@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "sim/run/start/body_upload.h"
+
 namespace kerf::app {
 
 SceneBody::SceneBody(Document opened, BodyUpload upload)

@@ -5,6 +5,7 @@
 
 #include "app/scene/rest_of_body.h"
 #include "app/session/session_runner.h"
+#include "sim/run/start/body_upload.h"
 
 namespace kerf::app {
 

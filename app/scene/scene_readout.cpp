@@ -8,6 +8,7 @@
 #include "app/scene/triangle_text.h"
 #include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "app/scene/cut_quality.h"
@@ -39,16 +38,8 @@ class SceneReadout {
     SceneReadout(SceneBody& body, const SceneTimeline& timeline)
         : body_(body), timeline_(timeline) {}
 
-    /// Finds the point at which a ray meets the body as it is.
-    std::optional<SurfacePoint> pick(const render::Ray& ray) {
-        return look_.pick(body_.simulation, ray);
-    }
-    /// Finds the places where a blade would meet the body on its way.
-    const CutPreview& preview(const std::vector<Blade>& way) {
-        return look_.preview(body_.simulation, way);
-    }
-    /// Number of searches through the triangles that both needed, for tests.
-    int surfaceSearches() const { return look_.searches(); }
+    /// What is under the pointer and before the blade.
+    SurfaceLook& look() { return look_; }
 
     /// Lets the thickness of the body be worked out where it is `wanted` and the body `rests`. True
     /// where it is another than in the last view().

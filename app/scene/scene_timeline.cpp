@@ -6,6 +6,7 @@
 #include "app/scene/hooks.h"
 #include "app/scene/saved_session.h"
 #include "app/session/scene_origin.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {

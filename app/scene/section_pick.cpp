@@ -1,6 +1,6 @@
 #include "app/scene/section_pick.h"
 
-#include "app/scene/scene_readout.h"
+#include "app/scene/cut_preview.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 
@@ -40,7 +40,7 @@ std::optional<SurfacePoint> pickVisible(EditorScene& scene, const render::Ray& r
                                         const std::optional<render::SectionPlane>& section) {
     const double before = section ? section->distance(ray.origin) : -1;
     if (before <= 0) {
-        const auto point = scene.readout().pick(ray);
+        const auto point = scene.pick(ray);
         return section && point && section->distance(point->position) > 0 ? std::nullopt : point;
     }
     const double along = section->normal.dot(ray.direction);
@@ -48,7 +48,7 @@ std::optional<SurfacePoint> pickVisible(EditorScene& scene, const render::Ray& r
         return std::nullopt;
     }
     const render::Ray behind{ray.origin - before / along * ray.direction, ray.direction};
-    return startsInside(scene.simulation(), behind) ? std::nullopt : scene.readout().pick(behind);
+    return startsInside(scene.simulation(), behind) ? std::nullopt : scene.pick(behind);
 }
 
 }  // namespace kerf::app

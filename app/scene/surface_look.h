@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "app/scene/cut_preview.h"
-#include "sim/run/simulation.h"
+
+namespace kerf {
+class Simulation;
+}
 
 namespace kerf::app {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/mesh/thickness.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

@@ -6,6 +6,7 @@
 #include "app/files/jobs/background_job.h"
 #include "render/scene/surface_field.h"
 #include "sim/run/simulation.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

@@ -13,6 +13,7 @@
 #include "sim/mesh/triangle.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/surface_contact.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

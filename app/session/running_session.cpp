@@ -8,6 +8,7 @@
 #include "app/session/scene_view.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
+#include "sim/run/start/body_upload.h"
 
 namespace kerf::app {
 

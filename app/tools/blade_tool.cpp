@@ -4,7 +4,6 @@
 
 #include "app/scene/cut_preview.h"
 #include "app/scene/editor_stroke.h"
-#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
@@ -162,7 +161,7 @@ void BladeTool::moveGuillotine(const ViewFrame& view, const Vec2& pixel, bool sn
 }
 
 void BladeTool::moveScalpel(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.readout().pick(view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (!point) {
         scalpel_.reset();
         scene.stroke().end();
@@ -272,7 +271,7 @@ std::vector<Blade> BladeTool::wayAhead(const ViewFrame& view, const Vec2& pixel,
         return {guillotine_.at(settings_.lowered), guillotine_.at(1)};
     }
     if (settings_.tool == ui::Tool::scalpel) {
-        const auto point = scene.readout().pick(view.rayThrough(pixel));
+        const auto point = scene.pick(view.rayThrough(pixel));
         if (point) {
             return {Scalpel(settings_.scalpelDepth).at(*point)};
         }
@@ -295,7 +294,7 @@ ui::Overlay BladeTool::overlay(const ViewFrame& view, const Vec2& pixel, EditorS
         addSwept(view, way, overlay);
     }
     if (way.size() > 1 && scene.simulation().report().triangles <= kMostPreviewTriangles) {
-        const CutPreview& preview = scene.readout().preview(way);
+        const CutPreview& preview = scene.preview(way);
         addTouched(view, scene.simulation().meshAsRead(), preview.touched, overlay);
         for (const auto& line : preview.wound) {
             view.addLine(line[0], line[1], overlay.wound);

@@ -5,11 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include "app/scene/cut_preview.h"
 #include "app/scene/rest_of_body.h"
-#include "app/scene/scene_readout.h"
 #include "sim/base/turn.h"
 #include "sim/mesh/ray_box.h"
 #include "sim/run/simulation.h"
+#include "sim/run/undo/undo_history.h"
 
 namespace kerf::app {
 namespace {
@@ -105,7 +106,7 @@ std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, cons
     const render::Ray ray = view.rayThrough(pixel);
     std::optional<Subject> found;
     double nearest = std::numeric_limits<double>::max();
-    if (const auto point = scene.readout().pick(ray)) {
+    if (const auto point = scene.pick(ray)) {
         found = isPinned(scene, *point) ? Subject{Kind::pins}
                                         : Subject{Kind::model, modelAt(scene, *point)};
         nearest = (point->position - ray.origin).norm();

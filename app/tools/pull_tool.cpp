@@ -7,7 +7,6 @@
 
 #include "app/scene/cut_preview.h"
 #include "app/scene/held_hands.h"
-#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
 #include "sim/run/simulation.h"
 
@@ -105,9 +104,8 @@ std::string PullTool::press(const ViewFrame& view, const Vec2& pixel,
         paint(view, pixel, scene);
         return "";
     }
-    const auto point = settings.tool == ui::Tool::grab
-                           ? scene.readout().pick(view.rayThrough(pixel))
-                           : std::nullopt;
+    const auto point =
+        settings.tool == ui::Tool::grab ? scene.pick(view.rayThrough(pixel)) : std::nullopt;
     if (!point) {
         return "";
     }
@@ -141,7 +139,7 @@ void PullTool::paintUpTo(const ViewFrame& view, const Vec2& pixel, EditorScene& 
 
 /// Where all is pinned already nothing changes; that is no problem.
 void PullTool::paint(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.readout().pick(view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (point &&
         scene.execute(Pin{Ball{point->position, brush_->radius}, brush_->pins, brush_->begun})
             .empty()) {
@@ -179,7 +177,7 @@ void PullTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pi
         return;
     }
     if (const std::optional<double> radius = reachOf(settings)) {
-        if (const auto point = scene.readout().pick(view.rayThrough(pixel))) {
+        if (const auto point = scene.pick(view.rayThrough(pixel))) {
             const bool fits = settings.tool == ui::Tool::grab && !isCostly(scene);
             const double reach = fits ? scene.hands().reachAt(point->position, *radius) : *radius;
             addRing(view, *point, reach, overlay);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "app/scene/cut_preview.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/rest_of_body.h"
-#include "app/scene/scene_readout.h"
 #include "app/tools/tool_limits.h"
 #include "sim/base/quantity_text.h"
 #include "sim/run/simulation.h"
@@ -31,7 +31,7 @@ std::string RetractTool::press(const ViewFrame& view, const Vec2& pixel, EditorS
 }
 
 std::string RetractTool::hookLips(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.readout().pick(view.rayThrough(pixel));
+    const auto point = scene.pick(view.rayThrough(pixel));
     if (!point) {
         return "";
     }
@@ -148,7 +148,7 @@ void RetractTool::addLips(ui::Overlay& overlay, const ViewFrame& view, const Vec
                           EditorScene& scene) const {
     const bool costly =
         scene.running() || scene.simulation().report().triangles > kMostPreviewTriangles;
-    const auto point = costly ? std::nullopt : scene.readout().pick(view.rayThrough(pixel));
+    const auto point = costly ? std::nullopt : scene.pick(view.rayThrough(pixel));
     if (!point) {
         return;
     }

@@ -17,7 +17,7 @@ COLUMNS = [
         ("poses queue up, close together", "BladeStroke::moveTo", "app/scene"),
     ]),
     ("2  A step", BLUE, [
-        ("one pose, as a recorded command", "EditorScene::perform", "app/scene"),
+        ("one pose, as a recorded command", "SceneTimeline::perform", "app/scene"),
         ("the blade is told", "Simulation::execute", "sim/run"),
         ("what must come back is asked for", "MeshSync::prefetch", "sim/run/parts"),
         ("the soft body moves, on the GPU", "GpuSolver::step", "sim/solve"),

@@ -11,6 +11,7 @@
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/blade/front_hold.h"
 #include "sim/run/simulation_state.h"
+#include "sim/run/start/body_upload.h"
 #include "sim/run/state_hash.h"
 
 namespace kerf {
@@ -408,6 +409,14 @@ const std::shared_ptr<const UncutBody>& Simulation::firstUncut() const {
 
 void Simulation::expectPlacement(std::shared_ptr<const UncutBody> placed) {
     state_->preparedPlacement = std::move(placed);
+}
+
+int Simulation::modelCount() const {
+    return static_cast<int>(uncut()->models.size());
+}
+
+const Placement& Simulation::placement(int model) const {
+    return uncut()->models[model].placement;
 }
 
 const std::vector<StaticBox>& Simulation::boxes() const {

@@ -6,22 +6,27 @@
 #include <vector>
 
 #include "sim/base/params.h"
-#include "sim/contact/blade_body.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/surface_mesh.h"
 #include "sim/run/moment.h"
 #include "sim/run/parts/command.h"
+#include "sim/run/parts/hands.h"
 #include "sim/run/parts/led_blade.h"
 #include "sim/run/parts/step_report.h"
-#include "sim/run/parts/stroke_record.h"
-#include "sim/run/start/body_upload.h"
-#include "sim/run/state_hash.h"
-#include "sim/run/undo/undo_history.h"
-#include "sim/solve/body_view.h"
-#include "sim/solve/constraint_view.h"
 
 namespace kerf {
+
+class BodyUpload;
+class SurfaceMesh;
+class UndoHistory;
+struct BodyModel;
+struct BodyView;
+struct ConstraintView;
+struct OrientedBox;
+struct Piece;
+struct PieceMap;
+struct RungNode;
+struct StateHashes;
+struct StrokeRecord;
+struct UncutBody;
 
 /// A soft body, a blade and the parameters: one step at a time, on the GPU context that is current
 /// when it is made. Equal commands at equal steps give equal bits.
@@ -109,9 +114,9 @@ class Simulation {
     /// changes.
     void expectPlacement(std::shared_ptr<const UncutBody> placed);
     /// How many models the scene consists of.
-    int modelCount() const { return static_cast<int>(uncut()->models.size()); }
+    int modelCount() const;
     /// How the numbers of the file of a model, by number, become metres of the scene.
-    const Placement& placement(int model = 0) const { return uncut()->models[model].placement; }
+    const Placement& placement(int model = 0) const;
     /// The boxes that the body collides with, besides the floor.
     const std::vector<StaticBox>& boxes() const;
     /// Vertices that stay where they are, ascending.

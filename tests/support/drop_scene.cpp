@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "sim/body/shape_error.h"
+#include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/folds.h"
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "sim/mesh/invariants.h"
 #include "tests/support/scene_player.h"
 #include "tests/support/shapes.h"
 

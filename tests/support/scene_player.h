@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/cut/exact/jitter.h"
+#include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/moving_scenes.h"
 

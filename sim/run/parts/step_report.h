@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/body/body_model.h"
 #include "sim/contact/blade_load.h"
 #include "sim/cut/cut_types.h"
-#include "sim/solve/body_measure.h"
 
 namespace kerf {
+
+struct BodyMeasure;
+struct BodyModel;
 
 /// One row of metrics.csv, known after a step.
 struct StepReport {

@@ -7,6 +7,7 @@
 #include "app/scene/editor_document.h"
 #include "app/scene/scene_recorder.h"
 #include "app/scene/scene_timeline.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/nightly.h"
 #include "tests/support/session_validator.h"

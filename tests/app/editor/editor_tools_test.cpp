@@ -133,7 +133,7 @@ TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
     tap(Key::s);
     moveTo(kMiddle.x(), kMiddle.y());
     settle();
-    const auto searches = [this] { return editor->scene()->readout().surfaceSearches(); };
+    const auto searches = [this] { return editor->scene()->readout().look().searches(); };
     const int before = searches();
     EXPECT_GT(before, 0);
     frames(5);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "sim/body/body_model.h"
+#include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

@@ -7,6 +7,7 @@
 #include "sim/contact/box_obstacles.h"
 #include "sim/run/simulation.h"
 #include "sim/run/state_hash.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"

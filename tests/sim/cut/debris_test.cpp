@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -1,6 +1,7 @@
 // A hollow body as the solver sees it.
 #include <gmock/gmock.h>
 
+#include "sim/body/body_model.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"

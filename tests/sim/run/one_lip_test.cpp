@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/mesh/surface_patch.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -5,6 +5,7 @@
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
+#include "sim/solve/body_view.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/base/size_params.h"
+#include "sim/run/start/prepared_body.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

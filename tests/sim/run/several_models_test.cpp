@@ -3,7 +3,9 @@
 
 #include <array>
 
+#include "sim/run/start/body_upload.h"
 #include "sim/run/start/prepared_body.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -12,6 +12,8 @@
 #include <set>
 
 #include "sim/body/shape_error.h"
+#include "sim/mesh/invariants.h"
+#include "sim/solve/body_view.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/traffic.h"
+#include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <malloc.h>
 
+#include "sim/mesh/invariants.h"
+#include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/cut/stroke/cutter.h"
 #include "sim/run/simulation.h"
+#include "sim/run/start/prepared_body.h"
 #include "tests/support/buffer_bytes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
