@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/move_tool.h"
 #include "gpu/buffer.h"
 #include "gpu/context_loss.h"
 #include "render/scene/depth_field.h"
@@ -290,16 +292,17 @@ void Editor::State::followGizmo() {
     if (scene == nullptr || scene.underWay()) {
         return;
     }
-    const std::optional<Command> command = view.moveTool.takeCommand(*scene);
+    MoveTool& gizmo = view.tools.get<MoveTool>();
+    const std::optional<Command> command = gizmo.takeCommand(*scene);
     if (!command) {
         return;
     }
     const Place* const place = std::get_if<Place>(&*command);
-    if (place != nullptr && !view.moveTool.holds()) {  // at the end of a drag
+    if (place != nullptr && !gizmo.holds()) {  // at the end of a drag
         this->place(*place);
-        view.moveTool.noteOutcome(work.placing() == nullptr, *scene);
+        gizmo.noteOutcome(work.placing() == nullptr, *scene);
     } else {
-        view.moveTool.noteOutcome(execute(*command), *scene);
+        gizmo.noteOutcome(execute(*command), *scene);
     }
 }
 
@@ -312,10 +315,11 @@ void Editor::State::followPlacement() {
 }
 
 void Editor::State::followMeasures() {
-    if (scene == nullptr || scene.underWay() || !view.measures.any()) {
+    MeasureTool& measures = view.tools.get<MeasureTool>();
+    if (scene == nullptr || scene.underWay() || !measures.any()) {
         return;
     }
-    if (const std::string word = view.measures.follow(*scene); !word.empty()) {
+    if (const std::string word = measures.follow(*scene); !word.empty()) {
         toast.show(word, false);
     }
 }

@@ -6,6 +6,9 @@
 #include "app/files/io/free_file.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/move_tool.h"
+#include "app/tools/retract_tool.h"
 #include "gpu/data_path.h"
 #include "ui/action_table.h"
 #include "ui/plots_panel.h"
@@ -24,11 +27,7 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
-    const bool pulls = s.view.holdsBody();
-    if (s.view.moveTool.holds()) {
-        s.view.moveTool.undoDrag(*s.scene);
-    }
-    s.view.cancelTools(pulls ? *s.scene : *s.scene.meanwhile());
+    s.view.cancelTools(s.view.tools.holdsBody() ? *s.scene : *s.scene.meanwhile(), true);
     s.redraw.scene();
 }
 
@@ -37,7 +36,7 @@ void cancel(State& s) {
         s.panels.helpOpen = false;
     } else if (s.faulty) {
         s.hideFaulty();
-    } else if (s.view.endsMeasuring()) {
+    } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
         s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
         stopTools(s);
@@ -89,13 +88,12 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
 
 /// The one before lets go.
 void setTools(State& s, const ui::ToolSettings& settings) {
-    const bool pulls = s.view.holdsBody();
-    s.view.setTools(settings, pulls ? *s.scene : *s.scene.meanwhile());
+    s.view.setTools(settings, s.view.tools.holdsBody() ? *s.scene : *s.scene.meanwhile());
 }
 
 template <ui::Tool tool>
 void take(State& s) {
-    ui::ToolSettings settings = s.view.bladeTool.settings();
+    ui::ToolSettings settings = s.view.tools.settings();
     settings.tool = tool;
     setTools(s, settings);
 }
@@ -117,12 +115,7 @@ void freePins(State& s) {
 }
 
 void removeRetractor(State& s) {
-    s.view.retractTool.release(*s.scene);
-    const std::vector<Hands::Hand> hooks = s.scene->hooks();
-    if (!hooks.empty()) {
-        const auto under = RetractTool::hookAt(s.view.frame(), s.view.pointer, *s.scene);
-        s.scene->removeRetractor(under.value_or(hooks.back().number));
-    }
+    s.view.tools.get<RetractTool>().removeOne(s.view.context(*s.scene));
 }
 
 void toggleGravity(State& s) {
@@ -261,9 +254,8 @@ using render::Overlays;
 using ui::ActionId;
 using ui::DisplaySettings;
 using ui::FilePurpose;
-using ui::Tool;
 
-constexpr std::array kHandlers{
+constexpr std::array kOtherHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::addModel, Needs::scene,
             [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
@@ -283,18 +275,10 @@ constexpr std::array kHandlers{
     Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
     Handler{ActionId::remesh, Needs::body, [](State& s) { s.remesh({}); }},
     Handler{ActionId::partModel, Needs::body, [](State& s) { s.partModel(); }},
-    Handler{ActionId::toolStroke, Needs::scene, take<Tool::stroke>},
-    Handler{ActionId::toolScalpel, Needs::scene, take<Tool::scalpel>},
-    Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
-    Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
-    Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
-    Handler{ActionId::toolRetract, Needs::scene, take<Tool::retract>},
-    Handler{ActionId::toolMove, Needs::scene, take<Tool::move>},
-    Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) {
                 if (!s.comesBack()) {
-                    s.view.bladeTool.bringDown(*s.scene.meanwhile());
+                    s.view.tools.inHand().trigger(s.view.context(*s.scene.meanwhile()));
                 }
             }},
     Handler{ActionId::freePins, Needs::body, freePins},
@@ -345,6 +329,9 @@ constexpr std::array kHandlers{
     Handler{ActionId::help, Needs::nothing,
             [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
 };
+constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::Tool tool>() {
+    return Handler{ui::actionOf(tool), Needs::scene, take<tool>};
+});
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");
 
 const Handler& handlerOf(ActionId id) {
@@ -387,7 +374,7 @@ void exportPlots(State& s, bool asPicture) {
 
 void exportMeasures(State& s) {
     s.work.saveBehind("kerf-measures", ".csv",
-                      [text = ui::measuresAsCsv(s.view.measures.rows())](
+                      [text = ui::measuresAsCsv(s.view.tools.get<MeasureTool>().rows())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
@@ -405,7 +392,8 @@ void placeBox(State& s) {
     if (!s.execute(AddBox{box})) {
         return;
     }
-    s.view.moveTool.chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) - 1);
+    s.view.tools.get<MoveTool>().chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) -
+                                           1);
     if (!isInView(box, frame, s.view.free)) {
         Bounds both = body;
         both.add(box.bounds());
@@ -435,11 +423,7 @@ struct Answer {
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::RemoveMeasure& removal) const {
-        if (removal.id == 0) {
-            s.view.measures.clear();
-        } else {
-            s.view.measures.remove(removal.id);
-        }
+        s.view.tools.get<MeasureTool>().remove(removal.id);
     }
     void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {

@@ -5,6 +5,7 @@
 
 #include "app/editor/editor_state.h"
 #include "app/scene/section_pick.h"
+#include "app/tools/measure_tool.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -50,8 +51,8 @@ void Editor::State::describe(bool withOverlay) {
     model.fieldLegend = fieldLegend(withOverlay && !panels.interface.ownsPointer());
     model.axes = axesOf(view.camera.shown());
     model.orthographic = view.camera.shown().orthographic;
-    model.tools = view.bladeTool.settings();
-    model.measures = view.measures.rows();
+    model.tools = view.tools.settings();
+    model.measures = view.tools.get<MeasureTool>().rows();
     model.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);

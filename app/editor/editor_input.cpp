@@ -106,9 +106,8 @@ EditorScene* Editor::State::sceneInHand(bool presses) {
     if (faulty || (presses && comesBack())) {
         return nullptr;
     }
-    const ui::Tool tool = view.bladeTool.settings().tool;
-    const bool leadsBlade = tool == ui::Tool::stroke || tool == ui::Tool::guillotine;
-    return leadsBlade || !(presses || view.holds()) ? scene.meanwhile() : scene.get();
+    const bool readsBody = ui::rowOf(view.tools.settings().tool).readsBody;
+    return readsBody && (presses || view.holds()) ? scene.get() : scene.meanwhile();
 }
 
 }  // namespace kerf::app
