@@ -27,7 +27,7 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
-    s.view.cancelTools(s.view.tools.holdsBody() ? *s.scene : *s.scene.meanwhile(), true);
+    s.view.cancelTools(s.sceneOfTool(), true);
     s.redraw.scene();
 }
 
@@ -48,9 +48,9 @@ void cancelWork(State& s) {
     if (s.work.cancel() || s.scene == nullptr) {
         return;
     }
-    EditorScene& scene = *s.scene.meanwhile();
+    const BusyScene scene = s.scene.meanwhile();
     if (scene.stroke().pending() == 0) {
-        scene.playing = false;
+        scene.playing() = false;
         scene.stopSeeking();
     }
     stopTools(s);
@@ -88,7 +88,7 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
 
 /// The one before lets go.
 void setTools(State& s, const ui::ToolSettings& settings) {
-    s.view.setTools(settings, s.view.tools.holdsBody() ? *s.scene : *s.scene.meanwhile());
+    s.view.setTools(settings, s.sceneOfTool());
 }
 
 template <ui::Tool tool>
@@ -115,7 +115,7 @@ void freePins(State& s) {
 }
 
 void removeRetractor(State& s) {
-    s.view.tools.get<RetractTool>().removeOne(s.view.context(*s.scene));
+    s.view.tools.get<RetractTool>().removeOne(s.view.context(s.restingScene()));
 }
 
 void toggleGravity(State& s) {
@@ -138,7 +138,7 @@ void toggleTimeWhileCutting(State& s) {
 }
 
 void playOrPause(State& s) {
-    bool& playing = s.scene.meanwhile()->playing;
+    bool& playing = s.scene.meanwhile().playing();
     playing = !playing;
 }
 
@@ -148,14 +148,14 @@ void stepOnce(State& s) {
 }
 
 void reset(State& s) {
-    s.view.cancelTools(*s.scene);
+    s.view.cancelTools(s.restingScene());
     s.scene->reset();
 }
 
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
     if (!s.scene->recording()) {
-        s.view.cancelTools(*s.scene);
+        s.view.cancelTools(s.restingScene());
         s.scene->startRecording();
         s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
@@ -230,7 +230,7 @@ void toggleSection(State& s) {
     if (section) {
         section.reset();
     } else {
-        section = sectionAcross(s.scene.meanwhile()->bounds(), s.view.camera.destination());
+        section = sectionAcross(s.scene.meanwhile().bounds(), s.view.camera.destination());
     }
 }
 
@@ -278,7 +278,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) {
                 if (!s.comesBack()) {
-                    s.view.tools.inHand().trigger(s.view.context(*s.scene.meanwhile()));
+                    s.view.tools.inHand().trigger(s.view.context(s.scene.meanwhile()));
                 }
             }},
     Handler{ActionId::freePins, Needs::body, freePins},
@@ -300,9 +300,9 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::addCamera, Needs::body, addCamera},
     Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::scene,
-            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene.meanwhile())); }},
+            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(s.scene.meanwhile())); }},
     Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->homeView()); }},
+            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile().homeView()); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
@@ -444,7 +444,7 @@ struct Answer {
         s.execute(countedFrom(command, s.scene->document().session.origin));
     }
     void onBody(const ui::PlaceModel& wanted) const {
-        s.view.cancelTools(*s.scene);
+        s.view.cancelTools(s.restingScene());
         s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
@@ -462,7 +462,7 @@ struct Answer {
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {
-        const Bounds piece = s.view.display.boundsOf(*s.scene.meanwhile(), wanted.piece);
+        const Bounds piece = s.view.display.boundsOf(s.scene.meanwhile(), wanted.piece);
         if (!piece.empty()) {
             s.view.flyToFrame(piece);
         }
@@ -501,7 +501,7 @@ void Editor::State::perform(ui::ActionId id) {
 
 bool Editor::State::execute(const Command& command) {
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
-        view.cancelTools(*scene);  // Neither a stroke nor a pull goes on elsewhere.
+        view.cancelTools(restingScene());  // Neither a stroke nor a pull goes on elsewhere.
     }
     const std::string problem = scene->execute(command);
     say(problem);

@@ -39,12 +39,11 @@ void Editor::State::describe(bool withOverlay) {
         describeScene();
     }
     panels.describe(told);
-    if (EditorScene* const now = scene.meanwhile()) {
-        model.playing = now->playing;
+    if (const BusyScene now = scene.meanwhile()) {
+        model.playing = now.playing();
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
-            model.overlay =
-                withOverlay ? view.overlay(inView, !scene.underWay(), *now) : std::move(before);
+            model.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
         }
     }
     view.display.describe(scene.meanwhile(), model);
@@ -87,12 +86,12 @@ ui::FieldLegend Editor::State::fieldLegend(bool inView) {
 
 /// A stroke by its poses; and what else takes long, which has no end that could be told.
 ui::WorkState Editor::State::sceneWork() const {
-    const EditorScene* const now = scene.meanwhile();
+    const BusyScene now = scene.meanwhile();
     const double perStep = std::max(clock.secondsPerStep(), scene.seconds());
-    if (now == nullptr) {
+    if (!now) {
         return {};
     }
-    const StrokeProgress cut = now->stroke().progress();
+    const StrokeProgress cut = now.stroke().progress();
     const auto left = static_cast<double>(cut.poses - cut.done);
     if (left * perStep > kQuietSeconds) {
         return {"Cutting", std::to_string(cut.done) + " of " + std::to_string(cut.poses) + " steps",
@@ -115,9 +114,10 @@ std::string Editor::State::title() const {
     if (scene == nullptr) {
         return "Kerf";
     }
-    const EditorScene& now = *scene.meanwhile();
-    const std::size_t pieces = scene.underWay() ? told.pieces.size() : now.pieceCount();
-    return "Kerf - " + now.document().name + " - " + counted(pieces, "piece", "pieces");
+    const EditorScene* const rests = scene.atRest();
+    const std::size_t pieces = rests == nullptr ? told.pieces.size() : rests->pieceCount();
+    return "Kerf - " + scene.meanwhile().document().name + " - " +
+           counted(pieces, "piece", "pieces");
 }
 
 }  // namespace kerf::app

@@ -254,7 +254,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     const TriangleFigures before = figuresOf(*scene);
     const TriangleFigures now = figuresOf(*next);
-    view.cancelTools(*scene);
+    view.cancelTools(restingScene());
     scene->playing = false;
     scene->stopSeeking();
     picture.setRestDepth(uploaded.depth);
@@ -299,7 +299,7 @@ void Editor::State::followExchange() {
         askAboutRepair();
         return;
     }
-    view.cancelTools(*scene);
+    view.cancelTools(restingScene());
     scene->playing = false;
     scene->stopSeeking();
     const int saved = keeping.savedDeeds();
@@ -345,7 +345,7 @@ void Editor::State::describeFaults() {
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {
-            model.faults = ui::faultRows(*scene.meanwhile()->faultMarks());
+            model.faults = ui::faultRows(*scene.meanwhile().faultMarks());
         }
     }
     if (faulty) {

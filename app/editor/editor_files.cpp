@@ -135,7 +135,7 @@ void Editor::State::followPlacing() {
         return;
     }
     scene.begin(SceneWork::change, [this, command = placing->command()](EditorScene& now) {
-        view.cancelTools(now);
+        view.cancelTools({&now, false});
         say(now.execute(command));
     });
     goOn();
@@ -144,12 +144,12 @@ void Editor::State::followPlacing() {
 // --- Choosing and saving -----------------------------------------------------------------------
 
 void Editor::State::browse(ui::FilePurpose purpose, BrowseFor what) {
-    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile()->document().name, what);
+    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile().document().name, what);
 }
 
 /// A test without a picture is one too, but it can't show what has changed.
 void Editor::State::askAboutTest() {
-    if (scene.meanwhile()->takesPictures()) {
+    if (scene.meanwhile().takesPictures()) {
         browse(ui::FilePurpose::saveTest);
         return;
     }
@@ -240,7 +240,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         onceSaved = nullptr;
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
-                              scene->simulation(), view.display.look(*scene)));
+                              scene->simulation(), view.display.look(scene->document())));
         return;
     }
     if (chosen.purpose == ui::FilePurpose::saveMaterial) {

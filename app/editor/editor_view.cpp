@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/scene/editor_scene.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/tool_marks.h"
 
@@ -75,73 +74,72 @@ void EditorView::flyToFrame(const Bounds& bounds) {
 
 // --- The pointer -------------------------------------------------------------------------------
 
-void EditorView::move(const ui::PointerMove& move, EditorScene* scene) {
+void EditorView::move(const ui::PointerMove& move, const BusyScene& scene) {
     const Vec2 from = pointer;
     pointer = {move.x, move.y};
     const bool turned = camera.drag(pointer - from, height);
-    if (scene == nullptr) {
+    if (!scene) {
         return;
     }
     if (turned) {
-        camera.keepNear(scene->bounds());
+        camera.keepNear(scene.bounds());
     }
     if (sectionTool.holds() && display.settings.section) {
         display.settings.section =
-            sectionTool.moved(frame(), pointer, *display.settings.section, scene->bounds());
+            sectionTool.moved(frame(), pointer, *display.settings.section, scene.bounds());
         return;
     }
-    tools.inHand().move(context(*scene, move.modifiers));
+    tools.inHand().move(context(scene, move.modifiers));
 }
 
-std::string EditorView::press(const ui::ButtonChange& change, EditorScene* scene) {
+std::string EditorView::press(const ui::ButtonChange& change, const BusyScene& scene) {
     if (change.button == ui::Button::right) {
         rightPress_ = pointer;
     }
-    if (holds() || camera.press(change, mouse) || change.button != ui::Button::left ||
-        scene == nullptr) {
+    if (holds() || camera.press(change, mouse) || change.button != ui::Button::left || !scene) {
         return "";
     }
-    if (pressSection(*scene)) {
+    if (pressSection(scene)) {
         return "";
     }
     if (display.join() && tools.inHand().aims()) {
         return "";  // What was aimed at is elsewhere.
     }
-    return tools.inHand().press(context(*scene, change.modifiers));
+    return tools.inHand().press(context(scene, change.modifiers));
 }
 
-bool EditorView::pressSection(const EditorScene& scene) {
+bool EditorView::pressSection(const BusyScene& scene) {
     const std::optional<render::SectionPlane>& section = display.settings.section;
     return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
 }
 
-std::string EditorView::release(ui::Button button, EditorScene* scene) {
+std::string EditorView::release(ui::Button button, const BusyScene& scene) {
     camera.release(button);
-    if (button == ui::Button::right && scene != nullptr && rightClicks()) {
-        tools.inHand().rightClick(context(*scene));
+    if (button == ui::Button::right && scene && rightClicks()) {
+        tools.inHand().rightClick(context(scene));
     }
-    if (button != ui::Button::left || scene == nullptr) {
+    if (button != ui::Button::left || !scene) {
         return "";
     }
     sectionTool.release();
-    return tools.inHand().release(context(*scene));
+    return tools.inHand().release(context(scene));
 }
 
 bool EditorView::rightClicks() const {
     return tools.inHand().takesRightClicks() && (pointer - rightPress_).norm() < kClick;
 }
 
-void EditorView::zoom(double notches, EditorScene* scene) {
+void EditorView::zoom(double notches, const BusyScene& scene) {
     const ViewFrame seen = frame();
     camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
-    if (scene != nullptr) {
-        camera.keepNear(scene->bounds());
+    if (scene) {
+        camera.keepNear(scene.bounds());
     }
 }
 
 // --- The tools ---------------------------------------------------------------------------------
 
-ToolContext EditorView::context(EditorScene& scene, const ui::Modifiers& modifiers) {
+ToolContext EditorView::context(const BusyScene& scene, const ui::Modifiers& modifiers) {
     return {frame(),
             pointer,
             modifiers,
@@ -149,17 +147,17 @@ ToolContext EditorView::context(EditorScene& scene, const ui::Modifiers& modifie
             scene.stroke(),
             scene.bounds(),
             display.settings.section,
-            &scene};
+            scene.atRest()};
 }
 
-void EditorView::setTools(const ui::ToolSettings& settings, EditorScene& scene) {
+void EditorView::setTools(const ui::ToolSettings& settings, const BusyScene& scene) {
     if (settings.tool != tools.settings().tool) {
         display.join();
     }
     tools.set(settings, context(scene));
 }
 
-void EditorView::cancelTools(EditorScene& scene, bool takesBack) {
+void EditorView::cancelTools(const BusyScene& scene, bool takesBack) {
     sectionTool.release();
     tools.cancel(context(scene), takesBack);
 }
@@ -169,10 +167,9 @@ ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
     return drags ? ui::Cursor::hand : tools.inHand().cursor(overlay);
 }
 
-ui::Overlay EditorView::overlay(bool inView, bool looks, EditorScene& scene) {
+ui::Overlay EditorView::overlay(bool inView, const BusyScene& scene) {
     ToolContext seen = context(scene);
     seen.pixel = inView ? pointer : kNowhere;
-    seen.scene = looks ? &scene : nullptr;
     ui::Overlay overlay;
     tools.get<MeasureTool>().addMeasures(overlay, seen.view, seen.pixel);
     tools.addTo(overlay, seen);

@@ -93,8 +93,8 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
         addHashes(hashed, *hashes);
         return journalStart(name, hashed);
     });
-    write(scene.takeChange(true), isUnsaved(scene));
-    if (isUnsaved(scene)) {
+    write(scene.takeChange(true), isUnsaved(scene.deeds()));
+    if (isUnsaved(scene.deeds())) {
         untilPicture_ = kUntilPicture;
     }
 }
@@ -102,7 +102,7 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
 /// That time goes by is noted now and then; what is done, at once.
 void WorkKeeping::note(EditorScene& scene) {
     SessionChange change = scene.takeChange(false);
-    const bool unsaved = isUnsaved(scene);
+    const bool unsaved = isUnsaved(scene.deeds());
     const bool isDone = change.dropped > 0 || !change.added.empty();
     const bool goesBy =
         change.steps != steps_ && (!scene.running() || sinceLine_.seconds() > kBetweenSteps);

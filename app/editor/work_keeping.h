@@ -45,7 +45,7 @@ class WorkKeeping {
     void noteSaved(int deeds) { savedDeeds_ = deeds; }
     int savedDeeds() const { return savedDeeds_; }
     /// Whether a person has done something that no file has.
-    bool isUnsaved(const EditorScene& scene) const { return scene.deeds() != savedDeeds_; }
+    bool isUnsaved(int deeds) const { return deeds != savedDeeds_; }
     /// Whether nothing is on its way to the disk, and follow() has nothing to do of itself.
     bool settled() const;
 
