@@ -82,25 +82,20 @@ static_assert(coversTools(kToolRows), "a Tool has no row, or not at its place");
 struct StrokeSettings {
     bool throughAll = true;  ///< the blade reaches beyond the body
     double depth = 0.3;      ///< how far behind the nearest point of the body it ends otherwise
-    bool operator==(const StrokeSettings&) const = default;
 };
 struct ScalpelSettings {
     double depth = 0.1;  ///< below the surface
-    bool operator==(const ScalpelSettings&) const = default;
 };
 struct GuillotineSettings {
     double length = 1;
     double drop = 1;     ///< how far it goes down
     double lowered = 0;  ///< share of that, 0 to 1
-    bool operator==(const GuillotineSettings&) const = default;
 };
 struct GrabSettings {
     double radius = 0.1;  ///< of what the hand takes hold of
-    bool operator==(const GrabSettings&) const = default;
 };
 struct PinSettings {
     double radius = 0.1;  ///< of the brush
-    bool operator==(const PinSettings&) const = default;
 };
 
 /// The tool in hand and the settings of all, which the tools panel shows and answers with.
@@ -113,7 +108,6 @@ struct ToolSettings {
     PinSettings pin;
     MeasureKind measure = MeasureKind::distance;
     double longest = 3;  ///< end of all sliders [m]
-    bool operator==(const ToolSettings&) const = default;
 };
 
 }  // namespace kerf::ui

@@ -8,19 +8,14 @@
 namespace kerf::app {
 
 // What makes each tool, in the file of its name.
-std::unique_ptr<Tool> makeStrokeTool();
-std::unique_ptr<Tool> makeScalpelTool();
-std::unique_ptr<Tool> makeGuillotineTool();
-std::unique_ptr<Tool> makeGrabTool();
-std::unique_ptr<Tool> makePinTool();
-std::unique_ptr<Tool> makeRetractTool();
-std::unique_ptr<Tool> makeMoveTool();
-std::unique_ptr<Tool> makeMeasureTool();
+using MakeTool = std::unique_ptr<Tool>();
+MakeTool makeStrokeTool, makeScalpelTool, makeGuillotineTool, makeGrabTool, makePinTool,
+    makeRetractTool, makeMoveTool, makeMeasureTool;
 
 /// The half of a row of ui::kToolRows that the panels don't know.
 struct ToolMaker {
     ui::Tool tool;
-    std::unique_ptr<Tool> (*make)();
+    MakeTool* make;
 };
 inline constexpr std::array kToolMakers{
     ToolMaker{ui::Tool::stroke, makeStrokeTool},
