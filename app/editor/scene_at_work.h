@@ -6,6 +6,7 @@
 
 #include "app/editor/busy_scene.h"
 #include "app/editor/work_in_portions.h"
+#include "gpu/bindings.h"
 
 namespace kerf::app {
 
@@ -48,7 +49,7 @@ class SceneAtWork {
   private:
     std::unique_ptr<EditorScene> scene_;
     SceneWork kind_ = SceneWork::steps;
-    WorkInPortions work_;  // gone before the scene
+    WorkInPortions work_{gpu::clearBindings};  // gone before the scene
 };
 
 }  // namespace kerf::app
