@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <array>
-
 namespace kerf::gpu {
 namespace {
 
@@ -13,16 +11,6 @@ GLint valueOf(GLenum name) {
     return value;
 }
 
-struct Binding {
-    GLenum name;
-    const char* words;
-};
-constexpr std::array kTakenForUnbound{
-    Binding{GL_VERTEX_ARRAY_BINDING, "a vertex array"},
-    Binding{GL_PIXEL_PACK_BUFFER_BINDING, "a buffer that pixels are written to"},
-    Binding{GL_PIXEL_UNPACK_BUFFER_BINDING, "a buffer that pixels are read from"},
-};
-
 }  // namespace
 
 std::string clearBindings() {
@@ -31,12 +19,12 @@ std::string clearBindings() {
                       nullptr);
     glBindBuffersBase(GL_UNIFORM_BUFFER, 0, valueOf(GL_MAX_UNIFORM_BUFFER_BINDINGS), nullptr);
     glBindTextures(0, valueOf(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS), nullptr);
-    for (const Binding& binding : kTakenForUnbound) {
-        if (valueOf(binding.name) != 0) {
-            return binding.words;
-        }
+    if (valueOf(GL_VERTEX_ARRAY_BINDING) != 0) {
+        return "a vertex array";
     }
-    return "";
+    const bool pixels =
+        valueOf(GL_PIXEL_PACK_BUFFER_BINDING) != 0 || valueOf(GL_PIXEL_UNPACK_BUFFER_BINDING) != 0;
+    return pixels ? "a buffer of pixels" : "";
 }
 
 }  // namespace kerf::gpu

@@ -23,8 +23,7 @@ class ToolBox {
     /// Takes another tool, which makes the one before let go, or other settings of this one.
     void set(const ui::ToolSettings& wanted, const ToolContext& c);
 
-    Tool& inHand() { return *tools_[static_cast<std::size_t>(settings_.tool)]; }
-    const Tool& inHand() const { return *tools_[static_cast<std::size_t>(settings_.tool)]; }
+    Tool& inHand() const { return *tools_[static_cast<std::size_t>(settings_.tool)]; }
     /// Whether the tool in hand holds what takes part in the simulation.
     bool holdsBody() const { return inHand().holds() && !ui::rowOf(settings_.tool).leadsBlade; }
     /// Gives up the stroke and lets go of everything; `takesBack` what was done too.
@@ -34,7 +33,7 @@ class ToolBox {
 
     /// A tool by its class, such as MoveTool.
     template <class Kind>
-    Kind& get() {
+    Kind& get() const {
         return static_cast<Kind&>(*tools_[static_cast<std::size_t>(Kind::kTool)]);
     }
 

@@ -23,7 +23,7 @@ TEST_F(BindingsTest, NamesWhatOthersTakeForUnbound) {
     Buffer buffer;
     buffer.resize(16);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer.id());
-    EXPECT_EQ(clearBindings(), "a buffer that pixels are written to");
+    EXPECT_EQ(clearBindings(), "a buffer of pixels");
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     EXPECT_EQ(clearBindings(), "");
 }
