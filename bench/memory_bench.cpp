@@ -83,11 +83,11 @@ class MemoryBench {
             line["given_up"] = editor_.panels().toast;
             return line;
         }
-        line["pieces"] = scene.pieceCount();
+        line["pieces"] = scene.simulation().report().pieces;
         line["triangles_cut"] = scene.simulation().report().triangles;
         line["step_s"] = seconds([&] { step(); });
         line["undo_s"] = seconds([this] { undo(); });
-        line["pieces_after_undo"] = scene.pieceCount();
+        line["pieces_after_undo"] = scene.simulation().report().pieces;
         line["peak_gb"] = peakOfProcess() / kGiga;
         line["buffers_gb"] = static_cast<double>(buffers_.most()) / kGiga;
         line["largest_buffer_gb"] = static_cast<double>(buffers_.largest()) / kGiga;

@@ -49,9 +49,9 @@ ui::History longHistory() {
 double panelsMs(const ui::History& history, const std::vector<std::string>& plots) {
     ui::PanelModel model;
     model.name = "ball";
-    model.history = &history;
-    model.time = 0.005 * kValues;
-    model.pieces.resize(2);
+    model.plots.history = &history;
+    model.transport.time = 0.005 * kValues;
+    model.pieces.rows.resize(2);
     model.settings.plots = plots;
     ui::Interface interface(ui::Theme::dark, 1);
     const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, kWidth, kHeight);

@@ -64,9 +64,9 @@ void drawBox(int index, const PanelModel& model, std::vector<Action>& actions) {
     }
     noteItem(name + ".remove");
     if (open) {
-        ChangeBox change{index, model.boxes[index]};
-        const auto step = static_cast<float>(0.002 * model.bodySize);
-        const char* const metres = lengthFormat(model.bodySize);
+        ChangeBox change{index, model.body.boxes[index]};
+        const auto step = static_cast<float>(0.002 * model.body.size);
+        const char* const metres = lengthFormat(model.body.size);
         const std::array drags{
             dragVector("Center", change.box.center,
                        {step, -kFarthestBox, kFarthestBox, "m", metres}, name),
@@ -93,7 +93,7 @@ void drawBoxes(const PanelModel& model, std::vector<Action>& actions) {
     }
     noteItem("boxes.add");
     itemTooltip("A cube beside the body, which it collides with");
-    for (int i = 0; i < static_cast<int>(model.boxes.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(model.body.boxes.size()); ++i) {
         drawBox(i, model, actions);
     }
 }

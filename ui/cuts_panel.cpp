@@ -32,15 +32,15 @@ void drawRow(const CutRow& row) {
 }  // namespace
 
 void drawCuts(const PanelModel& model) {
-    if (!model.cutsNote.empty()) {
-        ImGui::TextDisabled("%s", model.cutsNote.c_str());
+    if (!model.cuts.note.empty()) {
+        ImGui::TextDisabled("%s", model.cuts.note.c_str());
     }
-    if (model.cuts.empty() ||
+    if (model.cuts.rows.empty() ||
         !ImGui::BeginTable("cuts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         return;
     }
     drawTitles();
-    for (const CutRow& row : model.cuts) {
+    for (const CutRow& row : model.cuts.rows) {
         drawRow(row);
     }
     ImGui::EndTable();

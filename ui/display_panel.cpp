@@ -112,7 +112,7 @@ bool chooseHardEdges(double& angle) {
 
 /// Where the colours of the skin come from, for models that have some.
 bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
-    if (!model.hasOwnColors) {
+    if (!model.looks.hasOwnColors) {
         return false;
     }
     bool own = colors.showOwn();
@@ -209,14 +209,14 @@ bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
 
 /// Where the section lies and what it hides.
 bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
-    const Vec3 center = model.bodyBounds.center();
+    const Vec3 center = model.body.bounds.center();
     bool changed = chooseSide(plane, center);
-    const double reach = 0.5 * model.bodyBounds.diagonal();
+    const double reach = 0.5 * model.body.bounds.diagonal();
     const double low = -reach;
     double along = -plane.distance(center);
     if (slideRow({"Along", "How far the plane lies from the body's middle", "section.along"},
                  {ImGuiDataType_Double, &along, &low, &reach,
-                  std::string(lengthFormat(model.bodySize)) + " m"},
+                  std::string(lengthFormat(model.body.size)) + " m"},
                  ImGui::GetContentRegionAvail().x)
             .changed) {
         plane.point = center + along * plane.normal;
@@ -232,14 +232,14 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     bool changed = chooseLook(display.colors);
     drawSwitches(model, actions);
     changed |= chooseHardEdges(display.hardEdges);
-    changed |= chooseColor("Skin", display.colors.skin, model.ownSkin, "Colour of the skin");
+    changed |= chooseColor("Skin", display.colors.skin, model.looks.ownSkin, "Colour of the skin");
     ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
     changed |=
-        chooseColor("Flesh", display.colors.flesh, model.ownFlesh, "Colour of the cut faces");
+        chooseColor("Flesh", display.colors.flesh, model.looks.ownFlesh, "Colour of the cut faces");
     changed |= chooseSource(model, display.colors);
     changed |= chooseField(display.field);
     if (display.field.field != render::SurfaceField::look) {
-        changed |= chooseRange(display.field, model.fieldLegend, model.bodySize);
+        changed |= chooseRange(display.field, model.looks.field, model.body.size);
     }
     if (display.section) {
         changed |= chooseSection(*display.section, model);
@@ -290,8 +290,8 @@ void drawErrorScale(float scale) {
 void drawLegend(const PanelModel& model, const Rect& view, float scale) {
     const DisplaySettings& display = model.display;
     const bool field = display.field.field != render::SurfaceField::look;
-    const bool body = !model.showsFaulty && (display.overlays.any() || field);
-    if (!body && model.faults.empty()) {
+    const bool body = !model.looks.showsFaulty && (display.overlays.any() || field);
+    if (!body && model.looks.faults.empty()) {
         return;
     }
     // Below the axes; what the editor says comes in the middle.
@@ -304,12 +304,12 @@ void drawLegend(const PanelModel& model, const Rect& view, float scale) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (body && field) {
-        drawFieldScale(model.fieldLegend, scale);
+        drawFieldScale(model.looks.field, scale);
     }
     if (body) {
         drawOverlayRows(display.overlays);
     }
-    drawFaultRows(model.faults);
+    drawFaultRows(model.looks.faults);
     if (body && display.overlays.errors) {
         drawErrorScale(scale);
     }

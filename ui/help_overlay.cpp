@@ -88,7 +88,7 @@ void drawGroups(const std::vector<Group>& groups, int columns) {
 }  // namespace
 
 void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
-    if (!model.helpOpen) {
+    if (!model.help.open) {
         return;
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;

@@ -13,8 +13,8 @@
 namespace kerf::ui {
 
 void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
-    const Hint& hint = model.hint;
-    if (hint.text.empty() || model.stroking || model.helpOpen) {
+    const Hint& hint = model.help.hint;
+    if (hint.text.empty() || model.transport.stroking || model.help.open) {
         return;
     }
     const float line = ImGui::GetFontSize();

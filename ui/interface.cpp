@@ -276,7 +276,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
         layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, timed);
     noteCovered(model.settings, layout);
     freeView_ = layout.view;
-    drawOverlay(model.overlay, scale);
+    drawOverlay(model.view.overlay, scale);
     if (model.settings.showControls) {
         drawControls(model, layout.controls, actions);
     }
@@ -285,9 +285,9 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     }
     drawEdges(model, layout, scale, actions);
     drawPanelsHint(model, layout.view, actions);
-    if (!model.name.empty() || model.showsFaulty) {
+    if (!model.name.empty() || model.looks.showsFaulty) {
         drawLegend(model, layout.view, scale);
-        drawAxes(model.axes, layout.view, scale, actions);
+        drawAxes(model.view.axes, layout.view, scale, actions);
     }
     if (timed) {
         drawTimeline(model, layout.timeline, actions);

@@ -76,10 +76,10 @@ void drawList(const std::vector<MeasureRow>& measures, std::vector<Action>& acti
 
 bool drawMeasureRows(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions) {
     const bool changed = chooseKind(tools);
-    if (model.measures.empty()) {
+    if (model.view.measures.empty()) {
         ImGui::TextDisabled("Click on the body.");
     } else {
-        drawList(model.measures, actions);
+        drawList(model.view.measures, actions);
     }
     return changed;
 }

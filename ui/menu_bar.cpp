@@ -34,10 +34,10 @@ void drawItem(const PanelModel& model, const ActionRow& row, std::vector<Action>
 }
 
 void drawRecentFiles(const PanelModel& model, std::vector<Action>& actions) {
-    if (!ImGui::BeginMenu("Open again", !model.recentFiles.empty())) {
+    if (!ImGui::BeginMenu("Open again", !model.files.recent.empty())) {
         return;
     }
-    for (const std::filesystem::path& file : model.recentFiles) {
+    for (const std::filesystem::path& file : model.files.recent) {
         ImGui::PushID(file.c_str());
         if (ImGui::MenuItem(file.filename().c_str())) {
             actions.emplace_back(FileAction(OpenFile{file}));

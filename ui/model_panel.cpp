@@ -145,9 +145,9 @@ void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
 /// The lines of the list, with one between those that come with Kerf and a person's own.
 void offerMaterials(const PanelModel& model, const ShownModel& shown,
                     std::vector<Action>& actions) {
-    for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
-        const MaterialRow& row = model.materials[m];
-        if (m > 0 && row.own != model.materials[m - 1].own) {
+    for (int m = 0; m < static_cast<int>(model.model.materials.size()); ++m) {
+        const MaterialRow& row = model.model.materials[m];
+        if (m > 0 && row.own != model.model.materials[m - 1].own) {
             ImGui::Separator();
         }
         ImGui::PushID(m);
@@ -168,7 +168,7 @@ void offerMaterials(const PanelModel& model, const ShownModel& shown,
 
 void drawMaterial(const PanelModel& model, const ShownModel& shown, std::vector<Action>& actions) {
     const bool known = shown.state.material >= 0;
-    const MaterialRow* const row = known ? &model.materials[shown.state.material] : nullptr;
+    const MaterialRow* const row = known ? &model.model.materials[shown.state.material] : nullptr;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Material");
     ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
@@ -232,7 +232,7 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
             "Triangles pass through others. Makes one surface of pieces that cross, so that their "
             "material counts once");
     }
-    if (model.objects > 1) {
+    if (model.model.objects > 1) {
         if (ImGui::Button("Part into models")) {
             actions.emplace_back(ActionId::partModel);
         }
@@ -240,9 +240,9 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
         itemTooltip(fmt::format(
             "The file has {} objects. Makes a model of each, to be placed and made of a material "
             "of its own. The scene begins anew; undo brings it back",
-            model.objects));
+            model.model.objects));
     }
-    if (model.faultCount > 0) {
+    if (model.model.faultCount > 0) {
         DisplaySettings display = model.display;
         if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
             actions.emplace_back(SetDisplay{display});
@@ -256,12 +256,12 @@ void drawTriangles(const PanelModel& model, const ShownModel& shown, std::vector
 /// A row per model of the scene. Returns the chosen one.
 int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
     int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
-    chosen = std::min(chosen, static_cast<int>(model.models.size()) - 1);
-    for (int m = 0; m < static_cast<int>(model.models.size()); ++m) {
+    chosen = std::min(chosen, static_cast<int>(model.model.models.size()) - 1);
+    for (int m = 0; m < static_cast<int>(model.model.models.size()); ++m) {
         ImGui::PushID(m);
         const std::string number = std::to_string(m);
         const float room = m > 0 ? 1.5F * ImGui::GetFrameHeight() : 0;
-        if (ImGui::Selectable((number + "  " + model.models[m].name).c_str(), m == chosen, 0,
+        if (ImGui::Selectable((number + "  " + model.model.models[m].name).c_str(), m == chosen, 0,
                               {ImGui::GetContentRegionAvail().x - room, 0})) {
             chosen = m;
         }
@@ -282,11 +282,11 @@ int chooseModel(const PanelModel& model, std::vector<Action>& actions) {
 }  // namespace
 
 void drawModel(const PanelModel& model, std::vector<Action>& actions) {
-    if (model.models.empty()) {
+    if (model.model.models.empty()) {
         return;
     }
-    const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;
-    const ShownModel shown{model.models[number], number, model.liveModels};
+    const int number = model.model.models.size() > 1 ? chooseModel(model, actions) : 0;
+    const ShownModel shown{model.model.models[number], number, model.model.live};
     const ModelState& state = shown.state;
     drawWrapped(sizeText(state.size), false);
     noteItem("model.size");
@@ -302,7 +302,7 @@ void drawModel(const PanelModel& model, std::vector<Action>& actions) {
         drawWrapped(state.guess, true);
     }
     drawTriangles(model, shown, actions);
-    if (!model.untouched) {
+    if (!model.model.untouched) {
         drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
                     true);
     }

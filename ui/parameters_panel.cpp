@@ -245,8 +245,8 @@ void drawMark(const std::string& param, const ParamValue& value, const char* too
 /// Where the value is not what it was at the start.
 void drawReset(const ParamInfo& info, const PanelModel& model, float top,
                std::vector<Action>& actions) {
-    const ParamValue start = getParam(model.startParams, info.name);
-    if (getParam(model.params, info.name) != start) {
+    const ParamValue start = getParam(model.parameters.start, info.name);
+    if (getParam(model.parameters.now, info.name) != start) {
         drawMark(std::string(info.name), start, "Back to the value at the start", top, actions);
     }
 }
@@ -256,9 +256,9 @@ void drawOwnRow(const ParamInfo& info, int model, const PanelModel& panels,
     const std::string name = ownName(info.name, model);
     ImGui::PushID(name.c_str());
     const float top = ImGui::GetCursorPosY();
-    const ParamValue own = getParam(panels.params, name);
+    const ParamValue own = getParam(panels.parameters.now, name);
     const bool has = !std::holds_alternative<std::monostate>(own);
-    double value = std::get<double>(has ? own : getParam(panels.params, info.name));
+    double value = std::get<double>(has ? own : getParam(panels.parameters.now, info.name));
     SlideText text = textOf(info);
     text.item = "param." + name;
     text.label.append(has ? "" : " of all");
@@ -274,7 +274,7 @@ void drawOwnRow(const ParamInfo& info, int model, const PanelModel& panels,
 }
 
 void drawGravitySwitch(const PanelModel& model, std::vector<Action>& actions) {
-    bool on = model.params.gravity.norm() > 0;
+    bool on = model.parameters.now.gravity.norm() > 0;
     if (ImGui::Checkbox("##switch", &on)) {
         actions.emplace_back(ActionId::toggleGravity);
     }
@@ -291,7 +291,7 @@ void drawRow(const ParamInfo& info, const PanelModel& model, std::vector<Action>
     if (info.type == ParamType::vector) {
         drawVectorLabel(info);
     }
-    ParamValue value = getParam(model.params, info.name);
+    ParamValue value = getParam(model.parameters.now, info.name);
     const SlideEdit edit = slideValue(info, value);
     if (edit.changed) {
         actions.emplace_back(SetParam{std::string(info.name), value, edit.continues});
@@ -315,11 +315,11 @@ void drawOwnParameters(int model, const PanelModel& panels, std::vector<Action>&
 }
 
 std::string remarkOn(const ParamInfo& info, const PanelModel& model) {
-    if (info.name != "iterations" || model.sweeps == nullptr ||
-        !model.sweeps->isTooLittle(model.params)) {
+    if (info.name != "iterations" || model.parameters.sweeps == nullptr ||
+        !model.parameters.sweeps->isTooLittle(model.parameters.now)) {
         return "";
     }
-    const std::optional<int> enough = model.sweeps->enoughIterations(model.params);
+    const std::optional<int> enough = model.parameters.sweeps->enoughIterations(model.parameters.now);
     const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
                                       : "A smaller time step helps.";
     return "Too few for this stiffness: the body is softer than its modulus. " + advice;

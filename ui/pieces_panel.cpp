@@ -185,13 +185,13 @@ std::vector<int> orderOf(const std::vector<PieceRow>& rows) {
 /// The row under the pointer, -1 for none.
 int drawRows(const PanelModel& model, std::vector<Action>& actions) {
     int hovered = -1;
-    const std::vector<int> order = orderOf(model.pieces);
+    const std::vector<int> order = orderOf(model.pieces.rows);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(order.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const int piece = order[static_cast<std::size_t>(i)];
-            const bool on = drawRow(piece, model.pieces[static_cast<std::size_t>(piece)],
+            const bool on = drawRow(piece, model.pieces.rows[static_cast<std::size_t>(piece)],
                                     model.display.pieceDetails, actions);
             hovered = on ? piece : hovered;
         }
@@ -238,11 +238,11 @@ void slideApart(const PanelModel& model, std::vector<Action>& actions) {
 
 /// The heading, and what brings hidden pieces back or shows all apart.
 void drawTitle(const PanelModel& model, std::vector<Action>& actions) {
-    const auto hidden = std::ranges::count_if(model.pieces, &PieceRow::hidden);
-    ImGui::TextDisabled("Pieces: %zu", model.pieces.size());
+    const auto hidden = std::ranges::count_if(model.pieces.rows, &PieceRow::hidden);
+    ImGui::TextDisabled("Pieces: %zu", model.pieces.rows.size());
     drawTableButtons(model, actions);
     if (hidden == 0) {
-        if (model.pieces.size() > 1) {
+        if (model.pieces.rows.size() > 1) {
             slideApart(model, actions);
         }
         return;
@@ -250,7 +250,7 @@ void drawTitle(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::TextDisabled("(%td hidden)", hidden);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Show all"));
     if (ImGui::SmallButton("Show all")) {
-        for (std::size_t i = 0; i < model.pieces.size(); ++i) {
+        for (std::size_t i = 0; i < model.pieces.rows.size(); ++i) {
             actions.emplace_back(ShowPiece{static_cast<int>(i), true});
         }
     }
@@ -274,7 +274,7 @@ std::string volumeText(double volume) {
 }
 
 float piecesHeight(const PanelModel& model) {
-    const std::size_t rows = model.pieces.size();
+    const std::size_t rows = model.pieces.rows.size();
     const float slider = rows > 1 ? ImGui::GetFrameHeightWithSpacing() : 0;
     const float row = ImGui::GetTextLineHeight() + 2 * kRowPadding * ImGui::GetFontSize();
     const float bar = model.display.pieceDetails ? ImGui::GetStyle().ScrollbarSize : 0;
@@ -298,7 +298,7 @@ void drawPieces(const PanelModel& model, std::vector<Action>& actions) {
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
-    if (hovered != model.hoveredPiece) {
+    if (hovered != model.pieces.hovered) {
         actions.emplace_back(HoverPiece{hovered});
     }
 }

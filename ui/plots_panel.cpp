@@ -26,8 +26,8 @@ PlotReference paperValue(double value) {
 }
 
 std::optional<PlotReference> referenceOf(const PlotKind& kind, const PanelModel& model) {
-    if (kind.paper != nullptr && model.paper) {
-        return paperValue((*model.paper).*kind.paper);
+    if (kind.paper != nullptr && model.plots.paper) {
+        return paperValue((*model.plots.paper).*kind.paper);
     }
     if (kind.atRest) {
         return PlotReference{*kind.atRest, "at rest " + std::to_string(std::lround(*kind.atRest))};
@@ -111,7 +111,7 @@ bool barButton(const char* label, const char* name, const std::string& tooltip) 
 }
 
 void drawHold(const PanelModel& model, std::vector<Action>& actions) {
-    const bool held = model.plotView.end.has_value();
+    const bool held = model.plots.view.end.has_value();
     if (held) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     }
@@ -152,8 +152,8 @@ std::vector<PlotSpec> chosenPlots(const PanelModel& model) {
         if (isChosen(model.settings, kind.id)) {
             plots.push_back({.id = kind.id,
                              .title = kind.title,
-                             .curves = curvesOf(kind, *model.history),
-                             .marks = model.history->marks,
+                             .curves = curvesOf(kind, *model.plots.history),
+                             .marks = model.plots.history->marks,
                              .reference = referenceOf(kind, model),
                              .minSpan = kind.minSpan,
                              .readoutDecimals = kind.readoutDecimals});
@@ -167,7 +167,7 @@ void drawPlots(const PanelModel& model, float height, std::vector<Action>& actio
     drawButtons(model, actions);
     ImGui::BeginChild("curves");
     const std::vector<PlotSpec> plots = chosenPlots(model);
-    const PlotTimeline timeline{model.plotView, model.time, model.playing,
+    const PlotTimeline timeline{model.plots.view, model.transport.time, model.transport.playing,
                                 ImGui::IsWindowHovered()};
     const float room = ImGui::GetContentRegionAvail().y;
     for (const PlotSpec& plot : plots) {

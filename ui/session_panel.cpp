@@ -44,7 +44,7 @@ void drawRow(const PanelModel& model, const SessionMark& mark, std::vector<Actio
     textRight(std::to_string(mark.step));
     ImGui::TableNextColumn();
     const std::string label = labelOf(mark);
-    const bool goes = model.playback.goesBack;
+    const bool goes = model.session.playback.goesBack;
     if (ImGui::Selectable(label.c_str()) && goes) {
         actions.emplace_back(SeekTo{mark.step});
     }
@@ -69,10 +69,10 @@ void drawRows(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("remove", ImGuiTableColumnFlags_WidthFixed, buttonWidth(kRemove));
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(model.marks.size()));
+    clipper.Begin(static_cast<int>(model.session.marks.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(model, model.marks[i], actions);
+            drawRow(model, model.session.marks[i], actions);
         }
     }
     ImGui::EndTable();
@@ -92,7 +92,7 @@ void drawSessionAdditions(std::vector<Action>& actions) {
 
 void drawSessionMarks(const PanelModel& model, std::vector<Action>& actions) {
     drawButtons(actions);
-    if (model.marks.empty()) {
+    if (model.session.marks.empty()) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled(
             "Pictures, checks and exports that a replay of the session makes, and "

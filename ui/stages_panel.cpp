@@ -30,7 +30,7 @@ double sumOfMeans(const PanelModel& model) {
     double sum = 0;
     for (const Reading stage :
          {Reading::deformMs, Reading::collideMs, Reading::cutMs, Reading::renderMs}) {
-        sum += (*model.history)[stage].mean();
+        sum += (*model.plots.history)[stage].mean();
     }
     return sum;
 }
@@ -61,7 +61,7 @@ void explain(const StageText& row, const PanelModel& model) {
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(row.meaning);
     if (row.reading == Reading::cutMs) {
-        explainCut(model.subdivisions);
+        explainCut(model.cuts.subdivisions);
     }
     ImGui::EndTooltip();
 }
@@ -82,7 +82,7 @@ std::span<const TimeColumn> timesFor(float width) {
 }
 
 void drawRow(const StageText& row, std::span<const TimeColumn> times, const PanelModel& model) {
-    const Series& series = (*model.history)[row.reading];
+    const Series& series = (*model.plots.history)[row.reading];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.name);

@@ -10,15 +10,15 @@ namespace kerf::ui {
 namespace {
 
 std::string stateOf(const PanelModel& model) {
-    if (model.stroking) {
+    if (model.transport.stroking) {
         return "cutting";
     }
-    return model.playing ? "playing" : "paused";
+    return model.transport.playing ? "playing" : "paused";
 }
 
 /// How often pieces ran away and were taken back, where any did.
 std::string lossesOf(const PanelModel& model) {
-    const auto losses = static_cast<int>((*model.history)[Reading::lostPieces].last());
+    const auto losses = static_cast<int>((*model.plots.history)[Reading::lostPieces].last());
     return losses > 0 ? ", " + std::to_string(losses) + " taken back" : "";
 }
 
@@ -28,15 +28,15 @@ std::string statusText(const PanelModel& model) {
     if (model.name.empty()) {
         return "Nothing open";
     }
-    return model.name + "   |   " + counted(model.pieces.size(), "piece", "pieces") +
-           lossesOf(model) + "   |   " + std::to_string(model.vertices) + " vertices, " +
-           std::to_string(model.triangles) + " triangles   |   " + stateOf(model);
+    return model.name + "   |   " + counted(model.pieces.rows.size(), "piece", "pieces") +
+           lossesOf(model) + "   |   " + std::to_string(model.body.vertices) + " vertices, " +
+           std::to_string(model.body.triangles) + " triangles   |   " + stateOf(model);
 }
 
 namespace {
 
 std::string rightText(const PanelModel& model) {
-    return model.device + "   |   " + std::string(keyOf(ActionId::help)) + " help";
+    return model.view.device + "   |   " + std::string(keyOf(ActionId::help)) + " help";
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ const char* adviceOn(const PlaybackState& playback) {
 }
 
 StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
-    const PlaybackState& playback = model.playback;
+    const PlaybackState& playback = model.session.playback;
     int step = std::min(playback.step, playback.steps);
     ImGui::SetNextItemWidth(-1);
     ImGui::BeginDisabled(!playback.goesBack || playback.steps == 0);
@@ -131,10 +131,10 @@ StepScale drawSlider(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::EndDisabled();
     noteItem("scrubber");
     const StepScale scale(playback.steps);
-    drawTicks(model.course, scale);
+    drawTicks(model.session.course, scale);
     markDivergence(playback, scale);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
-        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, model.course, scale) + adviceOn(playback));
+        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, model.session.course, scale) + adviceOn(playback));
     }
     return scale;
 }
@@ -254,7 +254,7 @@ void drawMarks(const PanelModel& model, const Rect& strip, const StepScale& scal
     ImGui::InvisibleButton("##marks", {strip.width, strip.height},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     noteItem("timeline.marks");
-    const std::vector<PlacedMark> marks = placed(model.marks, scale);
+    const std::vector<PlacedMark> marks = placed(model.session.marks, scale);
     for (const PlacedMark& place : marks) {
         drawMark(place.mark->kind, {place.x, strip.y + strip.height / 2}, markSize());
     }
@@ -312,7 +312,7 @@ std::string labelOf(const SessionMark& mark) {
 
 void drawTimeline(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginStrip(rect);
-    const float left = drawStep(model.playback);
+    const float left = drawStep(model.session.playback);
     const float height = kStripHeight * ImGui::GetFontSize();
     const float gap = (rect.height - height - ImGui::GetFontSize()) / 3;
     ImGui::SetCursorPos({left, 2 * gap + height});

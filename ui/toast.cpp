@@ -8,18 +8,18 @@
 namespace kerf::ui {
 
 void drawToast(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
-    if (model.toast.empty()) {
+    if (model.toast.text.empty()) {
         return;
     }
     const float line = ImGui::GetFontSize();
-    BannerStyle style{.accent = palette().of(model.toastIsError ? Hue::vermillion : Hue::blue),
-                      .opacity = model.toastOpacity};
-    if (model.toastChoice) {
+    BannerStyle style{.accent = palette().of(model.toast.isError ? Hue::vermillion : Hue::blue),
+                      .opacity = model.toast.opacity};
+    if (model.toast.choice) {
         style.takesInput = true;
-        drawOffer("toast", {model.toast, {*model.toastChoice}}, view, view.y + 5 * line, style,
+        drawOffer("toast", {model.toast.text, {*model.toast.choice}}, view, view.y + 5 * line, style,
                   actions);
     } else {
-        drawBanner("toast", model.toast, view.x + view.width / 2, view.y + 2.5F * line, view.width,
+        drawBanner("toast", model.toast.text, view.x + view.width / 2, view.y + 2.5F * line, view.width,
                    style);
     }
 }

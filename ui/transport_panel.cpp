@@ -98,13 +98,13 @@ void drawTransportButtons(const PanelModel& model, std::vector<Action>& actions)
         return ImGui::CalcTextSize(kWords[i]).x + around / kWords.size();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
-    playButton(model.playing, width(0), actions);
+    playButton(model.transport.playing, width(0), actions);
     ImGui::SameLine(0, gap);
     actionButton("Step", ActionId::stepOnce, width(1), actions);
     ImGui::SameLine(0, gap);
     actionButton("Restart", ActionId::reset, width(2), actions);
     ImGui::SameLine(0, gap);
-    recordButton(model.recording, width(3), actions);
+    recordButton(model.transport.recording, width(3), actions);
     ImGui::PopStyleVar();
 }
 
@@ -115,17 +115,17 @@ void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
     drawTransportButtons(model, actions);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("step %d, %.3f s", model.step, model.time);
+    ImGui::TextDisabled("step %d, %.3f s", model.transport.step, model.transport.time);
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
-    drawSpeed(model.speed, actions);
-    const bool played = model.playback.played;
-    if (played || model.recording) {
+    drawSpeed(model.transport.speed, actions);
+    const bool played = model.session.playback.played;
+    if (played || model.transport.recording) {
         drawAddButton(width, actions);
     }
     if (played) {
         ImGui::SameLine();
-        drawLoop(model.playback, actions);
+        drawLoop(model.session.playback, actions);
     }
 }
 

@@ -99,7 +99,7 @@ bool BodyDisplay::join() {
 render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
     EditorScene& scene = *busy.scene_;
     const std::vector<Bounds>& bounds = scene.simulation().pieceBounds();
-    render::SceneView view = scene.view();
+    render::SceneView view = scene.readout().view();
     view.wireframe = settings.wireframe;
     view.cutLines = settings.cutLines;
     view.field.choice = settings.field;
@@ -114,8 +114,8 @@ render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
         view.focus = shownBounds(bounds, view.pieces);
     } else {
         addOverlays(settings.overlays, scene.simulation(), view);
-        if (settings.overlays.faults && scene.faults().any()) {
-            view.marks = scene.faultMarks();
+        if (settings.overlays.faults && scene.document().faults.any()) {
+            view.marks = scene.readout().faultMarks();
         }
     }
     return view;
@@ -123,7 +123,7 @@ render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
 
 Bounds BodyDisplay::boundsOf(const BusyScene& scene) const {
     const std::vector<Bounds>& pieces = scene.pieceBounds();
-    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
+    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.simulation().bounds();
 }
 
 Bounds BodyDisplay::boundsOf(const BusyScene& scene, int piece) const {
@@ -164,12 +164,12 @@ void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) const 
     }
     const render::BodyLook look = render::colored(
         ownLook(scene.document()), {.look = settings.colors.look, .skin = {}, .flesh = {}});
-    model.ownSkin = render::toDisplay(look.skin);
-    model.ownFlesh = render::toDisplay(look.inner);
-    model.hasOwnColors = scene.document().looks.colored();
-    model.hoveredPiece = hovered_;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-        model.pieces[p].hidden = hidden_.contains(static_cast<int>(p));
+    model.looks.ownSkin = render::toDisplay(look.skin);
+    model.looks.ownFlesh = render::toDisplay(look.inner);
+    model.looks.hasOwnColors = scene.document().looks.colored();
+    model.pieces.hovered = hovered_;
+    for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
+        model.pieces.rows[p].hidden = hidden_.contains(static_cast<int>(p));
     }
 }
 

@@ -16,23 +16,23 @@ class BusyScene {
 
     // What a step takes up when it begins, so that it may be changed at any time.
     BladeStroke& stroke() const { return scene_->stroke(); }
-    bool& playing() const { return scene_->playing; }
-    void stopSeeking() const { scene_->stopSeeking(); }
+    bool& playing() const { return scene_->timeline().playing; }
+    void stopSeeking() const { scene_->timeline().stopSeeking(); }
 
     // What no step changes, or changes as a whole between two pauses.
     const Document& document() const { return scene_->document(); }
     const UndoHistory& history() const { return scene_->simulation().history(); }
-    const render::Camera& homeView() const { return scene_->homeView(); }
-    const Bounds& bounds() const { return scene_->bounds(); }
+    const render::Camera& homeView() const { return scene_->rest().homeView(); }
+    const Bounds& bounds() const { return scene_->simulation().bounds(); }
     const std::vector<Bounds>& pieceBounds() const { return scene_->simulation().pieceBounds(); }
-    const auto& faultMarks() const { return scene_->faultMarks(); }
+    const auto& faultMarks() const { return scene_->readout().faultMarks(); }
     bool running() const { return scene_->running(); }
-    bool recording() const { return scene_->recording(); }
-    bool takesPictures() const { return scene_->takesPictures(); }
-    int seekSteps() const { return scene_->seekSteps(); }
-    int deeds() const { return scene_->deeds(); }
+    bool recording() const { return scene_->recorder().recording(); }
+    bool takesPictures() const { return scene_->recorder().takesPictures(); }
+    int seekSteps() const { return scene_->timeline().seekSteps(); }
+    int deeds() const { return scene_->recorder().deeds(); }
     /// Whether a thread works something out for the panels or the colours.
-    bool workingOut() const { return scene_->thickness().working() || scene_->cuts().working(); }
+    bool workingOut() const { return scene_->readout().thickness().working() || scene_->readout().cuts().working(); }
     /// Whether it may be drawn, as BodyDisplay::viewOf() does: not while the body becomes another.
     bool isWhole() const { return scene_->simulation().isWhole(); }
 

@@ -52,7 +52,7 @@ bool followPlacement(State& s, EditorScene& now) {
 
 /// Has the thickness of the body worked out where the colours show it.
 bool followThickness(State& s, EditorScene& now) {
-    return now.followThickness(s.view.display.settings.field.field ==
+    return now.readout().followThickness(s.view.display.settings.field.field ==
                                render::SurfaceField::thickness);
 }
 
@@ -67,12 +67,12 @@ bool followMeasures(State& s, EditorScene& now) {
 
 /// Has the pieces added up where their list has all columns.
 bool followPieceSums(State& s, EditorScene& now) {
-    return now.followPieceSums(s.view.display.settings.pieceDetails);
+    return now.readout().followPieceSums(s.view.display.settings.pieceDetails && !now.running());
 }
 
 /// Has the quality of the cuts measured where its section is open.
 bool followCuts(State& s, EditorScene& now) {
-    return now.followCuts(s.panels.shows("cuts"));
+    return now.readout().followCuts(s.panels.shows("cuts"));
 }
 
 /// What follows the open scene once a picture, where that rests: whether there is something else
@@ -231,7 +231,7 @@ ui::Cursor Editor::cursor() const {
     if (s.panels.interface.ownsPointer()) {
         return s.panels.interface.cursor();
     }
-    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.overlay);
+    return s.scene == nullptr ? ui::Cursor::arrow : s.view.cursor(s.panels.model.view.overlay);
 }
 
 std::string Editor::title() const {
@@ -275,9 +275,9 @@ void Editor::State::beginSteps() {
     view.display.join();
     s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
     const int passed = clock.takeDue(s.simulation().params().timeStep);
-    const int due = s.playing || s.pulling() ? passed : 0;
+    const int due = s.timeline().playing || s.hands().pulling() ? passed : 0;
     const int needed = s.strokeSteps();
-    const int most = std::max(due, std::min(s.seekSteps(), kMostSeekSteps));
+    const int most = std::max(due, std::min(s.timeline().seekSteps(), kMostSeekSteps));
     scene.begin(SceneWork::steps,
                 [this, needed, most](EditorScene& now) { clock.run(now, needed, most); });
 }
@@ -307,7 +307,7 @@ void Editor::State::goOn() {
     showMessages();
     redraw.steps();
     if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
-        scene->recordPicture(*seconds, renderMs);
+        scene->readout().addPicture(*seconds, renderMs);
         experiments.note(*scene);
     }
 }
@@ -356,7 +356,7 @@ void Editor::State::saveScreenshot() {
     if (std::exchange(screenshotWanted, false)) {
         const int number = savePicture(picture.read(), "kerf");
         if (scene != nullptr && scene.meanwhile().recording()) {
-            toast.offerOnceSaved(scene->here(), number);
+            toast.offerOnceSaved(scene->recorder().here(), number);
         }
     }
 }

@@ -51,7 +51,7 @@ void cancelWork(State& s) {
     const BusyScene scene = s.scene.meanwhile();
     if (scene.stroke().pending() == 0) {
         scene.playing() = false;
-        scene.stopSeeking();
+        scene.timeline().stopSeeking();
     }
     stopTools(s);
 }
@@ -101,7 +101,7 @@ void take(State& s) {
 /// Holds what is shown now, or follows what comes.
 void holdPlots(State& s) {
     std::optional<double>& end = s.panels.plotView.end;
-    end = end ? std::nullopt : std::optional(s.panels.model.time);
+    end = end ? std::nullopt : std::optional(s.panels.model.transport.time);
 }
 
 void freePins(State& s) {
@@ -129,7 +129,7 @@ void letFall(State& s) {
     if (s.scene->simulation().params().gravity.norm() == 0) {
         toggleGravity(s);
     }
-    s.scene->playing = true;
+    s.scene->timeline().playing = true;
 }
 
 void toggleTimeWhileCutting(State& s) {
@@ -143,7 +143,7 @@ void playOrPause(State& s) {
 }
 
 void stepOnce(State& s) {
-    s.scene->playing = false;
+    s.scene->timeline().playing = false;
     s.clock.run(*s.scene, 1, 0);
 }
 
@@ -154,46 +154,46 @@ void reset(State& s) {
 
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
-    if (!s.scene->recording()) {
+    if (!s.scene->recorder().recording()) {
         s.view.cancelTools(s.restingScene());
         s.scene->startRecording();
         s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
     }
-    s.scene->stopRecording();
+    s.scene->recorder().stop();
     s.save({ui::FilePurpose::saveSession,
             freeFile(s.chooser.here(), s.scene->document().name, ".kerf.json")});
 }
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s) {
-    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->here());
-    const std::string file = s.scene->addPicture(place);
+    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->recorder().here());
+    const std::string file = s.scene->recorder().addPicture(place);
     s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
                  false);
 }
 
 void addCheck(State& s) {
-    s.scene->addCheck();
-    s.toast.show("The session checks step " + std::to_string(s.scene->here().step) + ".", false);
+    s.scene->recorder().addCheck();
+    s.toast.show("The session checks step " + std::to_string(s.scene->recorder().here().step) + ".", false);
 }
 
 void addExport(State& s) {
-    const std::string file = s.scene->addExport();
+    const std::string file = s.scene->recorder().addExport();
     s.toast.show(
-        file + " is an export of step " + std::to_string(s.scene->here().step) + " in the session.",
+        file + " is an export of step " + std::to_string(s.scene->recorder().here().step) + " in the session.",
         false);
 }
 
 void addCamera(State& s) {
-    s.scene->addCamera(s.view.camera.destination());
+    s.scene->recorder().addCamera(s.view.camera.destination());
     s.toast.show("A film of the session is seen from here at step " +
-                     std::to_string(s.scene->here().step) + ".",
+                     std::to_string(s.scene->recorder().here().step) + ".",
                  false);
 }
 
 void useView(State& s) {
-    s.scene->useView(s.view.camera.destination());
+    s.scene->recorder().useView(s.view.camera.destination());
     s.toast.show("The pictures of the session are taken from here.", false);
 }
 
@@ -215,7 +215,7 @@ void toggleOverlay(State& s) {
 
 void toggleApart(State& s) {
     double& apart = s.view.display.settings.apart;
-    apart = apart > 0 || s.scene->pieceCount() < 2 ? 0 : kApart;
+    apart = apart > 0 || s.scene->simulation().report().pieces < 2 ? 0 : kApart;
 }
 
 void takeNextField(State& s) {
@@ -293,7 +293,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::faster, Needs::scene,
             [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
     Handler{ActionId::record, Needs::body, toggleRecording},
-    Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->toggleLoop(); }},
+    Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->timeline().toggleLoop(); }},
     Handler{ActionId::addPicture, Needs::body, addPicture},
     Handler{ActionId::addCheck, Needs::body, addCheck},
     Handler{ActionId::addExport, Needs::body, addExport},
@@ -380,13 +380,13 @@ void exportMeasures(State& s) {
 
 void exportPieces(State& s) {
     s.work.saveBehind("kerf-pieces", ".csv",
-                      [text = ui::piecesAsCsv(s.scene->measurePieces())](
+                      [text = ui::piecesAsCsv(s.scene->readout().measurePieces())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
 void placeBox(State& s) {
-    const Bounds body = s.scene->bounds();
+    const Bounds body = s.scene->simulation().bounds();
     const ViewFrame frame = s.view.frame();
     const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
     if (!s.execute(AddBox{box})) {
@@ -445,7 +445,7 @@ struct Answer {
     }
     void onBody(const ui::PlaceModel& wanted) const {
         s.view.cancelTools(s.restingScene());
-        s.place(s.scene->placeCommand(wanted.placement, wanted.continues, wanted.model));
+        s.place(s.scene->body().placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
     void onBody(const ui::Remesh& wanted) const { s.remesh(wanted); }
@@ -458,7 +458,7 @@ struct Answer {
         s.scene->seek(wanted.step);
         s.redraw.scene();
     }
-    void onBody(const ui::RemoveMark& removal) const { s.scene->removeMark(removal.id); }
+    void onBody(const ui::RemoveMark& removal) const { s.scene->recorder().removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {

@@ -28,31 +28,31 @@ void Editor::State::describeScene() {
         scene->describe(told);
         sceneSteps.describe(*scene, told.changes);
     }
-    told.hint = guide.hint(scene.get(), view);
+    told.help.hint = guide.hint(scene.get(), view);
     experiments.describe(scene.get(), told);
 }
 
 void Editor::State::describe(bool withOverlay) {
     ui::PanelModel& model = panels.model;
-    ui::Overlay before = std::move(model.overlay);
+    ui::Overlay before = std::move(model.view.overlay);
     if (!scene.underWay()) {
         describeScene();
     }
     panels.describe(told);
     if (const BusyScene now = scene.meanwhile()) {
-        model.playing = now.playing();
+        model.transport.playing = now.playing();
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
-            model.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
+            model.view.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
         }
     }
     view.display.describe(scene.meanwhile(), model);
-    model.fieldLegend = fieldLegend(withOverlay && !panels.interface.ownsPointer());
-    model.axes = axesOf(view.camera.shown());
-    model.orthographic = view.camera.shown().orthographic;
+    model.looks.field = fieldLegend(withOverlay && !panels.interface.ownsPointer());
+    model.view.axes = axesOf(view.camera.shown());
+    model.view.orthographic = view.camera.shown().orthographic;
     model.tools = view.tools.settings();
-    model.measures = view.tools.get<MeasureTool>().rows();
-    model.speed = clock.speed();
+    model.view.measures = view.tools.get<MeasureTool>().rows();
+    model.transport.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);
     model.work = work.state();
@@ -73,7 +73,7 @@ ui::FieldLegend Editor::State::fieldLegend(bool inView) {
         return legend;
     }
     if (legend.field == render::SurfaceField::thickness) {
-        legend.note = scene->thickness().note(scene->simulation());
+        legend.note = scene->readout().thickness().note(scene->simulation());
     }
     if (inView && view.display.settings.apart == 0) {
         if (const auto point = pickVisible(*scene, view.frame().rayThrough(view.pointer),
@@ -115,7 +115,7 @@ std::string Editor::State::title() const {
         return "Kerf";
     }
     const EditorScene* const rests = scene.atRest();
-    const std::size_t pieces = rests == nullptr ? told.pieces.size() : rests->pieceCount();
+    const std::size_t pieces = rests == nullptr ? told.pieces.rows.size() : rests->pieceCount();
     return "Kerf - " + scene.meanwhile().document().name + " - " +
            counted(pieces, "piece", "pieces");
 }

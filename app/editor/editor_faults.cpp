@@ -32,9 +32,9 @@ ModelReference& referenceOf(Session& session, int model) {
 /// Of all models together.
 TriangleFigures figuresOf(const EditorScene& scene) {
     TriangleFigures all;
-    for (const EditorScene::ModelFigures& model : scene.rest().models) {
-        all.triangles += model.triangles.triangles;
-        all.needles += model.triangles.needles;
+    for (const ModelFigures& model : scene.rest().models()) {
+        all.triangles += model.body.triangles.triangles;
+        all.needles += model.body.triangles.needles;
     }
     return all;
 }
@@ -174,23 +174,23 @@ void Editor::State::closeScene() {
 // --- Remeshing, pieces that cross --------------------------------------------------------------
 
 void Editor::State::remesh(const ui::Remesh& wanted) {
-    Session start = scene->startOfScene();
+    Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, wanted.model);
     reference.remesh = true;
-    const double edge = wanted.edge > 0 ? wanted.edge : scene->proposedEdge(wanted.model);
+    const double edge = wanted.edge > 0 ? wanted.edge : scene->body().proposedEdge(wanted.model);
     reference.edge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
     exchangeModel(start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
 }
 
 /// A session was made on the triangles that its model has: only models are told to be coarse.
 void Editor::State::tellOfModel(std::string note) {
-    const EditorScene::ModelFigures& model = scene->rest().models.front();
+    const ModelFigures& model = scene->rest().models().front();
     const double diagonal = model.bounds.diagonal();
-    const bool coarse = scene->document().guess && isCoarse(model.triangles, diagonal);
+    const bool coarse = scene->document().guess && isCoarse(model.body.triangles, diagonal);
     if (coarse) {
         note += fmt::format(" {}. With edges of {} it bends and cuts well.",
-                            coarseText(model.triangles, lengthText(model.triangles.longestEdge)),
-                            lengthText(proposedEdge(model.triangles, diagonal)));
+                            coarseText(model.body.triangles, lengthText(model.body.triangles.longestEdge)),
+                            lengthText(proposedEdge(model.body.triangles, diagonal)));
     }
     const std::size_t objects = scene->document().objects.size();
     if (scene->document().guess && objects > 1) {
@@ -205,7 +205,7 @@ void Editor::State::tellOfModel(std::string note) {
 }
 
 void Editor::State::unitePieces(int model) {
-    Session start = scene->startOfScene();
+    Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, model);
     reference.repair = true;
     exchangeModel(start, reference, fmt::format("Uniting the pieces of {}", reference.name()),
@@ -220,7 +220,7 @@ void Editor::State::partModel() {
                    true);
         return;
     }
-    const Session start = parted(scene->startOfScene(), objects);
+    const Session start = parted(scene->body().start(), objects);
     exchangeModel(start, start.model, "Parting into models", kPart);
 }
 
@@ -231,7 +231,7 @@ void Editor::State::exchangeModel(const Session& start, const ModelReference& mo
                                  return kerf::app::openScene(name, start, options);
                              },
                              nullptr, change};
-    if (told.untouched && scene->document().session.events.empty()) {
+    if (told.model.untouched && scene->document().session.events.empty()) {
         open(order);
         return;
     }
@@ -255,8 +255,8 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     const TriangleFigures before = figuresOf(*scene);
     const TriangleFigures now = figuresOf(*next);
     view.cancelTools(restingScene());
-    scene->playing = false;
-    scene->stopSeeking();
+    scene->timeline().playing = false;
+    scene->timeline().stopSeeking();
     picture.setRestDepth(uploaded.depth);
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
     depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
@@ -300,8 +300,8 @@ void Editor::State::followExchange() {
         return;
     }
     view.cancelTools(restingScene());
-    scene->playing = false;
-    scene->stopSeeking();
+    scene->timeline().playing = false;
+    scene->timeline().stopSeeking();
     const int saved = keeping.savedDeeds();
     std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
     SceneSteps::Kept kept =
@@ -345,16 +345,16 @@ void Editor::State::describeFaults() {
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {
-            model.faults = ui::faultRows(*scene.meanwhile().faultMarks());
+            model.looks.faults = ui::faultRows(*scene.meanwhile().faultMarks());
         }
     }
     if (faulty) {
-        model.showsFaulty = true;
-        model.faults = ui::faultRows(faulty->scene.marks());
-        model.overlay = {};
-        model.hint = {};
+        model.looks.showsFaulty = true;
+        model.looks.faults = ui::faultRows(faulty->scene.marks());
+        model.view.overlay = {};
+        model.help.hint = {};
         if (!asked) {
-            model.hint = {
+            model.help.hint = {
                 faulty->order.file.filename().string() + " can't be cut: these are its faults.",
                 {{ui::ActionId::cancel, "Back"}}};
         }

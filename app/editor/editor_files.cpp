@@ -32,12 +32,12 @@ void Editor::State::addModel(const std::filesystem::path& file) {
     }
     openScene(
         {"Adding " + file.filename().string(), file,
-         [name = scene->document().name, start = scene->startOfScene(),
+         [name = scene->document().name, start = scene->body().start(),
           file](const ReadOptions& options) { return openWithModel(name, start, file, options); }});
 }
 
 void Editor::State::removeModel(int model) {
-    Session start = scene->startOfScene();
+    Session start = scene->body().start();
     takeModelOut(start, model);
     const std::filesystem::path file = start.model.file();
     openScene({"Taking model " + std::to_string(model) + " out", file,
@@ -48,7 +48,7 @@ void Editor::State::removeModel(int model) {
 
 /// The scene begins anew: who has cut is asked.
 void Editor::State::openScene(OpeningOrder order) {
-    if (!scene->hasChanged()) {
+    if (!scene->timeline().hasChanged()) {
         open(std::move(order));
         return;
     }
@@ -102,7 +102,7 @@ void Editor::State::place(const Place& command) {
     work.stopPlacing();
     const Simulation& simulation = scene->simulation();
     const bool known = command.model < simulation.modelCount();
-    if (known && !told.liveModels) {
+    if (known && !told.model.live) {
         work.place(std::make_unique<BodyPlacing>(simulation, command));
     } else {
         say(scene->execute(command));
@@ -252,18 +252,18 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::makeFilm) {
         onceSaved = nullptr;
         SavedSession filmed =
-            scene->savedSession(view.camera.destination(), view.display.settings.colors);
+            scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors);
         filmed.session.view = view.camera.destination();  // also where the file has another
         work.save(startFilm(chosen.file, chosen.film, std::move(filmed)));
         return;
     }
     if (chosen.what == BrowseFor::testWithPicture) {
-        scene->addPicture(scene->end());
+        scene->recorder().addPicture(scene->recorder().end());
     }
-    onceSaved = [this, deeds = scene->deeds()] { keeping.noteSaved(deeds); };
+    onceSaved = [this, deeds = scene->recorder().deeds()] { keeping.noteSaved(deeds); };
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
     SavedSession saved =
-        scene->savedSession(view.camera.destination(), view.display.settings.colors,
+        scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                             isTest ? SavedAs::test : SavedAs::session);
     work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
                      : startSaving(chosen.file, std::move(saved)));

@@ -32,13 +32,13 @@ float EditorPanels::scale(int width, int height) const {
 void EditorPanels::describe(const ui::PanelModel& scene) {
     static const ui::History kNoHistory{};
     model = scene;
-    model.history = scene.history != nullptr ? scene.history : &kNoHistory;
+    model.plots.history = scene.history != nullptr ? scene.history : &kNoHistory;
     model.settings = settings.now;
     model.settings.showControls &= !hidden;
     model.settings.showReadings &= !hidden;
-    model.plotView = plotView;
-    model.helpOpen = helpOpen;
-    model.device = device;
+    model.plots.view = plotView;
+    model.help.open = helpOpen;
+    model.view.device = device;
 }
 
 std::vector<ui::Action> EditorPanels::update(std::span<const ui::InputEvent> batch, int width,

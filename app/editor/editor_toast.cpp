@@ -56,11 +56,11 @@ double EditorToast::steadySeconds() const {
 }
 
 void EditorToast::describe(ui::PanelModel& model) const {
-    model.toast = visible() ? text_ : "";
-    model.toastChoice = visible() ? choice_ : std::nullopt;
+    model.toast.text = visible() ? text_ : "";
+    model.toast.choice = visible() ? choice_ : std::nullopt;
     model.log = log_;
-    model.toastIsError = isError_;
-    model.toastOpacity = static_cast<float>(std::min(1.0, remaining_ / kFadeSeconds));
+    model.toast.isError = isError_;
+    model.toast.opacity = static_cast<float>(std::min(1.0, remaining_ / kFadeSeconds));
 }
 
 }  // namespace kerf::app

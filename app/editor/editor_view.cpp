@@ -24,11 +24,11 @@ bool EditorView::resize(int newWidth, int newHeight) {
 }
 
 void EditorView::begin(const EditorScene& scene) {
-    camera = EditorCamera(scene.homeView());
+    camera = EditorCamera(scene.rest().homeView());
     display.begin(scene.document());
-    tools.begin(scene.bounds());
-    placement_ = scene.placementRevision();
-    restBounds_ = scene.rest().bounds;
+    tools.begin(scene.simulation().bounds());
+    placement_ = scene.rest().revision();
+    restBounds_ = scene.rest().bounds();
 }
 
 void EditorView::beginAgain(const EditorScene& scene) {
@@ -41,12 +41,12 @@ void EditorView::beginAgain(const EditorScene& scene) {
 }
 
 bool EditorView::follow(const EditorScene& scene) {
-    if (placement_ == scene.placementRevision()) {
+    if (placement_ == scene.rest().revision()) {
         return false;
     }
-    placement_ = scene.placementRevision();
-    const Bounds before = std::exchange(restBounds_, scene.rest().bounds);
-    tools.fitTo(scene.bounds());
+    placement_ = scene.rest().revision();
+    const Bounds before = std::exchange(restBounds_, scene.rest().bounds());
+    tools.fitTo(scene.simulation().bounds());
     if (tools.inHand().holds()) {
         return true;  // The view stands while the model moves in it.
     }
@@ -82,11 +82,11 @@ void EditorView::move(const ui::PointerMove& move, const BusyScene& scene) {
         return;
     }
     if (turned) {
-        camera.keepNear(scene.bounds());
+        camera.keepNear(scene.simulation().bounds());
     }
     if (sectionTool.holds() && display.settings.section) {
         display.settings.section =
-            sectionTool.moved(frame(), pointer, *display.settings.section, scene.bounds());
+            sectionTool.moved(frame(), pointer, *display.settings.section, scene.simulation().bounds());
         return;
     }
     tools.inHand().move(context(scene, move.modifiers));
@@ -110,7 +110,7 @@ std::string EditorView::press(const ui::ButtonChange& change, const BusyScene& s
 
 bool EditorView::pressSection(const BusyScene& scene) {
     const std::optional<render::SectionPlane>& section = display.settings.section;
-    return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
+    return section && sectionTool.press(frame(), pointer, *section, scene.simulation().bounds());
 }
 
 std::string EditorView::release(ui::Button button, const BusyScene& scene) {
@@ -133,7 +133,7 @@ void EditorView::zoom(double notches, const BusyScene& scene) {
     const ViewFrame seen = frame();
     camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
     if (scene) {
-        camera.keepNear(scene.bounds());
+        camera.keepNear(scene.simulation().bounds());
     }
 }
 
@@ -145,7 +145,7 @@ ToolContext EditorView::context(const BusyScene& scene, const ui::Modifiers& mod
             modifiers,
             tools.settings(),
             scene.stroke(),
-            scene.bounds(),
+            scene.simulation().bounds(),
             display.settings.section,
             scene.atRest()};
 }

@@ -21,7 +21,7 @@ const PaperExperiment* experimentOf(const EditorScene* scene) {
 
 void ExperimentBoard::note(const EditorScene& scene) {
     const PaperExperiment* experiment = experimentOf(&scene);
-    const auto figures = scene.readings().figures();
+    const auto figures = scene.readout().readings().figures();
     if (experiment != nullptr && figures) {
         runs_[experiment->name] = {*figures, scene.simulation().report().triangles};
     }
@@ -43,7 +43,7 @@ void ExperimentBoard::describe(const EditorScene* scene, ui::PanelModel& model) 
             card.ourTriangles = run->second.triangles;
         }
         if (card.open) {
-            model.paper = card.paper;
+            model.plots.paper = card.paper;
         }
     }
 }

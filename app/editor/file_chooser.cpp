@@ -168,7 +168,7 @@ bool FileChooser::followPreview() {
 }
 
 void FileChooser::describe(ui::PanelModel& model) const {
-    model.recentFiles = recent_.files();
+    model.files.recent = recent_.files();
     if (browser_) {
         model.files = browser_->state();
         model.files.adds = what_ == BrowseFor::addition;

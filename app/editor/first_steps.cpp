@@ -129,7 +129,7 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
 
 void NewcomerGuide::begin(const EditorScene& scene) {
     cutWatch_ = {};
-    piecesAtFirst_ = scene.pieceCount();
+    piecesAtFirst_ = scene.simulation().report().pieces;
 }
 
 Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
@@ -139,13 +139,13 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
         return now;
     }
     now.open = true;
-    now.playing = scene->playing;
+    now.playing = scene->timeline().playing;
     now.weightless = scene->simulation().params().gravity.norm() == 0;
-    now.past = scene->inThePast();
-    now.session = scene->playingBack() && !now.past;
+    now.past = scene->timeline().inThePast();
+    now.session = scene->timeline().playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
     now.touching = view.tools.holdsBody();
-    now.pieces = scene->pieceCount();
+    now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
     now.outcome = cutWatch_.outcome();
     now.refusal = scene->simulation().refusalOfStroke();

@@ -34,11 +34,11 @@ const Material* MaterialShelf::find(int number) const {
 }
 
 void MaterialShelf::describe(ui::PanelModel& model) const {
-    model.materials = rows_;
-    for (int m = 0; m < static_cast<int>(model.models.size()); ++m) {
+    model.model.materials = rows_;
+    for (int m = 0; m < static_cast<int>(model.model.models.size()); ++m) {
         const auto found = std::ranges::find_if(
-            all_, [&](const Material& material) { return isMadeOf(model.params, material, m); });
-        model.models[m].material =
+            all_, [&](const Material& material) { return isMadeOf(model.parameters.now, material, m); });
+        model.model.models[m].material =
             found == all_.end() ? -1 : static_cast<int>(found - all_.begin());
     }
 }

@@ -73,10 +73,10 @@ void WorkKeeping::follow(EditorScene& scene, const render::Camera& camera,
     }
     if (untilPicture_) {
         *untilPicture_ = std::max(0.0, *untilPicture_ - elapsedSeconds);
-        session_ = scene.sessionWithoutEvents(camera, colors);
+        session_ = scene.recorder().sessionWithoutEvents(camera, colors);
     }
     if (writer_ == nullptr) {
-        start(scene, scene.sessionWithoutEvents(camera, colors));
+        start(scene, scene.recorder().sessionWithoutEvents(camera, colors));
     } else {
         note(scene);
     }
@@ -93,16 +93,16 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
         addHashes(hashed, *hashes);
         return journalStart(name, hashed);
     });
-    write(scene.takeChange(true), isUnsaved(scene.deeds()));
-    if (isUnsaved(scene.deeds())) {
+    write(scene.recorder().takeChange(true), isUnsaved(scene.recorder().deeds()));
+    if (isUnsaved(scene.recorder().deeds())) {
         untilPicture_ = kUntilPicture;
     }
 }
 
 /// That time goes by is noted now and then; what is done, at once.
 void WorkKeeping::note(EditorScene& scene) {
-    SessionChange change = scene.takeChange(false);
-    const bool unsaved = isUnsaved(scene.deeds());
+    SessionChange change = scene.recorder().takeChange(false);
+    const bool unsaved = isUnsaved(scene.recorder().deeds());
     const bool isDone = change.dropped > 0 || !change.added.empty();
     const bool goesBy =
         change.steps != steps_ && (!scene.running() || sinceLine_.seconds() > kBetweenSteps);

@@ -50,7 +50,7 @@ std::vector<EditorScene::ModelFigures> figuresOf(const UncutBody& uncut) {
         const Vec3& origin = model.bounds.low;
         const Vec3 normal = (mesh.restPosition(b) - origin).cross(mesh.restPosition(c) - origin);
         model.volume += (mesh.restPosition(a) - origin).dot(normal) / 6;
-        model.triangles.add(restCornersOf(mesh, t));
+        model.body.triangles.add(restCornersOf(mesh, t));
     }
     return figures;
 }
@@ -848,28 +848,28 @@ void EditorScene::describe(ui::PanelModel& model) {
     model.name = document_.name;
     describeModels(model);
     const Vec3 toScene = -document_.session.origin;
-    model.params = countedFrom(simulation_.params(), toScene);
-    model.startParams = countedFrom(document_.session.params, toScene);
-    model.boxes = countedFrom(simulation_.boxes(), toScene);
-    model.pinned = simulation_.pinnedVertices().size();
-    model.hooks = hooks().size();
-    model.bodySize = rest_.bounds.diagonal();
-    model.bodyBounds = simulation_.bounds();
-    model.sweeps = &sweeps_;
-    model.playing = playing;
-    model.stroking = stroke_.drawing() || stroke_.pending() > 0;
-    model.step = simulation_.stepCount() - start_.step;
-    model.time = timeNow();
+    model.parameters.now = countedFrom(simulation_.params(), toScene);
+    model.parameters.start = countedFrom(document_.session.params, toScene);
+    model.body.boxes = countedFrom(simulation_.boxes(), toScene);
+    model.body.pinned = simulation_.pinnedVertices().size();
+    model.body.hooks = hooks().size();
+    model.body.size = rest_.bounds.diagonal();
+    model.body.bounds = simulation_.bounds();
+    model.parameters.sweeps = &sweeps_;
+    model.transport.playing = playing;
+    model.transport.stroking = stroke_.drawing() || stroke_.pending() > 0;
+    model.transport.step = simulation_.stepCount() - start_.step;
+    model.transport.time = timeNow();
     describeChanges(model.changes);
-    model.vertices = report.vertices;
-    model.triangles = report.triangles;
-    model.subdivisions = simulation_.subdivisions();
-    model.cuts = cuts_.rows();
-    model.cutsNote = cuts_.note();
-    model.pieces = pieces_;
-    model.history = &readings_.history();
-    model.recording = recording_;
-    describePlayback(model.playback);
+    model.body.vertices = report.vertices;
+    model.body.triangles = report.triangles;
+    model.cuts.subdivisions = simulation_.subdivisions();
+    model.cuts.rows = cuts_.rows();
+    model.cuts.note = cuts_.note();
+    model.pieces.rows = pieces_;
+    model.plots.history = &readings_.history();
+    model.transport.recording = recording_;
+    describePlayback(model.session.playback);
     describeMarks(model);
 }
 
@@ -897,16 +897,16 @@ void EditorScene::describeModels(ui::PanelModel& model) const {
             figures.triangles, kerf::proposedEdge(figures.triangles, figures.bounds.diagonal()));
         state.crosses = !reference.repair &&
                         document_.faults.of(repair::FaultKind::crossingTriangle).count() > 0;
-        model.models.push_back(std::move(state));
+        model.model.models.push_back(std::move(state));
     }
-    model.models.front().guess = document_.guess ? document_.guess->sentence : "";
-    model.objects = static_cast<int>(document_.objects.size());
-    model.faultCount = 0;
+    model.model.models.front().guess = document_.guess ? document_.guess->sentence : "";
+    model.model.objects = static_cast<int>(document_.objects.size());
+    model.model.faultCount = 0;
     for (const repair::FaultPlaces& places : document_.faults.places) {
-        model.faultCount += places.count();
+        model.model.faultCount += places.count();
     }
-    model.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
-    model.liveModels = simulation_.report().triangles <= kMostLiveTriangles;
+    model.model.untouched = simulation_.report().triangles == uncut_->mesh.aliveTriangles();
+    model.model.live = simulation_.report().triangles <= kMostLiveTriangles;
 }
 
 void EditorScene::describeMarks(ui::PanelModel& model) {
@@ -917,8 +917,8 @@ void EditorScene::describeMarks(ui::PanelModel& model) {
         marksRevision_ = journal_.revision();
         marksEntries_ = entries;
     }
-    model.marks = marks_;
-    model.course = course_;
+    model.session.marks = marks_;
+    model.session.course = course_;
 }
 
 void EditorScene::describePlayback(ui::PlaybackState& state) const {

@@ -15,7 +15,7 @@ class GrabTool : public Tool {
 
     std::string press(const ToolContext& c) override {
         const auto point = c.scene->pick(c.view.rayThrough(c.pixel));
-        std::string problem = point ? c.scene->grab(point->position, c.settings.grab.radius) : "";
+        std::string problem = point ? c.scene->hands().grab(point->position, c.settings.grab.radius) : "";
         if (point && problem.empty()) {
             held_ = to_ = point->position;
         }
@@ -25,13 +25,13 @@ class GrabTool : public Tool {
     void move(const ToolContext& c) override {
         if (held_) {
             to_ = c.view.onPlaneThrough(*held_, c.pixel);
-            c.scene->dragTo(to_);
+            c.scene->hands().dragTo(to_);
         }
     }
 
     std::string release(const ToolContext& c) override {
         if (held_) {
-            c.scene->letGo();
+            c.scene->hands().letGo();
             held_.reset();
         }
         return "";
@@ -47,7 +47,7 @@ class GrabTool : public Tool {
         } else if (const auto point = c.scene->pick(c.view.rayThrough(c.pixel))) {
             const bool fits = !isCostlyToFollow(*c.scene);
             addRing(overlay, c.view, *point,
-                    fits ? c.scene->reachOfHand(point->position, wanted) : wanted);
+                    fits ? c.scene->hands().reachAt(point->position, wanted) : wanted);
         }
     }
 

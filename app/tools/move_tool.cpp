@@ -77,7 +77,7 @@ std::optional<GizmoFrame> MoveTool::frameOf(EditorScene& scene) const {
             frame.at = middleOfPins(scene);
             return frame;
         case Kind::model:
-            frame.at = scene.rest().models[subject.number].bounds.center();
+            frame.at = scene.rest().models()[subject.number].bounds.center();
             frame.scales = true;
             break;
     }

@@ -14,7 +14,7 @@ constexpr double kBesideACut = 0.25;  // of the body's diagonal, from a press to
 constexpr double kWidest = 0.6;       // of the body's diagonal
 
 std::optional<Incision> incisionAt(const Vec3& point, EditorScene& scene) {
-    const double reach = kBesideACut * scene.rest().bounds.diagonal();
+    const double reach = kBesideACut * scene.rest().bounds().diagonal();
     return incisionNear(scene.simulation().mesh(), point, reach);
 }
 
@@ -37,7 +37,7 @@ std::string RetractTool::hookLips(const ToolContext& c) {
     if (!incision) {
         return "No cut is near that place. Press on the skin beside a cut.";
     }
-    const std::variant<int, std::string> hooked = c.scene->hook(*incision);
+    const std::variant<int, std::string> hooked = c.scene->hands().hook(*incision);
     if (const auto* problem = std::get_if<std::string>(&hooked)) {
         return *problem;
     }
@@ -51,7 +51,7 @@ std::string RetractTool::hookLips(const ToolContext& c) {
 }
 
 void RetractTool::takeAgain(int hook, const EditorScene& scene) {
-    const std::vector<Hands::Hand> hooks = scene.hooks();
+    const std::vector<Hands::Hand> hooks = scene.hands().hooks();
     const auto taken = std::ranges::find(hooks, hook, &Hands::Hand::number);
     const auto other = std::ranges::find(hooks, partnerOf(hook), &Hands::Hand::number);
     if (taken == hooks.end() || other == hooks.end() || taken->to == other->to) {
@@ -72,22 +72,22 @@ void RetractTool::move(const ToolContext& c) {
     }
     const Vec3 way = c.view.onPlaneThrough(drag_->at, c.pixel) - drag_->at;
     const double wanted = drag_->isNew ? way.norm() : -2 * way.dot(drag_->across);
-    const double widest = kWidest * c.scene->rest().bounds.diagonal();
+    const double widest = kWidest * c.scene->rest().bounds().diagonal();
     drag_->by = std::clamp(wanted, -drag_->before, std::max(0.0, widest - drag_->before));
     moveHooks(*c.scene);
 }
 
 void RetractTool::moveHooks(EditorScene& scene) const {
     const Vec3 half = 0.5 * drag_->by * drag_->across;
-    scene.dragTo(drag_->from[0] - half, drag_->hooks[0]);
-    scene.dragTo(drag_->from[1] + half, drag_->hooks[1]);
-    scene.settle();
+    scene.hands().dragTo(drag_->from[0] - half, drag_->hooks[0]);
+    scene.hands().dragTo(drag_->from[1] + half, drag_->hooks[1]);
+    scene.hands().settle();
 }
 
 std::string RetractTool::release(const ToolContext& c) {
     if (drag_) {
         drag_.reset();
-        c.scene->letGo();
+        c.scene->hands().letGo();
     }
     return "";
 }
@@ -97,7 +97,7 @@ void RetractTool::cancel(const ToolContext& c) {
         return;
     }
     if (drag_->isNew) {
-        c.scene->removeRetractor(drag_->hooks[0]);
+        c.scene->hands().removeRetractor(drag_->hooks[0]);
     } else {
         drag_->by = 0;
         moveHooks(*c.scene);
@@ -107,20 +107,20 @@ void RetractTool::cancel(const ToolContext& c) {
 
 void RetractTool::rightClick(const ToolContext& c) {
     if (const std::optional<int> hook = hookAt(c)) {
-        c.scene->removeRetractor(*hook);
+        c.scene->hands().removeRetractor(*hook);
     }
 }
 
 void RetractTool::removeOne(const ToolContext& c) {
     release(c);
-    const std::vector<Hands::Hand> hooks = c.scene->hooks();
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
     if (!hooks.empty()) {
-        c.scene->removeRetractor(hookAt(c).value_or(hooks.back().number));
+        c.scene->hands().removeRetractor(hookAt(c).value_or(hooks.back().number));
     }
 }
 
 std::optional<int> RetractTool::hookAt(const ToolContext& c) {
-    const std::vector<Hands::Hand> hooks = c.scene->hooks();
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
     std::vector<Vec3> points;
     std::ranges::transform(hooks, std::back_inserter(points), &Hands::Hand::to);
     const std::optional<int> at = handleAt(c.view, c.pixel, points);
@@ -129,7 +129,7 @@ std::optional<int> RetractTool::hookAt(const ToolContext& c) {
 
 void RetractTool::addTo(ui::Overlay& overlay, const ToolContext& c) const {
     const std::optional<int> hot = drag_ ? drag_->hooks[0] : hookAt(c);
-    const std::vector<Hands::Hand> hooks = c.scene->hooks();
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
     for (const Hands::Hand& hook : hooks) {
         const auto other = std::ranges::find(hooks, partnerOf(hook.number), &Hands::Hand::number);
         if (other != hooks.end() && hook.number < other->number) {

@@ -24,8 +24,8 @@ class InterfaceTest : public test::GlTest {
         GlTest::SetUp();
         interface.emplace(Theme::dark, 1.0F);
         model.name = "ball";
-        model.history = &history;
-        model.pieces = {{768, 4.18, 1.0}};
+        model.plots.history = &history;
+        model.pieces.rows = {{768, 4.18, 1.0}};
         update({});
         update({});
     }
@@ -39,17 +39,17 @@ class InterfaceTest : public test::GlTest {
         std::vector<Action> actions = interface->update(events, model, kWidth, kHeight, 1.0 / 60);
         for (const Action& action : actions) {
             if (const auto* set = std::get_if<SetParam>(&action)) {
-                EXPECT_EQ(setParam(model.params, set->name, set->value), "");
+                EXPECT_EQ(setParam(model.parameters.now, set->name, set->value), "");
                 changed.insert(set->name);
             } else if (const auto* wanted = std::get_if<SetSettings>(&action)) {
                 model.settings = wanted->settings;
             } else if (const auto* view = std::get_if<SetPlotView>(&action)) {
-                model.plotView = view->view;
+                model.plots.view = view->view;
             } else if (const auto* id = std::get_if<ActionId>(&action)) {
                 asked.push_back(*id);
             } else {
                 if (const auto* hover = std::get_if<HoverPiece>(&action)) {
-                    model.hoveredPiece = hover->piece;
+                    model.pieces.hovered = hover->piece;
                 }
                 others.push_back(action);
             }
@@ -92,8 +92,8 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
         moveTo(rect.x + rect.width / 2, rect.y + rect.height - 4);
         EXPECT_TRUE(interface->ownsPointer());
     }
-    model.hint.text = "Drag across the model to cut it.";
-    model.toast = "Saved.";
+    model.help.hint.text = "Drag across the model to cut it.";
+    model.toast.text = "Saved.";
     for (const double y : {2.0, 60.0, 360.0, 640.0}) {
         moveTo(kWidth / 2.0, y);
         EXPECT_FALSE(interface->ownsPointer()) << y;
@@ -101,7 +101,7 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
 }
 
 TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
-    const Params before = model.params;
+    const Params before = model.parameters.now;
     for (const char* name : {"time_step", "iterations", "ispc_stiffness", "gravity"}) {
         update({});
         const Rect row = interface->itemRects().at(std::string("param.") + name);
@@ -112,16 +112,16 @@ TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
     }
     EXPECT_THAT(changed,
                 ::testing::IsSupersetOf({"time_step", "iterations", "ispc_stiffness", "gravity"}));
-    EXPECT_GT(model.params.timeStep, before.timeStep);
-    EXPECT_GT(model.params.iterations, before.iterations);
-    EXPECT_GT(model.params.ispcStiffness, before.ispcStiffness);
+    EXPECT_GT(model.parameters.now.timeStep, before.timeStep);
+    EXPECT_GT(model.parameters.now.iterations, before.iterations);
+    EXPECT_GT(model.parameters.now.ispcStiffness, before.ispcStiffness);
 }
 
 TEST_F(InterfaceTest, TheResetMarkBringsAValueBack) {
-    model.params.iterations = 35;
+    model.parameters.now.iterations = 35;
     update({});
     clickOn("reset.iterations");
-    EXPECT_EQ(model.params.iterations, model.startParams.iterations);
+    EXPECT_EQ(model.parameters.now.iterations, model.parameters.start.iterations);
 }
 
 TEST_F(InterfaceTest, TransportButtonsAsk) {
@@ -154,26 +154,26 @@ TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
 
 TEST_F(InterfaceTest, WheelDragAndDoubleClickMoveAlongThePlots) {
     history[Reading::framesPerSecond] = wave(10, 60);
-    model.time = 10;
+    model.transport.time = 10;
     update({});
     const Rect plot = interface->itemRects().at("plot.frames");
     const double x = plot.x + 0.6 * plot.width;
     const double y = plot.y + 0.4 * plot.height;
     moveTo(x, y);
     update({Wheel{0, 5}});
-    ASSERT_GT(model.plotView.span, 0);
-    ASSERT_LT(model.plotView.span, 5);
-    const PlotView zoomedIn = model.plotView;
+    ASSERT_GT(model.plots.view.span, 0);
+    ASSERT_LT(model.plots.view.span, 5);
+    const PlotView zoomedIn = model.plots.view;
     press(true);
     moveTo(x + 30, y);
     press(false);
-    EXPECT_LT(rangeOf(model.plotView, 10).low, rangeOf(zoomedIn, 10).low) << "the hand pulls it";
-    EXPECT_NEAR(model.plotView.span, zoomedIn.span, 1e-9);
+    EXPECT_LT(rangeOf(model.plots.view, 10).low, rangeOf(zoomedIn, 10).low) << "the hand pulls it";
+    EXPECT_NEAR(model.plots.view.span, zoomedIn.span, 1e-9);
     for (int i = 0; i < 2; ++i) {
         press(true);
         press(false);
     }
-    EXPECT_EQ(model.plotView, PlotView{});
+    EXPECT_EQ(model.plots.view, PlotView{});
 }
 
 TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
@@ -220,7 +220,7 @@ TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
 }
 
 TEST_F(InterfaceTest, BarsDivideThePanels) {
-    model.pieces.resize(20, model.pieces[0]);
+    model.pieces.rows.resize(20, model.pieces.rows[0]);
     update({});
     update({});
     for (const char* name : {"splitter.pieces", "splitter.plots"}) {
@@ -236,7 +236,7 @@ TEST_F(InterfaceTest, BarsDivideThePanels) {
 
 TEST_F(InterfaceTest, AShortListOfPiecesLeavesItsRoomToTheSections) {
     const double one = interface->itemRects().at("splitter.pieces").y;
-    model.pieces.resize(20, model.pieces[0]);
+    model.pieces.rows.resize(20, model.pieces.rows[0]);
     update({});
     update({});
     EXPECT_LT(interface->itemRects().at("splitter.pieces").y, one - 40);
@@ -245,7 +245,7 @@ TEST_F(InterfaceTest, AShortListOfPiecesLeavesItsRoomToTheSections) {
 TEST_F(InterfaceTest, NoButtonIsCutOffInASmallWindow) {
     constexpr int kSmallWidth = 800;
     constexpr int kSmallHeight = 600;
-    model.hint = {"2 pieces now. What next?",
+    model.help.hint = {"2 pieces now. What next?",
                   {{ActionId::letFall, "Let them fall"},
                    {ActionId::showApart, "Show them apart"},
                    {actionOf(Tool::grab), "Pull at one"}}};
@@ -291,7 +291,7 @@ TEST_F(InterfaceTest, ACardOpensItsExperiment) {
 }
 
 TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
-    model.pieces = {{768, 0.21, 1.0}, {770, 0.20, 0.99}};
+    model.pieces.rows = {{768, 0.21, 1.0}, {770, 0.20, 0.99}};
     update({});
     const Rect row = interface->itemRects().at("piece.1");
     moveTo(row.x + 0.7 * row.width, row.y + row.height / 2);
@@ -307,7 +307,7 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     EXPECT_EQ(std::get<HoverPiece>(others[0]).piece, 0);
     EXPECT_EQ(std::get<ShowPiece>(others[1]).piece, 0);
     EXPECT_FALSE(std::get<ShowPiece>(others[1]).visible);
-    model.pieces[0].hidden = true;
+    model.pieces.rows[0].hidden = true;
     update({});
     others.clear();
     clickOn("pieces.show_all");
@@ -315,8 +315,8 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
 }
 
 TEST_F(InterfaceTest, AQuestionAsideLeavesTheViewOpenAndTheLegendFree) {
-    model.showsFaulty = true;
-    model.faults = {{"12 open edges", {213, 94, 0}}, {"3 needles", {230, 159, 0}}};
+    model.looks.showsFaulty = true;
+    model.looks.faults = {{"12 open edges", {213, 94, 0}}, {"3 needles", {230, 159, 0}}};
     model.question = {.title = "This model can't be cut as it is",
                       .text = "broken.obj: 12 open edges. Filling 1 hole would close it.",
                       .choices = {"Fill 1 hole", "Cancel"},
@@ -385,25 +385,25 @@ TEST_F(InterfaceTest, ANumberIsDraggedAndTyped) {
     update({});
     const Rect number = interface->itemRects().at("param.iterations.number");
     const Vec2 middle(number.x + number.width / 2, number.y + number.height / 2);
-    const int before = model.params.iterations;
+    const int before = model.parameters.now.iterations;
     moveTo(middle.x(), middle.y());
     press(true);
     moveTo(middle.x() + 20, middle.y());
     press(false);
-    EXPECT_GT(model.params.iterations, before);
+    EXPECT_GT(model.parameters.now.iterations, before);
     update({PointerMove{middle.x(), middle.y(), {.control = true}}});
     update({ButtonChange{Button::left, true, {.control = true}}});
     update({ButtonChange{Button::left, false, {}}});
     update({Character{'7'}});
     update({KeyChange{Key::enter, true, {}}});
     update({KeyChange{Key::enter, false, {}}});
-    EXPECT_EQ(model.params.iterations, 7);
+    EXPECT_EQ(model.parameters.now.iterations, 7);
 }
 
 TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
-    model.playback.step = 10;
-    model.playback.steps = 100;
-    model.course = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
+    model.session.playback.step = 10;
+    model.session.playback.steps = 100;
+    model.session.course = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
     update({});
     update({});
     const Rect bar = interface->itemRects().at("scrubber");
@@ -435,7 +435,7 @@ TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
 }
 
 TEST_F(InterfaceTest, AClickOnATitleOfThePiecesSortsThem) {
-    model.pieces = {{100, 1, 1.0}, {300, 3, 1.0}, {200, 2, 1.0}};
+    model.pieces.rows = {{100, 1, 1.0}, {300, 3, 1.0}, {200, 2, 1.0}};
     model.settings.piecesShare = 0.6;  // room for all three
     update({});
     update({});
@@ -459,7 +459,7 @@ TEST_F(InterfaceTest, ThePointerOverAPlotShowsItsTimeInTheOthers) {
             series.add(0.01 * step, 1 + step % 7);
         }
     }
-    model.time = 0.5;
+    model.transport.time = 0.5;
     update({});
     const gpu::Framebuffer picture(GL_RGBA8, GL_DEPTH_COMPONENT24, kWidth, kHeight);
     const auto drawn = [&] {

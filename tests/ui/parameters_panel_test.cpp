@@ -38,22 +38,22 @@ TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
 TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     const ParamInfo& iterations = *findParam("iterations");
     PanelModel model;
-    model.params.youngsModulus = 3e7;
+    model.parameters.now.youngsModulus = 3e7;
     EXPECT_EQ(remarkOn(iterations, model), "") << "nothing is open";
-    const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), model.params);
-    model.sweeps = &strength;
-    const std::optional<int> enough = strength.enoughIterations(model.params);
+    const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), model.parameters.now);
+    model.parameters.sweeps = &strength;
+    const std::optional<int> enough = strength.enoughIterations(model.parameters.now);
     ASSERT_TRUE(enough);
     EXPECT_NE(remarkOn(iterations, model).find("From " + std::to_string(*enough) + " on"),
               std::string::npos)
         << remarkOn(iterations, model);
     EXPECT_EQ(remarkOn(*findParam("time_step"), model), "");
-    model.params.iterations = *enough;
+    model.parameters.now.iterations = *enough;
     EXPECT_EQ(remarkOn(iterations, model), "");
-    model.params.timeStep = 0.02;
-    model.params.youngsModulus = 1e8;
+    model.parameters.now.timeStep = 0.02;
+    model.parameters.now.youngsModulus = 1e8;
     EXPECT_NE(remarkOn(iterations, model).find("smaller time step"), std::string::npos);
-    model.params.solver = SolverMode::pbd;
+    model.parameters.now.solver = SolverMode::pbd;
     EXPECT_EQ(remarkOn(iterations, model), "") << "its stiffness is no modulus";
 }
 

@@ -8,10 +8,10 @@ namespace {
 TEST(StatusText, CountsPiecesThatWereTakenBackWhereAnyWere) {
     History history;
     PanelModel model;
-    model.history = &history;
+    model.plots.history = &history;
     EXPECT_EQ(statusText(model), "Nothing open");
     model.name = "sphere80";
-    model.pieces.resize(2);
+    model.pieces.rows.resize(2);
     EXPECT_NE(statusText(model).find("2 pieces   |"), std::string::npos) << statusText(model);
     history[Reading::lostPieces].add(0.5, 3);
     EXPECT_NE(statusText(model).find("2 pieces, 3 taken back   |"), std::string::npos)

@@ -65,7 +65,7 @@ TEST_F(DriverCheckTest, OfAWrongDriverThePersonIsToldAndOfferedTheSoftwareRender
     ASSERT_EQ(panels().question.choices.size(), 2u);
     tap(Key::enter);
     frames(2);
-    EXPECT_THAT(panels().toast, HasSubstr("start it again"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("start it again"));
     EXPECT_THAT(test::readBytes(folder / "settings.json"),
                 HasSubstr("\"software_renderer\": true"));
     meet("Maker's renderer");

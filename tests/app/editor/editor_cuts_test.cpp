@@ -10,7 +10,7 @@ class EditorCuts : public EditorTest {
     /// Frames until the figures are there.
     void waitForFigures() {
         settle();
-        for (int i = 0; i < 2000 && panels().cutsNote.starts_with("Measuring"); ++i) {
+        for (int i = 0; i < 2000 && panels().cuts.note.starts_with("Measuring"); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frames(1);
         }
@@ -26,7 +26,7 @@ class EditorCuts : public EditorTest {
         }
     }
     std::string figure(const std::string& quantity) {
-        for (const ui::CutRow& row : panels().cuts) {
+        for (const ui::CutRow& row : panels().cuts.rows) {
             if (row.quantity == quantity) {
                 return row.all;
             }
@@ -37,27 +37,27 @@ class EditorCuts : public EditorTest {
 
 TEST_F(EditorCuts, AreMeasuredWhereTheirSectionIsOpen) {
     cutAcross();
-    ASSERT_GT(panels().triangles, 768) << "it was cut";
-    EXPECT_TRUE(panels().cuts.empty()) << "the section is folded";
+    ASSERT_GT(panels().body.triangles, 768) << "it was cut";
+    EXPECT_TRUE(panels().cuts.rows.empty()) << "the section is folded";
     openSection();
     waitForFigures();
     EXPECT_EQ(figure("Self-intersections"), "0");
     EXPECT_GT(std::stoi(figure("Triangles")), 100);
     EXPECT_GT(std::stoi(figure("Steps that cut")), 3);
-    EXPECT_EQ(panels().cutsNote, "");
+    EXPECT_EQ(panels().cuts.note, "");
     EXPECT_TRUE(editor->itemRects().contains("cuts.Triangles"));
 }
 
 TEST_F(EditorCuts, FollowUndo) {
     openSection();
-    EXPECT_EQ(panels().cutsNote, "No cut yet.");
+    EXPECT_EQ(panels().cuts.note, "No cut yet.");
     cutAcross();
     const std::string made = figure("Triangles");
     EXPECT_GT(std::stoi(made), 100);
     tap(Key::z, {.control = true});
     waitForFigures();
     EXPECT_EQ(figure("Triangles"), "none");
-    EXPECT_EQ(panels().cutsNote, "No cut yet.");
+    EXPECT_EQ(panels().cuts.note, "No cut yet.");
     tap(Key::z, {.shift = true, .control = true});
     waitForFigures();
     EXPECT_EQ(figure("Triangles"), made);

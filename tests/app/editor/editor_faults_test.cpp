@@ -80,7 +80,7 @@ class EditorFaultsTest : public EditorTest {
     }
     std::vector<std::string> faultLabels() {
         std::vector<std::string> labels;
-        for (const ui::FaultRow& row : panels().faults) {
+        for (const ui::FaultRow& row : panels().looks.faults) {
             labels.push_back(row.label);
         }
         return labels;
@@ -95,20 +95,20 @@ class EditorFaultsTest : public EditorTest {
 };
 
 TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
-    const render::Camera before = editor->scene()->homeView();
+    const render::Camera before = editor->scene()->rest().homeView();
     openBroken({"large hole"});
     ASSERT_NE(panels().question.text, "");
-    EXPECT_TRUE(panels().showsFaulty);
-    ASSERT_EQ(panels().faults.size(), 1U);
-    EXPECT_THAT(panels().faults[0].label, HasSubstr("open edges"));
+    EXPECT_TRUE(panels().looks.showsFaulty);
+    ASSERT_EQ(panels().looks.faults.size(), 1U);
+    EXPECT_THAT(panels().looks.faults[0].label, HasSubstr("open edges"));
     EXPECT_GT(pixelsOf(editor->readPicture(), kOpen), 200);
     tap(Key::escape);
     frames(2);
-    EXPECT_FALSE(panels().showsFaulty);
-    EXPECT_THAT(panels().faults, IsEmpty());
+    EXPECT_FALSE(panels().looks.showsFaulty);
+    EXPECT_THAT(panels().looks.faults, IsEmpty());
     EXPECT_EQ(pixelsOf(editor->readPicture(), kOpen), 0);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(editor->scene()->homeView().eye, before.eye);
+    EXPECT_EQ(editor->scene()->rest().homeView().eye, before.eye);
 }
 
 TEST_F(EditorFaultsTest, TheViewCanBeTurnedBesideTheQuestion) {
@@ -138,13 +138,13 @@ TEST_F(EditorFaultsTest, WhatNothingMendsIsShownUntilOneGoesBack) {
     waitForWork();
     frames(2);
     EXPECT_EQ(panels().question.text, "");
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_TRUE(panels().showsFaulty);
-    EXPECT_THAT(panels().hint.text, HasSubstr("flat.obj can't be cut"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_TRUE(panels().looks.showsFaulty);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("flat.obj can't be cut"));
     const std::string state = hash();
     tap(Key::escape);
     frames(2);
-    EXPECT_FALSE(panels().showsFaulty);
+    EXPECT_FALSE(panels().looks.showsFaulty);
     EXPECT_EQ(hash(), state);
 }
 
@@ -160,12 +160,12 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     const std::string mended = hash();
     undo();
     EXPECT_EQ(panels().question.title, "Taken back: Repair");
-    EXPECT_TRUE(panels().showsFaulty);
+    EXPECT_TRUE(panels().looks.showsFaulty);
     EXPECT_EQ(faultLabels(), shown);
     tap(Key::enter);
     frames(2);
     EXPECT_EQ(hash(), mended);
-    EXPECT_FALSE(panels().showsFaulty);
+    EXPECT_FALSE(panels().looks.showsFaulty);
     undo();
     tap(Key::escape);
     frames(2);
@@ -191,17 +191,17 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     EXPECT_THAT(panels().question.choices,
                 ElementsAre("Give it a thickness", "Fill 1 hole", "Cancel"));
     EXPECT_THAT(panels().question.text, HasSubstr("As a sheet of 2.3 cm it could be cut"));
-    EXPECT_TRUE(panels().showsFaulty);
+    EXPECT_TRUE(panels().looks.showsFaulty);
     tap(Key::enter);
     waitForWork();
     frames(2);
     EXPECT_EQ(editor->title(), "Kerf - cloth - 1 piece");
-    EXPECT_THAT(panels().toast, HasSubstr("gave 1 sheet a thickness of 0.023"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("gave 1 sheet a thickness of 0.023"));
     EXPECT_THAT(changes(), ElementsAre("Give it a thickness"));
     const std::string mended = hash();
     undo();
     EXPECT_EQ(panels().question.title, "Taken back: Give it a thickness");
-    EXPECT_TRUE(panels().showsFaulty);
+    EXPECT_TRUE(panels().looks.showsFaulty);
     tap(Key::enter);
     frames(2);
     EXPECT_EQ(hash(), mended);
@@ -230,16 +230,16 @@ TEST_F(EditorFaultsTest, AnAssemblyIsPartedIntoModelsAsAStepThatIsUndone) {
     waitForWork();
     frames(2);
     const std::string whole = hash();
-    EXPECT_THAT(panels().toast, HasSubstr("Its file has 2 objects"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Its file has 2 objects"));
     tap(Key::o, {.shift = true});
     waitForWork();
     frames(2);
-    EXPECT_EQ(panels().models.size(), 2U);
-    EXPECT_EQ(panels().objects, 0) << "there is nothing more to part";
+    EXPECT_EQ(panels().model.models.size(), 2U);
+    EXPECT_EQ(panels().model.objects, 0) << "there is nothing more to part";
     EXPECT_THAT(changes(), ElementsAre("Part into models"));
-    EXPECT_THAT(panels().toast, HasSubstr("Part into models: 2 of them"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Part into models: 2 of them"));
     undo();
-    EXPECT_EQ(panels().models.size(), 1U);
+    EXPECT_EQ(panels().model.models.size(), 1U);
     EXPECT_EQ(hash(), whole);
 }
 
@@ -252,18 +252,18 @@ TEST_F(EditorFaultsTest, ABallWithAHoleIsOfferedToBeFilledFirst) {
 
 TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
     const std::string before = hash();
-    const int triangles = panels().triangles;
-    const double proposed = panels().models[0].edge;
+    const int triangles = panels().body.triangles;
+    const double proposed = panels().model.models[0].edge;
     even();
     const std::string evened = hash();
     EXPECT_NE(evened, before);
-    EXPECT_THAT(panels().toast, HasSubstr("768 triangles became"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("768 triangles became"));
     EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 1U);
-    EXPECT_NEAR(panels().models[0].edge, proposed, 0.1 * proposed);
+    EXPECT_NEAR(panels().model.models[0].edge, proposed, 0.1 * proposed);
     undo();
     EXPECT_EQ(hash(), before);
-    EXPECT_EQ(panels().triangles, triangles);
+    EXPECT_EQ(panels().body.triangles, triangles);
     EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 0U);
     redo();
@@ -276,38 +276,38 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     editor->open(folder / "cube.obj");
     waitForWork();
     frames(2);
-    EXPECT_EQ(panels().triangles, 12) << "nothing is refined unasked";
-    EXPECT_THAT(panels().toast, HasSubstr("The skin is coarse: 12 triangles, edges up to 1.41 m. "
+    EXPECT_EQ(panels().body.triangles, 12) << "nothing is refined unasked";
+    EXPECT_THAT(panels().toast.text, HasSubstr("The skin is coarse: 12 triangles, edges up to 1.41 m. "
                                           "With edges of 6.93 cm it bends and cuts well."));
-    ASSERT_TRUE(panels().toastChoice);
-    EXPECT_EQ(panels().toastChoice->id, ui::ActionId::remesh);
-    EXPECT_NEAR(panels().models[0].edge, std::sqrt(3) / 25, 1e-6);
+    ASSERT_TRUE(panels().toast.choice);
+    EXPECT_EQ(panels().toast.choice->id, ui::ActionId::remesh);
+    EXPECT_NEAR(panels().model.models[0].edge, std::sqrt(3) / 25, 1e-6);
     click("toast.Shift+R");
     waitForWork();
     frames(2);
-    EXPECT_GT(panels().triangles, 2000);
-    EXPECT_THAT(panels().toast, HasSubstr("12 triangles became"));
+    EXPECT_GT(panels().body.triangles, 2000);
+    EXPECT_THAT(panels().toast.text, HasSubstr("12 triangles became"));
     EXPECT_EQ(editor->scene()->document().session.model.edge, 0.0693);
     undo();
-    EXPECT_EQ(panels().triangles, 12);
+    EXPECT_EQ(panels().body.triangles, 12);
 }
 
 TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
     unfoldModel();
-    const double proposed = panels().models[0].edge;
+    const double proposed = panels().model.models[0].edge;
     const ui::Rect field = editor->itemRects().at("model.edge");
     const Vec2 middle(field.x + field.width / 2, field.y + field.height / 2);
     drag(middle, middle + Vec2(60, 0), 6);
     frames(12);
     even();
     EXPECT_GT(editor->scene()->document().session.model.edge, 1.1 * proposed);
-    EXPECT_LT(panels().triangles, 700);
+    EXPECT_LT(panels().body.triangles, 700);
 }
 
 TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     cut();
-    const int pieces = editor->scene()->pieceCount();
-    ASSERT_FALSE(panels().untouched);
+    const int pieces = editor->scene()->simulation().report().pieces;
+    ASSERT_FALSE(panels().model.untouched);
     const std::string before = hash();
     const std::size_t own = changes().size();
     even();
@@ -315,25 +315,25 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     tap(Key::enter);
     waitForWork();
     frames(2);
-    EXPECT_TRUE(panels().untouched);
+    EXPECT_TRUE(panels().model.untouched);
     EXPECT_EQ(changes().size(), own + 1);
     undo();
     EXPECT_EQ(hash(), before);
-    EXPECT_EQ(editor->scene()->pieceCount(), pieces);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, pieces);
     undo();
-    EXPECT_TRUE(panels().untouched) << "the cut before is undone in its turn";
+    EXPECT_TRUE(panels().model.untouched) << "the cut before is undone in its turn";
     redo();
     EXPECT_EQ(hash(), before);
     redo();
-    EXPECT_THAT(panels().toast, HasSubstr("Done again: Remesh"));
-    EXPECT_TRUE(panels().untouched);
+    EXPECT_THAT(panels().toast.text, HasSubstr("Done again: Remesh"));
+    EXPECT_TRUE(panels().model.untouched);
 }
 
 TEST_F(EditorFaultsTest, AnotherChangeForgetsWhatWasUndone) {
     even();
     undo();
     cut();
-    ASSERT_FALSE(panels().untouched);
+    ASSERT_FALSE(panels().model.untouched);
     const std::string changed = hash();
     redo();
     EXPECT_EQ(hash(), changed);
@@ -357,7 +357,7 @@ TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
         undo();
     }
     EXPECT_NE(hash(), cutHash);
-    EXPECT_TRUE(panels().untouched);
+    EXPECT_TRUE(panels().model.untouched);
     EXPECT_EQ(changes().size(), rows);
     redo();
     EXPECT_EQ(hash(), cutHash);
@@ -380,7 +380,7 @@ TEST_F(EditorFaultsTest, CancelLeavesEverythingAsItWas) {
 TEST_F(EditorFaultsTest, ASessionSavedAfterwardsReplaysToTheBit) {
     even();
     cut();
-    ASSERT_FALSE(panels().untouched);
+    ASSERT_FALSE(panels().model.untouched);
     tap(Key::s, {.control = true});
     frames(2);
     type("even");
@@ -398,9 +398,9 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
     editor->open(folder / "bar.obj");
     waitForWork();
     frames(2);
-    EXPECT_EQ(panels().faultCount, 8);
-    EXPECT_THAT(panels().faults, IsEmpty());
-    EXPECT_THAT(panels().models[0].triangles, HasSubstr("12 triangles, 8 of them needles"));
+    EXPECT_EQ(panels().model.faultCount, 8);
+    EXPECT_THAT(panels().looks.faults, IsEmpty());
+    EXPECT_THAT(panels().model.models[0].triangles, HasSubstr("12 triangles, 8 of them needles"));
     unfoldModel();
     constexpr std::array<int, 3> kNeedle{230, 159, 0};
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
@@ -412,7 +412,7 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
     frames(2);
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
     even();
-    EXPECT_EQ(panels().faultCount, 0) << panels().toast;
+    EXPECT_EQ(panels().model.faultCount, 0) << panels().toast.text;
 }
 
 TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
@@ -422,19 +422,19 @@ TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
     editor->open(folder / "boxes.obj");
     waitForWork();
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
-    EXPECT_TRUE(panels().models[0].crosses);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
+    EXPECT_TRUE(panels().model.models[0].crosses);
     const std::string before = hash();
     unfoldModel();
     click("model.unite");
     waitForWork();
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
-    EXPECT_FALSE(panels().models[0].crosses);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
+    EXPECT_FALSE(panels().model.models[0].crosses);
     EXPECT_THAT(changes(), ElementsAre("Unite pieces"));
     undo();
     EXPECT_EQ(hash(), before);
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
 }
 
 TEST_F(EditorFaultsTest, AModelOfTheCommandLineIsSearchedForPiecesThatCross) {

@@ -35,8 +35,8 @@ TEST_F(EditorFilesTest, AModelOpensBehindWhatIsOpen) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
-    EXPECT_EQ(panels().triangles, 192);
-    EXPECT_THAT(panels().toast, HasSubstr("OBJ names no unit: taken as metres"));
+    EXPECT_EQ(panels().body.triangles, 192);
+    EXPECT_THAT(panels().toast.text, HasSubstr("OBJ names no unit: taken as metres"));
 }
 
 TEST_F(EditorFilesTest, WhatIsOpenCanBeCutWhileAModelIsRead) {
@@ -57,7 +57,7 @@ TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
     click("work.cancel");
     EXPECT_FALSE(editor->working());
     EXPECT_EQ(panels().work.title, "");
-    EXPECT_FALSE(panels().toastIsError);
+    EXPECT_FALSE(panels().toast.isError);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_TRUE(reader.hasEnded());
     EXPECT_NE(editor->readPicture().pixels, before) << "the progress is gone";
@@ -112,7 +112,7 @@ TEST_F(EditorFilesTest, AModelIsFoundByTypingAndOpenedByEnter) {
     waitForWork();
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
-    EXPECT_EQ(panels().recentFiles.size(), 1U);
+    EXPECT_EQ(panels().files.recent.size(), 1U);
 }
 
 TEST_F(EditorFilesTest, OfManyFilesOnlyThoseInViewAreDrawn) {
@@ -149,8 +149,8 @@ TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
     tap(Key::v);
     tap(Key::space);
     EXPECT_FALSE(panels().display.wireframe);
-    EXPECT_EQ(panels().params.gravity, Vec3(Vec3::Zero()));
-    EXPECT_FALSE(panels().playing);
+    EXPECT_EQ(panels().parameters.now.gravity, Vec3(Vec3::Zero()));
+    EXPECT_FALSE(panels().transport.playing);
     EXPECT_EQ(panels().files.name, "w v");
     drag(kTop, kBottom, 5);
     settle();
@@ -212,7 +212,7 @@ TEST_F(EditorFilesTest, AKeyRightAfterTheOneThatClosesTheDialogIsHeard) {
         editor->post(ui::KeyChange{key, false, {}});
     }
     waitForWork();
-    EXPECT_TRUE(panels().playing);
+    EXPECT_TRUE(panels().transport.playing);
 }
 
 TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplacedUnasked) {
@@ -254,7 +254,7 @@ TEST_F(EditorFilesTest, PiecesAreExportedEachIntoAFile) {
     EXPECT_TRUE(panels().files.filePerPiece);
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("2 files"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("2 files"));
     MeshReport report;
     loadModel(folder / "half-1.glb", &report);
     EXPECT_EQ(report.pieces, 1);
@@ -290,7 +290,7 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
     tap(Key::enter);
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - open - 1 piece");
-    EXPECT_THAT(panels().toast, HasSubstr("filled 1 hole"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("filled 1 hole"));
     tap(Key::s, {.control = true});
     frames(2);
     type("filled");
@@ -309,7 +309,7 @@ TEST_F(EditorFilesTest, NothingIsOfferedWhereItIsNoHelp) {
     editor->open(folder / "flat.obj");
     waitForWork();
     EXPECT_EQ(panels().question.text, "");
-    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_TRUE(panels().toast.isError);
 }
 
 TEST_F(EditorFilesTest, ARepairIsOfferedWhereFillingIsNoHelpAndASessionKeepsIt) {
@@ -326,7 +326,7 @@ TEST_F(EditorFilesTest, ARepairIsOfferedWhereFillingIsNoHelpAndASessionKeepsIt) 
     tap(Key::enter);
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - odd - 1 piece");
-    EXPECT_THAT(panels().toast, HasSubstr("dropped 1 double of a triangle"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("dropped 1 double of a triangle"));
     tap(Key::s, {.control = true});
     frames(2);
     type("mended");

@@ -55,7 +55,7 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
     EXPECT_EQ(panels().files.film.speed, 0.1);
     click("file.accept");
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("Filmed " + (folder / "cut.webm").string()));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Filmed " + (folder / "cut.webm").string()));
     EXPECT_EQ(test::outputOf("ffprobe -v error -count_frames -show_entries "
                              "stream=codec_name,width,height,nb_read_frames -of csv=p=0 '" +
                              (folder / "cut.webm").string() + "'"),
@@ -134,9 +134,9 @@ TEST_F(EditorFilmTest, WithoutFfmpegASentenceSaysSo) {
     askForFilm("cut.mp4");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("No film was made: "));
-    EXPECT_THAT(panels().toast, HasSubstr("film.mp4: films are made by the program ffmpeg"));
-    EXPECT_TRUE(panels().toastIsError);
+    EXPECT_THAT(panels().toast.text, HasSubstr("No film was made: "));
+    EXPECT_THAT(panels().toast.text, HasSubstr("film.mp4: films are made by the program ffmpeg"));
+    EXPECT_TRUE(panels().toast.isError);
     EXPECT_FALSE(fs::exists(folder / "cut.mp4"));
 }
 

@@ -170,7 +170,7 @@ TEST_F(EditorJournalTest, WhatComesBackInPortionsIsToldOfAtOnce) {
     awaitQuestion();
     click("question.0");
     waitForWork();
-    EXPECT_EQ(panels().history, &editor->scene()->readings().history());
+    EXPECT_EQ(panels().plots.history, &editor->scene()->readout().readings().history());
 }
 
 TEST_F(EditorJournalTest, UndoneAndFallingWorkComesBackToo) {
@@ -193,10 +193,10 @@ TEST_F(EditorJournalTest, AnAddedModelComesBackWithoutACut) {
     type("box.obj");
     tap(Key::enter);
     waitForWork();
-    EXPECT_EQ(panels().models.size(), 2U);
+    EXPECT_EQ(panels().model.models.size(), 2U);
     crash();
     goOn();
-    EXPECT_EQ(panels().models.size(), 2U);
+    EXPECT_EQ(panels().model.models.size(), 2U);
 }
 
 TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
@@ -289,9 +289,9 @@ TEST_F(EditorJournalTest, AModelThatHasChangedSinceIsSaidAndTheWorkStays) {
     crash();
     test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(1)));
     goOn();
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_THAT(panels().toast, HasSubstr("ball.obj"));
-    EXPECT_THAT(panels().toast, HasSubstr("offered again"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, HasSubstr("ball.obj"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("offered again"));
     crash();
     test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
     goOn();
@@ -309,7 +309,7 @@ TEST_F(EditorJournalTest, OnAFullDiskOneSentenceComesAndEditingGoesOn) {
     editor->open(folder / "box.obj");
     waitForWork();
     const auto isSaid = [&] {
-        return panels().toast.find("save the session now and then") != std::string::npos;
+        return panels().toast.text.find("save the session now and then") != std::string::npos;
     };
     for (int i = 0; i < 2000 && !isSaid(); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -406,8 +406,8 @@ TEST_F(EditorJournalTest, WhereSavingFailsTheWindowStaysAndSoDoesTheWork) {
         waitForWork();
     }
     EXPECT_FALSE(editor->closing());
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_THAT(panels().toast, HasSubstr("free some space"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, HasSubstr("free some space"));
     EXPECT_EQ(hash(), before);
     tap(Key::q, {.control = true});
     frames(2);

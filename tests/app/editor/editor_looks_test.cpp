@@ -82,13 +82,13 @@ TEST_F(EditorLooksTest, TheLookIsShownInsteadOnDemandAndInTheSession) {
     startWithRoom();
     writeGreenBall();
     open("ball.obj");
-    ASSERT_TRUE(panels().hasOwnColors);
+    ASSERT_TRUE(panels().looks.hasOwnColors);
     ASSERT_TRUE(isGreen(middle()));
     click("section.display");
     click("color.own");
     EXPECT_FALSE(isGreen(middle()));
     const SavedSession saved =
-        editor->scene()->savedSession(render::Camera{}, panels().display.colors);
+        editor->scene()->recorder().savedSession(render::Camera{}, panels().display.colors);
     EXPECT_TRUE(saved.session.colors.ofLook);
 }
 
@@ -96,7 +96,7 @@ TEST_F(EditorLooksTest, AMissingImageIsToldOf) {
     writeGreenBall();
     std::filesystem::remove(folder / "green.png");
     open("ball.obj");
-    EXPECT_THAT(panels().toast, HasSubstr("The image \"green.png\" of the material \"paint\""));
+    EXPECT_THAT(panels().toast.text, HasSubstr("The image \"green.png\" of the material \"paint\""));
     EXPECT_FALSE(isGreen(middle()));
 }
 

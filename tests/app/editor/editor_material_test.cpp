@@ -29,8 +29,8 @@ class EditorMaterialTest : public EditorTest {
     const Params& params() { return editor->scene()->simulation().params(); }
     /// The label of what the body is made of; empty for own values.
     std::string shown() {
-        const int number = panels().models[0].material;
-        return number < 0 ? "" : panels().materials[number].label;
+        const int number = panels().model.models[0].material;
+        return number < 0 ? "" : panels().model.materials[number].label;
     }
     void choose(const std::string& label) {
         click("model.material");
@@ -66,12 +66,12 @@ TEST_F(EditorMaterialTest, AChoiceSetsValuesAndLookAndIsOneChange) {
 }
 
 TEST_F(EditorMaterialTest, TooltipTellsValuesSpreadAndSources) {
-    for (const ui::MaterialRow& row : panels().materials) {
+    for (const ui::MaterialRow& row : panels().model.materials) {
         EXPECT_FALSE(row.own) << row.label;
         EXPECT_THAT(row.tooltip, HasSubstr("Young's modulus: ")) << row.label;
     }
     choose("Kidney");
-    const std::string& tooltip = panels().materials[panels().models[0].material].tooltip;
+    const std::string& tooltip = panels().model.materials[panels().model.models[0].material].tooltip;
     EXPECT_THAT(tooltip, HasSubstr("Young's modulus: 5.43 kPa (4.92 to 5.94)\n"));
     EXPECT_THAT(tooltip, HasSubstr("Toughness: 160 J/m^2, an estimate\n"));
     EXPECT_THAT(tooltip, HasSubstr("\nSources:\nAmador, Urban, Chen, Greenleaf (2011)"));
@@ -93,7 +93,7 @@ TEST_F(EditorMaterialTest, IsSavedAsAFileThatStandsInTheList) {
     EXPECT_TRUE(isMadeOf(params(), saved));
     EXPECT_EQ(saved.colors, panels().display.colors);
     EXPECT_EQ(shown(), "stiff gel");
-    EXPECT_TRUE(panels().materials.back().own);
+    EXPECT_TRUE(panels().model.materials.back().own);
     choose("Rubber");
     choose("stiff gel");
     EXPECT_EQ(params().youngsModulus, 23456);
@@ -116,7 +116,7 @@ TEST_F(EditorMaterialTest, ABadFileIsASentenceAndChangesNothing) {
                     R"({"format": "kerf-material", "version": 1, "density": {"value": 1e9}})");
     editor->post(ui::FileDrop{{folder / "lead.material.json"}});
     frames(3);
-    EXPECT_EQ(panels().toast,
+    EXPECT_EQ(panels().toast.text,
               "lead.material.json: density.value: 1e+09 is out of range (10 to 20000).");
     EXPECT_EQ(params(), before);
 }
@@ -125,7 +125,7 @@ TEST_F(EditorMaterialTest, ASavedSessionHasTheMaterialInItsEvents) {
     choose("Fat");
     editor->scene()->step();
     const Session session =
-        editor->scene()->savedSession(editor->scene()->homeView(), panels().display.colors).session;
+        editor->scene()->recorder().savedSession(editor->scene()->rest().homeView(), panels().display.colors).session;
     const Session again = parseSession(formatSession(session), folder.path());
     EXPECT_EQ(again.colors, findMaterial("fat", {}).colors);
     int sets = 0;

@@ -39,7 +39,7 @@ class EditorMeasureTest : public EditorTest {
         press(false);
         frames(2);
     }
-    const std::vector<ui::MeasureRow>& rows() const { return panels().measures; }
+    const std::vector<ui::MeasureRow>& rows() const { return panels().view.measures; }
     double value(std::size_t row, std::size_t figure = 0) const {
         return rows().at(row).figures.at(figure).value;
     }
@@ -52,10 +52,10 @@ TEST_F(EditorMeasureTest, TwoClicksTellADistance) {
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_NEAR(value(0), std::hypot(0.6, 0.45), 0.004);
     EXPECT_EQ(rows()[0].figures[0].unit, "m");
-    EXPECT_EQ(panels().overlay.dots.size(), 2U);
-    ASSERT_EQ(panels().overlay.labels.size(), 1U);
-    EXPECT_EQ(panels().overlay.labels[0].text, rows()[0].figures[0].text);
-    EXPECT_EQ(panels().step, 0) << "and nothing is cut";
+    EXPECT_EQ(panels().view.overlay.dots.size(), 2U);
+    ASSERT_EQ(panels().view.overlay.labels.size(), 1U);
+    EXPECT_EQ(panels().view.overlay.labels[0].text, rows()[0].figures[0].text);
+    EXPECT_EQ(panels().transport.step, 0) << "and nothing is cut";
 }
 
 TEST_F(EditorMeasureTest, ThreeClicksTellTheAngleAtTheSecond) {
@@ -96,14 +96,14 @@ TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
 TEST_F(EditorMeasureTest, PointsMoveWithTheBody) {
     clickAt(-0.3, 0.3);
     clickAt(0.3, 0.3);
-    const ui::PlotPoint before = panels().overlay.dots.at(0);
+    const ui::PlotPoint before = panels().view.overlay.dots.at(0);
     tap(Key::v);
     tap(Key::space);
     frames(12);
     tap(Key::space);
     settle();
     ASSERT_EQ(rows().size(), 1U);
-    EXPECT_GT(panels().overlay.dots.at(0).y, before.y + 2) << "it fell";
+    EXPECT_GT(panels().view.overlay.dots.at(0).y, before.y + 2) << "it fell";
     EXPECT_NEAR(value(0), 0.6, 0.05);
 }
 
@@ -131,10 +131,10 @@ TEST_F(EditorMeasureTest, MeasuresGoOnThroughACutAndItsUndo) {
 
 TEST_F(EditorMeasureTest, EscForgetsThePointsAndThenEndsMeasuring) {
     clickAt(0, 0);
-    EXPECT_EQ(panels().overlay.dots.size(), 1U);
+    EXPECT_EQ(panels().view.overlay.dots.size(), 1U);
     tap(Key::escape);
     frames(2);
-    EXPECT_EQ(panels().overlay.dots.size(), 0U);
+    EXPECT_EQ(panels().view.overlay.dots.size(), 0U);
     EXPECT_EQ(panels().tools.tool, ui::Tool::measure);
     tap(Key::escape);
     frames(2);
@@ -162,20 +162,20 @@ TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
 }
 
 TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
-    EXPECT_FALSE(panels().pieces.at(0).sums);
+    EXPECT_FALSE(panels().pieces.rows.at(0).sums);
     click("pieces.details");
     frames(2);
-    ASSERT_TRUE(panels().pieces.at(0).sums);
-    EXPECT_NEAR(panels().pieces[0].sums->skinArea, 6, 1e-5);
-    EXPECT_EQ(panels().pieces[0].sums->cutArea, 0);
-    EXPECT_NEAR(panels().pieces[0].sums->centroid.norm(), 0, 1e-6);
-    EXPECT_NEAR(panels().pieces[0].shareOfAll, 1, 1e-9);
+    ASSERT_TRUE(panels().pieces.rows.at(0).sums);
+    EXPECT_NEAR(panels().pieces.rows[0].sums->skinArea, 6, 1e-5);
+    EXPECT_EQ(panels().pieces.rows[0].sums->cutArea, 0);
+    EXPECT_NEAR(panels().pieces.rows[0].sums->centroid.norm(), 0, 1e-6);
+    EXPECT_NEAR(panels().pieces.rows[0].shareOfAll, 1, 1e-9);
     tap(Key::c);
     drag(kTop, kBottom, 30);
     settle();
     frames(4);
-    ASSERT_EQ(panels().pieces.size(), 2U);
-    for (const ui::PieceRow& piece : panels().pieces) {
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    for (const ui::PieceRow& piece : panels().pieces.rows) {
         ASSERT_TRUE(piece.sums);
         EXPECT_NEAR(piece.sums->cutArea, 1, 0.02);
         EXPECT_NEAR(std::abs(piece.sums->centroid.x()), 0.25, 0.02);

@@ -29,8 +29,8 @@ TEST_F(EditorMemoryTest, AModelBeyondTheMeansOfTheMachineIsSaidAndChangesNothing
         ::setenv("KERF_MEMORY_BYTES", bytes, 1);
         editor->open(folder / "box.obj");
         waitForWork();
-        EXPECT_THAT(panels().toast, HasSubstr("box.obj: cutting it needs about")) << bytes;
-        EXPECT_TRUE(panels().toastIsError);
+        EXPECT_THAT(panels().toast.text, HasSubstr("box.obj: cutting it needs about")) << bytes;
+        EXPECT_TRUE(panels().toast.isError);
         EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     }
     ::unsetenv("KERF_MEMORY_BYTES");
@@ -52,7 +52,7 @@ TEST_F(EditorMemoryTest, ASessionOfSeveralModelsIsCountedAsAWhole) {
         "steps": 1, "events": []})");
     editor->open(folder / "two.kerf.json");
     waitForWork();
-    EXPECT_TRUE(panels().toastIsError) << panels().toast;
+    EXPECT_TRUE(panels().toast.isError) << panels().toast.text;
     EXPECT_EQ(editor->title(), "Kerf - sphere80 - 1 piece");
 }
 
@@ -98,8 +98,8 @@ TEST_F(EditorOutOfMemoryTest, WhatWasDoneIsKeptAndOfferedAtOnce) {
     EXPECT_TRUE(state->scene == nullptr);
     EXPECT_EQ(state->title(), "Kerf");
     frames(1);
-    EXPECT_THAT(state->panels.model.toast, HasSubstr("ran out of memory"));
-    EXPECT_THAT(state->panels.model.toast, HasSubstr("What was done is kept."));
+    EXPECT_THAT(state->panels.model.toast.text, HasSubstr("ran out of memory"));
+    EXPECT_THAT(state->panels.model.toast.text, HasSubstr("What was done is kept."));
     waitForQuestion();
     ASSERT_TRUE(state->asked);
     state->answer(ui::AnswerQuestion{kGoOn});
@@ -116,7 +116,7 @@ TEST_F(EditorOutOfMemoryTest, ADriverWithoutMemoryIsToldInItsOwnWords) {
     runOutOfMemory(gpu::OutOfMemory("No memory left for a buffer."));
     EXPECT_TRUE(state->scene == nullptr);
     frames(1);
-    EXPECT_EQ(state->panels.model.toast, "No memory left for a buffer.");
+    EXPECT_EQ(state->panels.model.toast.text, "No memory left for a buffer.");
     state->show(UploadedDocument(prepareDocument(sphereDocument())));
     frames(2);
     EXPECT_EQ(state->title(), "Kerf - ball - 1 piece") << "another model can be opened";
@@ -132,9 +132,9 @@ class EditorPlacingTest : public EditorTest {
         editor->open(folder / "large.obj");
         waitForWork();
         frames(2);
-        ASSERT_GT(panels().triangles, 20'000);
+        ASSERT_GT(panels().body.triangles, 20'000);
     }
-    LengthUnit unit() const { return panels().models[0].placement.unit.value(); }
+    LengthUnit unit() const { return panels().model.models[0].placement.unit.value(); }
     Simulation& simulation() { return editor->scene()->simulation(); }
 };
 
@@ -144,7 +144,7 @@ TEST_F(EditorPlacingTest, ALargeModelIsPlacedBehindTheScene) {
     click("model.unit.cm");
     waitForWork();
     EXPECT_EQ(unit(), LengthUnit::centimetre);
-    EXPECT_NEAR(panels().models[0].size.y(), 0.01, 1e-6);
+    EXPECT_NEAR(panels().model.models[0].size.y(), 0.01, 1e-6);
     const std::string placed = simulation().stateHash();
     const Placement where = simulation().placement();
     tap(Key::z, {.control = true});

@@ -27,12 +27,12 @@ class EditorModelTest : public EditorTest {
         waitForWork();
         frames(2);
     }
-    const ui::ModelState& model() { return panels().models[0]; }
+    const ui::ModelState& model() { return panels().model.models[0]; }
     Simulation& simulation() { return editor->scene()->simulation(); }
     /// Where the middle of the body is in the picture, and how large it looks.
     Vec3 appearance() {
-        const render::Camera camera = editor->scene()->homeView();
-        const Bounds& bounds = editor->scene()->rest().bounds;
+        const render::Camera camera = editor->scene()->rest().homeView();
+        const Bounds& bounds = editor->scene()->rest().bounds();
         return (camera.eye - bounds.center()) / bounds.diagonal();
     }
     Bounds exportedBounds(const std::string& name, bool inScene) {
@@ -51,12 +51,12 @@ class EditorModelTest : public EditorTest {
 };
 
 TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
-    EXPECT_THAT(panels().toast, HasSubstr("taken as centimetres"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("taken as centimetres"));
     EXPECT_EQ(model().placement.scale, 1);
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
     EXPECT_THAT(model().physics, HasSubstr("9.66 cm of this material weighs 86.9 g."));
-    EXPECT_TRUE(panels().untouched);
+    EXPECT_TRUE(panels().model.untouched);
     EXPECT_TRUE(editor->itemRects().contains("model.unit.m"));  // unfolded
 }
 
@@ -67,7 +67,7 @@ TEST_F(EditorModelTest, AClickTakesAnotherUnitAndTheViewComesAlong) {
     EXPECT_NEAR(model().size.y(), 9.66, 1e-4);
     EXPECT_THAT(model().physics, HasSubstr("sinks flat"));
     EXPECT_TRUE(appearance().isApprox(before, 1e-4));
-    EXPECT_NEAR(panels().tools.longest, 2 * editor->scene()->rest().bounds.diagonal(), 1e-6);
+    EXPECT_NEAR(panels().tools.longest, 2 * editor->scene()->rest().bounds().diagonal(), 1e-6);
     tap(Key::z, {.control = true});
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_TRUE(appearance().isApprox(before, 1e-4));
@@ -77,7 +77,7 @@ TEST_F(EditorModelTest, AnotherAxisLaysItDownOnTheFloor) {
     click("model.up.z");
     EXPECT_NEAR(model().size.z(), 0.0966, 1e-6);
     EXPECT_NEAR(model().size.y(), 0.03, 1e-6);
-    const Bounds& bounds = editor->scene()->rest().bounds;
+    const Bounds& bounds = editor->scene()->rest().bounds();
     EXPECT_NEAR(bounds.low.y(), 0.02 * bounds.diagonal(), 1e-6);
 }
 
@@ -99,23 +99,23 @@ TEST_F(EditorModelTest, APlacementAfterACutStartsAnewAndIsReplayed) {
     editor->resize(320, 240);
     drag({160, 5}, {160, 235}, 6);
     settle();
-    ASSERT_EQ(editor->scene()->pieceCount(), 2);
-    EXPECT_FALSE(panels().untouched);
+    ASSERT_EQ(editor->scene()->simulation().report().pieces, 2);
+    EXPECT_FALSE(panels().model.untouched);
     const std::string cut = simulation().stateHash();
     Placement feet = model().placement;
     feet.unit = LengthUnit::foot;
     EXPECT_EQ(editor->scene()->place(feet, false), "");
     frames(2);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     tap(Key::z, {.control = true});
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     EXPECT_EQ(simulation().stateHash(), cut);
     tap(Key::z, {.shift = true, .control = true});
     EXPECT_EQ(model().placement.unit, LengthUnit::foot);
     drag({160, 5}, {160, 235}, 6);
     settle();
-    editor->scene()->addExport();
-    const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
+    editor->scene()->recorder().addExport();
+    const Session session = editor->scene()->recorder().savedSession(editor->scene()->rest().homeView(), {}).session;
     const Session again = parseSession(formatSession(session, folder.path()), folder.path());
     EXPECT_EQ(again.placement, opened.session.placement);
     ModelMesh model(opened.mesh, opened.looks);
@@ -135,16 +135,16 @@ TEST_F(EditorModelTest, ARecordingKeepsThePlacement) {
 TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     const TriangleSoup soup = test::boxSoup(Vec3(4, 2, 2), 2);
     test::writeText(folder / "stool.obj", test::objText(soup));
-    const Bounds before = editor->scene()->rest().bounds;
+    const Bounds before = editor->scene()->rest().bounds();
     tap(Key::o, {.shift = true, .control = true});
     frames(2);
     type("stool.obj");
     tap(Key::enter);
     waitForWork();
     frames(2);
-    ASSERT_EQ(panels().models.size(), 2u);
-    EXPECT_EQ(panels().models[1].name, "stool");
-    EXPECT_EQ(editor->scene()->pieceCount(), 2);
+    ASSERT_EQ(panels().model.models.size(), 2u);
+    EXPECT_EQ(panels().model.models[1].name, "stool");
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     const EditorScene::RestFigures& rest = editor->scene()->rest();
     EXPECT_GT(rest.models[1].bounds.low.x(), before.high.x());
     EXPECT_GT(rest.models[1].bounds.low.y(), -1e-9);  // on the floor
@@ -154,16 +154,16 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     EXPECT_EQ(simulation().placement(1).unit, LengthUnit::inch);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
     editor->scene()->step();
-    editor->scene()->addExport();
-    const Session session = editor->scene()->savedSession(editor->scene()->homeView(), {}).session;
+    editor->scene()->recorder().addExport();
+    const Session session = editor->scene()->recorder().savedSession(editor->scene()->rest().homeView(), {}).session;
     expectReplayed(session, loadSessionModel(session));
     click("model.remove.1");
     frames(2);
     click("question.0");
     waitForWork();
     frames(2);
-    EXPECT_EQ(panels().models.size(), 1u);
-    EXPECT_EQ(editor->scene()->pieceCount(), 1);
+    EXPECT_EQ(panels().model.models.size(), 1u);
+    EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     EXPECT_EQ(simulation().placement(0).unit, LengthUnit::centimetre);
 }
 
@@ -174,8 +174,8 @@ TEST_F(EditorModelTest, AddsNoSession) {
     type("other.kerf.json");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("a session has a scene of its own"));
-    EXPECT_EQ(panels().models.size(), 1u);
+    EXPECT_THAT(panels().toast.text, HasSubstr("a session has a scene of its own"));
+    EXPECT_EQ(panels().model.models.size(), 1u);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class EditorMoveTest : public EditorTest {
     }
     /// Pixel of the tip of an arrow.
     Vec2 tip(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
             if (dot.axis == axis && !dot.square) {
                 return {dot.at.x, dot.at.y};
             }
@@ -38,7 +38,7 @@ class EditorMoveTest : public EditorTest {
         return kMiddle;
     }
     Vec2 square(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
             if (dot.axis == axis && dot.square) {
                 return {dot.at.x, dot.at.y};
             }
@@ -48,7 +48,7 @@ class EditorMoveTest : public EditorTest {
     }
     /// Some pixel of a ring that no arrow is near.
     Vec2 ring(int axis) {
-        const auto& lines = panels().overlay.axisLines;
+        const auto& lines = panels().view.overlay.axisLines;
         std::vector<Vec2> points;
         for (const ui::Overlay::AxisLine& line : lines) {
             if (line.axis == axis) {
@@ -78,7 +78,7 @@ TEST_F(EditorMoveTest, AnArrowMovesABoxAndOneUndoTakesTheDragBack) {
     const std::size_t changes = panels().changes.done;
     dragSlowly(tip(0), Vec2(40, 0));
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand);
-    ASSERT_EQ(panels().overlay.labels.size(), 1U) << "the number is shown";
+    ASSERT_EQ(panels().view.overlay.labels.size(), 1U) << "the number is shown";
     press(false);
     settle();
     EXPECT_GT(box(0).center.x(), 0.95);
@@ -155,20 +155,20 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
     settle();
     const Placement moved = scene().simulation().placement();
     EXPECT_GT(moved.translate.x(), 0.05);
-    EXPECT_NEAR(scene().rest().bounds.center().x(), moved.translate.x(), 0.01);
+    EXPECT_NEAR(scene().rest().bounds().center().x(), moved.translate.x(), 0.01);
     EXPECT_EQ(moved.scale, 1);
     frames(2);
     const ui::Overlay::AxisDot* corner = nullptr;
-    for (const ui::Overlay::AxisDot& dot : panels().overlay.axisDots) {
+    for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
         corner = dot.axis < 0 ? &dot : corner;
     }
     ASSERT_NE(corner, nullptr);
-    const Vec3 middle = scene().rest().bounds.center();
+    const Vec3 middle = scene().rest().bounds().center();
     dragSlowly(Vec2(corner->at.x, corner->at.y), Vec2(30, -30));
     press(false);
     settle();
     EXPECT_GT(scene().simulation().placement().scale, 1.1);
-    EXPECT_LT((scene().rest().bounds.center() - middle).norm(), 1e-3) << "about its middle";
+    EXPECT_LT((scene().rest().bounds().center() - middle).norm(), 1e-3) << "about its middle";
     undo();
     undo();
     EXPECT_EQ(scene().simulation().placement(), Placement{});
@@ -178,12 +178,12 @@ TEST_F(EditorMoveTest, ACutModelStaysAndSaysWhy) {
     drag(kTop, kBottom, 8);
     settle();
     takeTool();
-    EXPECT_TRUE(panels().overlay.axisDots.empty());
+    EXPECT_TRUE(panels().view.overlay.axisDots.empty());
     moveTo(kMiddle.x() + 40, kMiddle.y());
     press(true);
     press(false);
     settle();
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("The model is cut"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("The model is cut"));
 }
 
 TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
@@ -200,8 +200,8 @@ TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
     EXPECT_NEAR(after.y(), before.y(), 1e-6);
     EXPECT_EQ(panels().changes.done, changes + 1);
     EXPECT_EQ(panels().changes.rows.back().name, "Move pins");
-    EXPECT_GT(panels().step, 5) << "time runs, so that the body follows";
-    EXPECT_GT(scene().bounds().center().x(), 0.02);
+    EXPECT_GT(panels().transport.step, 5) << "time runs, so that the body follows";
+    EXPECT_GT(scene().simulation().bounds().center().x(), 0.02);
     dragSlowly(ring(1), Vec2(20, 10));
     press(false);
     settle();
@@ -213,9 +213,9 @@ TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     tap(Key::g);
     moveTo(5, kHeight - 5);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    EXPECT_EQ(panels().overlay.axisDots.size(), 3U);
-    const auto middle = [this] { return panels().overlay.handles[0].at; };
+    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
+    EXPECT_EQ(panels().view.overlay.axisDots.size(), 3U);
+    const auto middle = [this] { return panels().view.overlay.handles[0].at; };
     const ui::PlotPoint before = middle();
     const Vec2 up = tip(1);
     dragSlowly(up, Vec2(0, 30));
@@ -226,7 +226,7 @@ TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     press(false);
     frames(2);
     EXPECT_NEAR(middle().y, before.y, 0.5) << "Esc brings it back";
-    EXPECT_EQ(panels().step, 0) << "posing cuts nothing";
+    EXPECT_EQ(panels().transport.step, 0) << "posing cuts nothing";
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ TEST_F(EditorPanelsTest, AnExperimentShowsThePapersFiguresBesideItsOwn) {
     };
     EXPECT_TRUE(cardOf("sphere20").open);
     EXPECT_FALSE(cardOf("sphere20").ours.has_value()) << "nothing is shown that was not measured";
-    ASSERT_TRUE(panels().paper.has_value());
-    EXPECT_EQ(panels().paper->fps, 172.1);
+    ASSERT_TRUE(panels().plots.paper.has_value());
+    EXPECT_EQ(panels().plots.paper->fps, 172.1);
     tap(Key::space);
     frames(10);
     tap(Key::space);
@@ -118,7 +118,7 @@ TEST_F(EditorPanelsTest, PlotsAreSavedAsTheyAreShown) {
     clickOn("plots.csv");
     waitForWork();
     ASSERT_EQ(files().size(), 1U);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr(files()[0].string()));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(files()[0].string()));
     const std::string text = test::readBytes(files()[0]);
     EXPECT_THAT(text, ::testing::StartsWith("plot,curve,time,mean,min,max,values\n"));
     EXPECT_THAT(text, ::testing::HasSubstr("\nvolume,volume,"));
@@ -135,30 +135,30 @@ TEST_F(EditorPanelsTest, PlotsHoldAndFollow) {
     tap(Key::space);
     frames(5);
     tap(Key::h);
-    ASSERT_TRUE(panels().plotView.end.has_value());
-    const double held = *panels().plotView.end;
+    ASSERT_TRUE(panels().plots.view.end.has_value());
+    const double held = *panels().plots.view.end;
     frames(5);
-    EXPECT_EQ(panels().plotView.end, held);
-    EXPECT_GT(panels().time, held);
+    EXPECT_EQ(panels().plots.view.end, held);
+    EXPECT_GT(panels().transport.time, held);
     tap(Key::h, {.shift = true});
-    EXPECT_EQ(panels().plotView, ui::PlotView{});
+    EXPECT_EQ(panels().plots.view, ui::PlotView{});
 }
 
 TEST_F(EditorPanelsTest, HiddenAndHoveredPiecesChangeThePictureAlone) {
     const render::Image before = editor->readPicture();
     moveOnto("piece.0");
     frames(2);
-    EXPECT_EQ(panels().hoveredPiece, 0);
+    EXPECT_EQ(panels().pieces.hovered, 0);
     const render::Image tinted = editor->readPicture();
     EXPECT_GT(render::channelDifference(before, tinted).pixels, 2000);
     clickOn("eye.0");
-    EXPECT_TRUE(panels().pieces[0].hidden);
+    EXPECT_TRUE(panels().pieces.rows[0].hidden);
     EXPECT_GT(render::channelDifference(tinted, editor->readPicture()).pixels, 2000);
     tap(Key::period);
-    EXPECT_EQ(panels().step, 1) << "it is simulated all the same";
+    EXPECT_EQ(panels().transport.step, 1) << "it is simulated all the same";
     EXPECT_TRUE(panels().changes.rows.empty()) << "and there is nothing to undo";
     clickOn("pieces.show_all");
-    EXPECT_FALSE(panels().pieces[0].hidden);
+    EXPECT_FALSE(panels().pieces.rows[0].hidden);
 }
 
 TEST_F(EditorPanelsTest, TheLogKeepsWhatWasSaid) {
@@ -185,7 +185,7 @@ TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
     test::writeText(options.settingsFile, "{");
     start();
     EXPECT_EQ(panels().settings, ui::Settings{});
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr(options.settingsFile.string()));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(options.settingsFile.string()));
 }
 
 TEST_F(EditorPanelsTest, AnotherDisplayMakesThePanelsLarger) {

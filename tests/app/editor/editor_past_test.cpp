@@ -16,7 +16,7 @@ class EditorPastTest : public EditorTest {
     EditorScene& scene() { return *editor->scene(); }
     int step() { return scene().simulation().stepCount(); }
     std::string hash() { return scene().simulation().stateHash(); }
-    int pieces() { return scene().pieceCount(); }
+    int pieces() { return scene().simulation().report().pieces; }
     void goTo(int wanted) {
         scene().seek(wanted);
         settle();
@@ -48,7 +48,7 @@ class EditorPastTest : public EditorTest {
     void expectItReplays() {
         const Document& document = scene().document();
         const Session session =
-            scene().savedSession(document.camera, document.session.colors).session;
+            scene().recorder().savedSession(document.camera, document.session.colors).session;
         const auto file = folder / "past.kerf.json";
         test::writeText(file, formatSession(session, folder.path()));
         EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.looks}), hash());
@@ -68,12 +68,12 @@ TEST_F(EditorPastTest, EachMomentIsAsItWas) {
     goTo(0);
     EXPECT_EQ(step(), 0);
     EXPECT_EQ(pieces(), 1);
-    EXPECT_TRUE(panels().playback.played);
+    EXPECT_TRUE(panels().session.playback.played);
     goTo(between);
     EXPECT_EQ(hash(), then);
     goTo(end);
     EXPECT_EQ(hash(), last);
-    EXPECT_FALSE(panels().playback.played) << "the present again";
+    EXPECT_FALSE(panels().session.playback.played) << "the present again";
     expectItReplays();
     goTo(between);
     EXPECT_EQ(hash(), then);
@@ -85,9 +85,9 @@ TEST_F(EditorPastTest, ThePointerDragsTheTimeLineBack) {
     dragTimeLineTo(0.02);
     EXPECT_LT(step(), end / 10);
     EXPECT_EQ(pieces(), 1);
-    EXPECT_FALSE(panels().playing);
-    EXPECT_THAT(panels().hint.text, HasSubstr("This is past"));
-    EXPECT_EQ(panels().playback.steps, end) << "nothing is lost yet";
+    EXPECT_FALSE(panels().transport.playing);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("This is past"));
+    EXPECT_EQ(panels().session.playback.steps, end) << "nothing is lost yet";
     tap(Key::space);
     frames(end);
     EXPECT_EQ(step(), end) << "at the present it stops";
@@ -103,8 +103,8 @@ TEST_F(EditorPastTest, AStrokeThereLeavesOutWhatCameAfter) {
     settle();
     EXPECT_EQ(pieces(), 2);
     EXPECT_LT(step(), end);
-    EXPECT_FALSE(panels().playback.played);
-    EXPECT_THAT(panels().toast, HasSubstr("is left out"));
+    EXPECT_FALSE(panels().session.playback.played);
+    EXPECT_THAT(panels().toast.text, HasSubstr("is left out"));
     expectItReplays();
     const int here = step();
     const std::string now = hash();
@@ -133,15 +133,15 @@ TEST_F(EditorPastTest, ItGoesBackBeyondARestart) {
     tap(Key::r);
     settle();
     playFor(10);
-    EXPECT_LT(panels().step, fallen) << "counts from the restart";
+    EXPECT_LT(panels().transport.step, fallen) << "counts from the restart";
     const int end = step();
     const std::string last = hash();
     goTo(fallen);
     EXPECT_EQ(hash(), then);
-    EXPECT_EQ(panels().step, fallen);
+    EXPECT_EQ(panels().transport.step, fallen);
     goTo(end);
     EXPECT_EQ(hash(), last);
-    EXPECT_LT(panels().step, fallen);
+    EXPECT_LT(panels().transport.step, fallen);
 }
 
 TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
@@ -150,7 +150,7 @@ TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
     tap(Key::r);
     settle();
     EXPECT_EQ(pieces(), 1);
-    EXPECT_FALSE(panels().playback.played);
+    EXPECT_FALSE(panels().session.playback.played);
     playFor(5);
     EXPECT_EQ(pieces(), 1) << "no stroke comes of itself";
     expectItReplays();
@@ -171,7 +171,7 @@ TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
     goTo(1);
     press(false);
     goTo(end);
-    EXPECT_FALSE(panels().playback.played);
+    EXPECT_FALSE(panels().session.playback.played);
     expectItReplays();
 }
 

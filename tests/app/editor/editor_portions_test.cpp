@@ -73,7 +73,7 @@ TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
     tap(Key::space);
     EditorScene& scene = *editor->scene();
     ASSERT_GT(scene.simulation().stepCount(), 20);
-    const Session session = scene.savedSession({}, {}).session;
+    const Session session = scene.recorder().savedSession({}, {}).session;
     EXPECT_EQ(hashAfter(session, sphereDocument()), scene.simulation().stateHash());
 }
 
@@ -84,7 +84,7 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
     tap(Key::space);
     frames(1);
     const int before = editor->scene()->simulation().stepCount();
-    const Vec3 axis = editor->panels().axes.axes[0];
+    const Vec3 axis = editor->panels().view.axes.axes[0];
     moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true, Button::right);
     for (int i = 1; i <= 10; ++i) {
@@ -92,7 +92,7 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
         frames(1);
     }
     press(false, Button::right);
-    EXPECT_NE(editor->panels().axes.axes[0], axis) << "the view has turned";
+    EXPECT_NE(editor->panels().view.axes.axes[0], axis) << "the view has turned";
     EXPECT_LE(editor->scene()->simulation().stepCount(), before + 2)
         << "ten pictures were no ten steps";
 }
@@ -104,7 +104,7 @@ TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
     tap(Key::space);
     frames(400);
     EXPECT_GT(editor->scene()->simulation().params().gravity.norm(), 0);
-    EXPECT_FALSE(editor->scene()->playing);
+    EXPECT_FALSE(editor->scene()->timeline().playing);
 }
 
 TEST_F(EditorPortionsTest, AnotherDocumentTakesThePlaceOfAStepThatIsUnderWay) {

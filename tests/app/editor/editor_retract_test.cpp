@@ -20,7 +20,7 @@ class EditorRetractTest : public EditorTest {
         click("blade.through");
         drag(kTop, kBottom, 10);  // a slit down the ball's front
         settle();
-        ASSERT_EQ(editor->scene()->pieceCount(), 1);
+        ASSERT_EQ(editor->scene()->simulation().report().pieces, 1);
         changes_ = panels().changes.done;
         tap(Key::y);
         frames(1);
@@ -61,7 +61,7 @@ class EditorRetractTest : public EditorTest {
         settle();
     }
     Vec2 pixelOfHook(std::size_t index) {
-        const ui::PlotPoint at = panels().overlay.handles.at(index).at;
+        const ui::PlotPoint at = panels().view.overlay.handles.at(index).at;
         return {at.x, at.y};
     }
 
@@ -72,13 +72,13 @@ TEST_F(EditorRetractTest, ADragBesideACutHoldsItOpen) {
     EXPECT_LT(gap(), 0.01);
     moveTo(kBeside.x(), kBeside.y());
     frames(2);
-    EXPECT_EQ(panels().overlay.dots.size(), 2U) << "the lips that it would hook";
+    EXPECT_EQ(panels().view.overlay.dots.size(), 2U) << "the lips that it would hook";
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand);
     retract(Vec2(60, 0));
     const double opened = gap();
     EXPECT_GT(opened, 0.1);
-    EXPECT_EQ(panels().hooks, 2U);
-    EXPECT_EQ(panels().overlay.handles.size(), 2U);
+    EXPECT_EQ(panels().body.hooks, 2U);
+    EXPECT_EQ(panels().view.overlay.handles.size(), 2U);
     EXPECT_EQ(changesSince(), 1U);
     EXPECT_EQ(panels().changes.rows.back().name, "Hold open");
     tap(Key::space);
@@ -98,9 +98,9 @@ TEST_F(EditorRetractTest, ARightClickOnAHookRemovesTheRetractorAndTheCutCloses) 
     retract(Vec2(60, 0));
     const double opened = gap();
     clickRight(kViewMiddle + Vec2(0, 200));
-    EXPECT_EQ(panels().hooks, 2U) << "a click elsewhere does nothing";
+    EXPECT_EQ(panels().body.hooks, 2U) << "a click elsewhere does nothing";
     clickRight(pixelOfHook(0));
-    EXPECT_EQ(panels().hooks, 0U);
+    EXPECT_EQ(panels().body.hooks, 0U);
     EXPECT_LT(gap(), 0.5 * opened);
 }
 
@@ -109,7 +109,7 @@ TEST_F(EditorRetractTest, DeleteRemovesTheLastRetractor) {
     moveTo(kWidth / 2.0, 5);
     tap(Key::del);
     settle();
-    EXPECT_EQ(panels().hooks, 0U);
+    EXPECT_EQ(panels().body.hooks, 0U);
 }
 
 TEST_F(EditorRetractTest, AHookThatIsDraggedAgainMovesItsRetractorOn) {
@@ -120,7 +120,7 @@ TEST_F(EditorRetractTest, AHookThatIsDraggedAgainMovesItsRetractorOn) {
     drag(hook, hook + 20 * away, 4);
     settle();
     EXPECT_GT(gap(), before + 0.03);
-    EXPECT_EQ(panels().hooks, 2U);
+    EXPECT_EQ(panels().body.hooks, 2U);
 }
 
 TEST_F(EditorRetractTest, UndoTakesTheHooksBackAndRedoBringsThem) {
@@ -128,11 +128,11 @@ TEST_F(EditorRetractTest, UndoTakesTheHooksBackAndRedoBringsThem) {
     retract(Vec2(60, 0));
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().hooks, 0U);
+    EXPECT_EQ(panels().body.hooks, 0U);
     EXPECT_EQ(scene().simulation().stateHash(), before);
     editor->post(ui::KeyChange{Key::y, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().hooks, 2U);
+    EXPECT_EQ(panels().body.hooks, 2U);
 }
 
 TEST_F(EditorRetractTest, HooksStayWhereSomethingElseIsUndone) {
@@ -140,7 +140,7 @@ TEST_F(EditorRetractTest, HooksStayWhereSomethingElseIsUndone) {
     tap(Key::v);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().hooks, 2U);
+    EXPECT_EQ(panels().body.hooks, 2U);
 }
 
 TEST_F(EditorRetractTest, EscTakesANewRetractorAway) {
@@ -149,11 +149,11 @@ TEST_F(EditorRetractTest, EscTakesANewRetractorAway) {
     frames(2);
     moveTo(kBeside.x() + 50, kBeside.y());
     frames(4);
-    EXPECT_EQ(panels().overlay.labels.size(), 1U) << "how far they stand apart";
+    EXPECT_EQ(panels().view.overlay.labels.size(), 1U) << "how far they stand apart";
     tap(Key::escape);
     press(false);
     settle();
-    EXPECT_EQ(panels().hooks, 0U);
+    EXPECT_EQ(panels().body.hooks, 0U);
 }
 
 TEST_F(EditorRetractTest, ItIsRecordedAndReplaysToTheSameBits) {
@@ -170,9 +170,9 @@ TEST_F(EditorRetractTest, APressFarFromEachCutSaysSoAndChangesNothing) {
     press(true);
     press(false);
     settle();
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("No cut is near"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("No cut is near"));
     EXPECT_EQ(changesSince(), 0U);
-    EXPECT_EQ(panels().hooks, 0U);
+    EXPECT_EQ(panels().body.hooks, 0U);
 }
 
 TEST_F(EditorRetractTest, TheHandTakesOneLip) {

@@ -65,7 +65,7 @@ class EditorSessionTest : public EditorTest {
     }
     std::vector<Kind> kinds() {
         std::vector<Kind> all;
-        for (const ui::SessionMark& mark : panels().marks) {
+        for (const ui::SessionMark& mark : panels().session.marks) {
             all.push_back(mark.kind);
         }
         return all;
@@ -74,7 +74,7 @@ class EditorSessionTest : public EditorTest {
     void clickMark(int step, Button button) {
         const ui::Rect strip = editor->itemRects().at("timeline.marks");
         constexpr double kHalfKnob = 8;  // of the slider [px]
-        const double share = double(step) / panels().playback.steps;
+        const double share = double(step) / panels().session.playback.steps;
         moveTo(strip.x + kHalfKnob + share * (strip.width - 2 * kHalfKnob),
                strip.y + strip.height / 2);
         frames(2);
@@ -95,14 +95,14 @@ TEST_F(EditorSessionTest, KeysAddWhatAReplayMakesAtThisStep) {
     frames(2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::picture, Kind::exported, Kind::check,
                                     Kind::check}));
-    EXPECT_EQ(panels().marks[1].text, "slice-30.png");
-    EXPECT_EQ(panels().marks[1].step, 30);
-    EXPECT_EQ(panels().marks[3].text, "2 pieces, state");
+    EXPECT_EQ(panels().session.marks[1].text, "slice-30.png");
+    EXPECT_EQ(panels().session.marks[1].step, 30);
+    EXPECT_EQ(panels().session.marks[3].text, "2 pieces, state");
     goTo(10);
     const Session session = savedAs("more");
     EXPECT_EQ(session.events.size(), 8U);
     EXPECT_EQ(session.steps, 60);
-    EXPECT_THAT(panels().toast, ::testing::Not(HasSubstr("Since you")));
+    EXPECT_THAT(panels().toast.text, ::testing::Not(HasSubstr("Since you")));
 }
 
 TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
@@ -112,7 +112,7 @@ TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
     tap(Key::m, {.shift = true});
     frames(2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::camera, Kind::check}));
-    EXPECT_EQ(panels().toast, "A film of the session is seen from here at step 30.");
+    EXPECT_EQ(panels().toast.text, "A film of the session is seen from here at step 30.");
     const Session session = savedAs("seen");
     ASSERT_EQ(session.events.size(), 6U);
     EXPECT_EQ(session.events[2].step, 30);
@@ -128,7 +128,7 @@ TEST_F(EditorSessionTest, AMarkOnTheTimeLineIsGoneToAndRemoved) {
     openSession();
     clickMark(20, Button::left);
     settle();
-    EXPECT_EQ(panels().playback.step, 20);
+    EXPECT_EQ(panels().session.playback.step, 20);
     clickMark(20, Button::right);
     click("mark.remove.20");
     frames(2);
@@ -144,12 +144,12 @@ TEST_F(EditorSessionTest, TheListRemovesTooAndHasButtonsThatAdd) {
     click("session.Picture");
     frames(2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::check}));
-    EXPECT_EQ(panels().marks[0].text, "slice-0.png");
+    EXPECT_EQ(panels().session.marks[0].text, "slice-0.png");
     click("session.add");
     frames(2);
     click("add.Shift+E");
     frames(2);
-    EXPECT_EQ(panels().marks[1].text, "slice-0.ply");
+    EXPECT_EQ(panels().session.marks[1].text, "slice-0.ply");
 }
 
 TEST_F(EditorSessionTest, SavingSaysWhatBecameOfTheChecks) {
@@ -157,8 +157,8 @@ TEST_F(EditorSessionTest, SavingSaysWhatBecameOfTheChecks) {
     goTo(30);
     editor->scene()->execute(SetParam{"air_drag", 2.0});
     savedAs("changed");
-    EXPECT_THAT(panels().toast, HasSubstr("Since you changed it at step 30, 1 check was dropped."));
-    EXPECT_THAT(panels().toast, HasSubstr("changed.kerf.json"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Since you changed it at step 30, 1 check was dropped."));
+    EXPECT_THAT(panels().toast.text, HasSubstr("changed.kerf.json"));
 }
 
 TEST_F(EditorSessionTest, AMereClickLetsTheSessionPlayOnAndAStrokeEndsIt) {
@@ -168,12 +168,12 @@ TEST_F(EditorSessionTest, AMereClickLetsTheSessionPlayOnAndAStrokeEndsIt) {
     press(true);
     press(false);
     frames(3);
-    EXPECT_TRUE(panels().playback.played);
+    EXPECT_TRUE(panels().session.playback.played);
     drag(kTop, kBottom, 5);
     settle();
-    EXPECT_FALSE(panels().playback.played);
+    EXPECT_FALSE(panels().session.playback.played);
     savedAs("mine");
-    EXPECT_THAT(panels().toast, HasSubstr("4 later events were left out"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("4 later events were left out"));
 }
 
 TEST_F(EditorSessionTest, ThePicturesOfADocumentThatIsNoSessionAreListedAndSaved) {
@@ -181,10 +181,10 @@ TEST_F(EditorSessionTest, ThePicturesOfADocumentThatIsNoSessionAreListedAndSaved
     settle();
     tap(Key::f12, {.shift = true});
     frames(2);
-    const int step = panels().step;
+    const int step = panels().transport.step;
     ASSERT_EQ(kinds(), std::vector{Kind::picture});
     const std::string file = "ball-" + std::to_string(step) + ".png";
-    EXPECT_EQ(panels().marks[0].text, file);
+    EXPECT_EQ(panels().session.marks[0].text, file);
     tap(Key::period);
     const Session session = savedAs("cut");
     EXPECT_TRUE(std::ranges::any_of(session.events, [&](const SessionEvent& event) {
@@ -196,24 +196,24 @@ TEST_F(EditorSessionTest, ThePicturesOfADocumentThatIsNoSessionAreListedAndSaved
 TEST_F(EditorSessionTest, AScreenshotWhileRecordingIsOfferedForTheSession) {
     tap(Key::f12);
     waitForWork();
-    EXPECT_FALSE(panels().toastChoice) << "nothing is recorded";
+    EXPECT_FALSE(panels().toast.choice) << "nothing is recorded";
     tap(Key::r, {.control = true});
     tap(Key::space);
     frames(4);
     tap(Key::f12);
-    const int step = panels().step;
+    const int step = panels().transport.step;
     waitForWork();
     frames(5);
-    ASSERT_TRUE(panels().toastChoice);
+    ASSERT_TRUE(panels().toast.choice);
     click("toast.Shift+F12");
     frames(2);
-    ASSERT_EQ(panels().marks.size(), 1U);
-    EXPECT_NEAR(panels().marks[0].step, step, 1) << "of the screenshot, not of now";
-    EXPECT_FALSE(panels().toastChoice);
+    ASSERT_EQ(panels().session.marks.size(), 1U);
+    EXPECT_NEAR(panels().session.marks[0].step, step, 1) << "of the screenshot, not of now";
+    EXPECT_FALSE(panels().toast.choice);
     tap(Key::f12, {.shift = true});
     frames(2);
-    ASSERT_EQ(panels().marks.size(), 2U);
-    EXPECT_GT(panels().marks[1].step, step + 3) << "of now";
+    ASSERT_EQ(panels().session.marks.size(), 2U);
+    EXPECT_GT(panels().session.marks[1].step, step + 3) << "of now";
 }
 
 TEST_F(EditorSessionTest, TheViewOfASessionIsChosenByAKey) {
@@ -229,9 +229,9 @@ TEST_F(EditorSessionTest, ATestThatFailsFromTheStartIsRefusedAndOneThatHoldsIsSa
     openSession();
     askForTest("kept", false);
     waitForWork();
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_THAT(panels().toast, HasSubstr("No test was saved: "));
-    EXPECT_THAT(panels().toast, HasSubstr("0123456789abcdef"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, HasSubstr("No test was saved: "));
+    EXPECT_THAT(panels().toast.text, HasSubstr("0123456789abcdef"));
     EXPECT_FALSE(std::filesystem::exists(sessionFile("kept")));
     EXPECT_FALSE(std::filesystem::exists(folder / "kept.expected"));
 
@@ -242,8 +242,8 @@ TEST_F(EditorSessionTest, ATestThatFailsFromTheStartIsRefusedAndOneThatHoldsIsSa
     tap(Key::c, {.shift = true});
     askForTest("kept", false);
     waitForWork();
-    EXPECT_FALSE(panels().toastIsError) << panels().toast;
-    EXPECT_THAT(panels().toast, HasSubstr("kept.kerf.json with 1 picture"));
+    EXPECT_FALSE(panels().toast.isError) << panels().toast.text;
+    EXPECT_THAT(panels().toast.text, HasSubstr("kept.kerf.json with 1 picture"));
     EXPECT_TRUE(std::filesystem::exists(folder / "kept.expected/half.png"));
     EXPECT_EQ(readSession(sessionFile("kept")).events.size(), 5U);
     expectTestHolds("kept");
@@ -254,7 +254,7 @@ TEST_F(EditorSessionTest, WhatWasDoneSinceTheStartIsSavedAsATestWithAPictureOfIt
     settle();
     askForTest("cut", true);
     waitForWork();
-    EXPECT_FALSE(panels().toastIsError) << panels().toast;
+    EXPECT_FALSE(panels().toast.isError) << panels().toast.text;
     const Session session = readSession(sessionFile("cut"));
     const SessionEvent& last = session.events.back();
     EXPECT_EQ(last.step, session.steps);
@@ -279,7 +279,7 @@ TEST_F(EditorSessionTest, ATestMayGoWithoutAPictureOrNotBeSavedAtAll) {
     type("bare");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast, HasSubstr("with no picture"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("with no picture"));
     EXPECT_THAT(kinds(), ::testing::IsEmpty());
     expectTestHolds("bare");
 }

@@ -159,7 +159,7 @@ class EditorSoak : public EditorStorm {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frame();
         }
-        EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece") << panels().toast;
+        EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece") << panels().toast.text;
         expectSound();
         return {
             sinceStart_.seconds() / 60,    residentMegabytes(),        usedMegabytes(),

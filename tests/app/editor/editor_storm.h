@@ -274,7 +274,7 @@ class EditorStorm : public EditorTest {
             tap(Key::escape);
         }
         waitForWork();
-        editor->scene()->playing = false;
+        editor->scene()->timeline().playing = false;
         editor->scene()->seek(simulation().stepCount());
         settle();
     }

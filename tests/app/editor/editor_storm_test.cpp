@@ -64,9 +64,9 @@ class EditorStormTest : public EditorStorm {
 
     /// A session that is played is saved whole, with what was changed.
     void playToTheEnd() {
-        editor->scene()->seek(panels().playback.steps);
+        editor->scene()->seek(panels().session.playback.steps);
         settle();
-        editor->scene()->playing = false;
+        editor->scene()->timeline().playing = false;
     }
 
     void expectItReplays() {
@@ -76,7 +76,7 @@ class EditorStormTest : public EditorStorm {
         }
         const Document& document = editor->scene()->document();
         const Session recorded =
-            editor->scene()->savedSession(document.camera, document.session.colors).session;
+            editor->scene()->recorder().savedSession(document.camera, document.session.colors).session;
         test::writeText(folder / "storm.kerf.json", formatSession(recorded, folder.path()));
         if (const char* kept = std::getenv("KERF_STORM_KEEP")) {
             std::filesystem::copy_file(folder / "storm.kerf.json", kept,
@@ -101,12 +101,12 @@ class EditorStormTest : public EditorStorm {
             const Act act = actFor(panels());
             SCOPED_TRACE("act " + std::to_string(i) + ": " + act.name);
             if (traced) {
-                std::cerr << i << " " << act.name << ", step " << panels().step << ", "
-                          << editor->title() << ", " << panels().toast << "\n";
+                std::cerr << i << " " << act.name << ", step " << panels().transport.step << ", "
+                          << editor->title() << ", " << panels().toast.text << "\n";
             }
             (this->*act.act)();
             frames(2);
-            restarted_ |= panels().recording || editor->scene()->document().name != started;
+            restarted_ |= panels().transport.recording || editor->scene()->document().name != started;
             expectSound();
             if (HasFatalFailure()) {
                 return;

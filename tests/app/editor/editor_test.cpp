@@ -15,20 +15,20 @@ namespace {
 
 TEST_F(EditorTest, OpensPausedAndSaysWhatToDoFirst) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_FALSE(panels().playing);
-    EXPECT_EQ(panels().step, 0);
-    EXPECT_THAT(panels().hint.text, ::testing::HasSubstr("Drag"));
+    EXPECT_FALSE(panels().transport.playing);
+    EXPECT_EQ(panels().transport.step, 0);
+    EXPECT_THAT(panels().help.hint.text, ::testing::HasSubstr("Drag"));
 }
 
 TEST_F(EditorTest, AStrokeFromTopToBottomCutsTheSphereInTwo) {
     drag(kTop, kBottom, 30);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
-    ASSERT_EQ(panels().pieces.size(), 2U);
-    EXPECT_NEAR(panels().pieces[0].share, 1, 0.02);
-    EXPECT_FALSE(panels().playing) << "a paused stroke leaves time paused";
-    EXPECT_GT(panels().step, 0) << "but its poses ran steps";
-    ASSERT_EQ(panels().history->marks.size(), 1U);
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    EXPECT_NEAR(panels().pieces.rows[0].share, 1, 0.02);
+    EXPECT_FALSE(panels().transport.playing) << "a paused stroke leaves time paused";
+    EXPECT_GT(panels().transport.step, 0) << "but its poses ran steps";
+    ASSERT_EQ(panels().plots.history->marks.size(), 1U);
 }
 
 TEST_F(EditorTest, TwoMoveEventsAreEnoughForAStroke) {
@@ -41,7 +41,7 @@ TEST_F(EditorTest, ASecondStrokeWaitsForTheFirst) {
     drag(kTop, kBottom, 3);
     drag(Vec2(kWidth / 3.0, kHeight / 2.0), Vec2(kWidth / 1.5, kHeight / 2.0), 3);
     frames(1);
-    EXPECT_TRUE(panels().stroking);
+    EXPECT_TRUE(panels().transport.stroking);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 4 pieces");
 }
@@ -50,7 +50,7 @@ TEST_F(EditorTest, AStrokeBesideTheBodyChangesNothing) {
     drag(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(panels().triangles, 768);
+    EXPECT_EQ(panels().body.triangles, 768);
 }
 
 TEST_F(EditorTest, EscapeStopsTheStroke) {
@@ -62,34 +62,34 @@ TEST_F(EditorTest, EscapeStopsTheStroke) {
     press(false);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_FALSE(panels().stroking);
+    EXPECT_FALSE(panels().transport.stroking);
 }
 
 TEST_F(EditorTest, ASliderDragChangesItsParameterAndAResetKeepsIt) {
-    const double before = panels().params.timeStep;
+    const double before = panels().parameters.now.timeStep;
     dragSlider("param.time_step");
-    const double chosen = panels().params.timeStep;
+    const double chosen = panels().parameters.now.timeStep;
     EXPECT_GT(chosen, before);
-    EXPECT_EQ(panels().triangles, 768) << "the drag over the panel is no stroke";
+    EXPECT_EQ(panels().body.triangles, 768) << "the drag over the panel is no stroke";
     tap(Key::r);
     frames(1);
-    EXPECT_EQ(panels().params.timeStep, chosen);
+    EXPECT_EQ(panels().parameters.now.timeStep, chosen);
 }
 
 TEST_F(EditorTest, SpacePlaysAndPausesAndTheDotSteps) {
     tap(Key::space);
     frames(5);
-    EXPECT_TRUE(panels().playing);
-    EXPECT_GT(panels().step, 3);
+    EXPECT_TRUE(panels().transport.playing);
+    EXPECT_GT(panels().transport.step, 3);
     tap(Key::space);
     frames(2);
-    const int paused = panels().step;
+    const int paused = panels().transport.step;
     frames(3);
-    EXPECT_EQ(panels().step, paused);
+    EXPECT_EQ(panels().transport.step, paused);
     tap(Key::period);
     frames(1);
-    EXPECT_EQ(panels().step, paused + 1);
-    EXPECT_FALSE((*panels().history)[ui::Reading::volumePercent].empty());
+    EXPECT_EQ(panels().transport.step, paused + 1);
+    EXPECT_FALSE((*panels().plots.history)[ui::Reading::volumePercent].empty());
 }
 
 TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
@@ -98,9 +98,9 @@ TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(panels().step, 0);
-    EXPECT_EQ(panels().triangles, 768);
-    EXPECT_TRUE((*panels().history)[ui::Reading::volumePercent].empty());
+    EXPECT_EQ(panels().transport.step, 0);
+    EXPECT_EQ(panels().body.triangles, 768);
+    EXPECT_TRUE((*panels().plots.history)[ui::Reading::volumePercent].empty());
 }
 
 TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
@@ -116,12 +116,12 @@ TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
     };
     tapControl(Key::z, false);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(panels().pieces.size(), 1U);
+    EXPECT_EQ(panels().pieces.rows.size(), 1U);
     EXPECT_EQ(panels().changes.done, 0U);
     tapControl(Key::z, true);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     tapControl(Key::z, true);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("nothing to redo"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
@@ -134,13 +134,13 @@ TEST_F(EditorTest, UndoInTheMiddleOfAStrokeEndsIt) {
     press(true);
     moveTo(kBottom.x(), kBottom.y() - 200);
     settle();
-    EXPECT_GT(panels().triangles, 768);
+    EXPECT_GT(panels().body.triangles, 768);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     moveTo(kBottom.x(), kBottom.y());
     press(false);
     settle();
-    EXPECT_EQ(panels().triangles, 768);
-    EXPECT_FALSE(panels().stroking);
+    EXPECT_EQ(panels().body.triangles, 768);
+    EXPECT_FALSE(panels().transport.stroking);
 }
 
 TEST_F(EditorTest, ABodyThatTurnsInsideOutSaysSoOnce) {
@@ -166,38 +166,38 @@ TEST_F(EditorTest, ABodyThatTurnsInsideOutSaysSoOnce) {
 }
 
 TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
-    const double before = panels().params.timeStep;
+    const double before = panels().parameters.now.timeStep;
     dragSlider("param.time_step");
-    ASSERT_NE(panels().params.timeStep, before);
+    ASSERT_NE(panels().parameters.now.timeStep, before);
     EXPECT_EQ(panels().changes.rows.size(), 1U);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().params.timeStep, before);
+    EXPECT_EQ(panels().parameters.now.timeStep, before);
 }
 
 // A recording starts the body anew and had set again whatever a person had ever chosen.
 TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
-    const double before = panels().params.timeStep;
+    const double before = panels().parameters.now.timeStep;
     const auto tapControl = [&](Key key, bool shift) {
         editor->post(ui::KeyChange{key, true, {.shift = shift, .control = true}});
         settle();
     };
     dragSlider("param.time_step");
-    const double chosen = panels().params.timeStep;
+    const double chosen = panels().parameters.now.timeStep;
     ASSERT_NE(chosen, before);
     tapControl(Key::z, false);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Time step"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Time step"));
     tapControl(Key::r, false);
-    EXPECT_EQ(panels().params.timeStep, before);
+    EXPECT_EQ(panels().parameters.now.timeStep, before);
     tapControl(Key::r, false);
     dragSlider("param.time_step");
     tapControl(Key::z, false);
     tapControl(Key::z, true);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Done again: Time step"));
-    const double again = panels().params.timeStep;
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Done again: Time step"));
+    const double again = panels().parameters.now.timeStep;
     ASSERT_NE(again, before);
     tapControl(Key::r, false);
-    EXPECT_EQ(panels().params.timeStep, again) << "what was brought back is chosen";
+    EXPECT_EQ(panels().parameters.now.timeStep, again) << "what was brought back is chosen";
 }
 
 // What the blade has swept is cut where it is put away, and then there is nothing to redo.
@@ -215,7 +215,7 @@ TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
     settle();
     ASSERT_EQ(panels().changes.done, 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Cut 1");
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("nothing to redo"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
 }
 
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
@@ -231,37 +231,37 @@ TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     for (const char* row : {"tab.Boxes", "boxes.add", "box.0"}) {
         click(row);
     }
-    ASSERT_EQ(panels().boxes.size(), 1U);
-    EXPECT_NEAR(panels().boxes[0].center.y() - panels().boxes[0].size.y() / 2, -0.6, 1e-12);
-    const StaticBox before = panels().boxes[0];
+    ASSERT_EQ(panels().body.boxes.size(), 1U);
+    EXPECT_NEAR(panels().body.boxes[0].center.y() - panels().body.boxes[0].size.y() / 2, -0.6, 1e-12);
+    const StaticBox before = panels().body.boxes[0];
     const ui::Rect row = editor->itemRects().at("box.0.Center");
     const double y = row.y + row.height / 2;
     drag(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
     settle();
-    EXPECT_GT(panels().boxes[0].center.x(), before.center.x());
-    EXPECT_EQ(panels().boxes[0].size, before.size);
+    EXPECT_GT(panels().body.boxes[0].center.x(), before.center.x());
+    EXPECT_EQ(panels().body.boxes[0].size, before.size);
     EXPECT_EQ(panels().changes.rows.size(), 2U) << "a drag is one change";
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().boxes[0], before);
+    EXPECT_EQ(panels().body.boxes[0], before);
     editor->post(ui::KeyChange{Key::r, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().boxes, std::vector<StaticBox>{before}) << "a recording keeps them";
+    EXPECT_EQ(panels().body.boxes, std::vector<StaticBox>{before}) << "a recording keeps them";
     click("box.0.remove");
-    EXPECT_TRUE(panels().boxes.empty());
+    EXPECT_TRUE(panels().body.boxes.empty());
 }
 
 TEST_F(EditorTest, SpeedDoublesAndHalves) {
     tap(Key::equal);
     tap(Key::space);
-    const int before = panels().step;
+    const int before = panels().transport.step;
     frames(4);
-    EXPECT_EQ(panels().speed, 2);
-    EXPECT_EQ(panels().step - before, 8);
+    EXPECT_EQ(panels().transport.speed, 2);
+    EXPECT_EQ(panels().transport.step - before, 8);
     for (int i = 0; i < 6; ++i) {
         tap(Key::minus);
     }
-    EXPECT_EQ(panels().speed, 0.25);
+    EXPECT_EQ(panels().transport.speed, 0.25);
 }
 
 TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
@@ -271,7 +271,7 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     };
     control(Key::r);
     settle();
-    EXPECT_TRUE(panels().recording);
+    EXPECT_TRUE(panels().transport.recording);
     tap(Key::v);
     drag(kTop, kBottom, 6);
     settle();
@@ -285,11 +285,11 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     control(Key::y);
     tap(Key::space);
     settle();
-    const int steps = panels().step;
+    const int steps = panels().transport.step;
     control(Key::r);
     settle();
     waitForWork();
-    EXPECT_FALSE(panels().recording);
+    EXPECT_FALSE(panels().transport.recording);
     const Session session = readSession(onlyFile(folder.path()));
     EXPECT_EQ(session.steps, steps);
     expectReplayed(session, sphereDocument().mesh);
@@ -316,17 +316,17 @@ TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
         settle();
     };
     scrubTo(0.98);
-    EXPECT_GT(panels().playback.step, 55);
+    EXPECT_GT(panels().session.playback.step, 55);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
-    EXPECT_EQ(panels().playback.divergedAt, 50);
+    EXPECT_EQ(panels().session.playback.divergedAt, 50);
     scrubTo(0.2);
-    EXPECT_LT(panels().playback.step, 20);
+    EXPECT_LT(panels().session.playback.step, 20);
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
     tap(Key::l);
     tap(Key::space);
     frames(62);
-    EXPECT_TRUE(panels().playing) << "it goes round";
-    EXPECT_LT(panels().playback.step, 60);
+    EXPECT_TRUE(panels().transport.playing) << "it goes round";
+    EXPECT_LT(panels().session.playback.step, 60);
 }
 
 TEST_F(EditorTest, TheScalpelMakesAnIncision) {
@@ -334,16 +334,16 @@ TEST_F(EditorTest, TheScalpelMakesAnIncision) {
     drag(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0), 12);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_GT(panels().triangles, 768);
+    EXPECT_GT(panels().body.triangles, 768);
     ASSERT_EQ(panels().changes.rows.size(), 1U);
 }
 
 TEST_F(EditorTest, TheGuillotineComesDownByAKeyAndByItsSlider) {
     tap(Key::g);
     frames(1);
-    EXPECT_EQ(panels().overlay.handles.size(), 4U);
-    EXPECT_FALSE(panels().overlay.touched.empty()) << "what it will touch is shown before";
-    EXPECT_FALSE(panels().overlay.wound.empty());
+    EXPECT_EQ(panels().view.overlay.handles.size(), 4U);
+    EXPECT_FALSE(panels().view.overlay.touched.empty()) << "what it will touch is shown before";
+    EXPECT_FALSE(panels().view.overlay.wound.empty());
     tap(Key::enter);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
@@ -361,14 +361,14 @@ TEST_F(EditorTest, AGuillotineHandleCanBeDragged) {
     tap(Key::g);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    const ui::PlotPoint before = panels().overlay.handles[0].at;
+    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
+    const ui::PlotPoint before = panels().view.overlay.handles[0].at;
     drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    EXPECT_NEAR(panels().overlay.handles[0].at.x, before.x + 40, 0.5);
-    EXPECT_NEAR(panels().overlay.handles[0].at.y, before.y + 30, 0.5);
-    EXPECT_EQ(panels().step, 0) << "posing cuts nothing";
+    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.x, before.x + 40, 0.5);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.y, before.y + 30, 0.5);
+    EXPECT_EQ(panels().transport.step, 0) << "posing cuts nothing";
 }
 
 TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
@@ -379,7 +379,7 @@ TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
     drag(kTop, kBottom, 10);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_GT(panels().triangles, 768);
+    EXPECT_GT(panels().body.triangles, 768);
 }
 
 TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
@@ -387,7 +387,7 @@ TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
     drag(kTop, kTop + Vec2(200, 50), 5, Button::right);
     settle();
     EXPECT_GT(render::channelDifference(before, editor->readPicture()).pixels, 1000);
-    EXPECT_EQ(panels().step, 0);
+    EXPECT_EQ(panels().transport.step, 0);
     tap(Key::home);
     moveTo(0, 0);
     settle();
@@ -421,7 +421,7 @@ TEST_F(EditorTest, F12SavesThePictureAndSaysWhere) {
                 ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
     EXPECT_EQ(render::channelDifference(shown, render::readPng(files[0])).pixels, 0);
     frames(1);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr(files[0].filename().string()));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(files[0].filename().string()));
 }
 
 TEST_F(EditorTest, ControlF12SavesTheSceneAloneOnNoGround) {
@@ -458,8 +458,8 @@ TEST_F(EditorTest, APictureThatCannotBeWrittenIsSaid) {
     std::filesystem::remove_all(folder.path());
     tap(Key::f12);
     waitForWork();
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("could not be written"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("could not be written"));
 }
 
 TEST_F(EditorTest, UndoInMidStrokeEndsTheStroke) {
@@ -504,14 +504,14 @@ TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
     frames(3);
     click("question.1");
     waitForWork();
-    EXPECT_TRUE(panels().toastIsError);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("broken.kerf.json"));
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("broken.kerf.json"));
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     editor->post(ui::FileDrop{{folder / "missing.obj"}});
     frames(3);
     click("question.1");
     waitForWork();
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("missing.obj"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("missing.obj"));
 }
 
 TEST_F(EditorTest, ADroppedSessionIsPlayed) {
@@ -524,10 +524,10 @@ TEST_F(EditorTest, ADroppedSessionIsPlayed) {
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
-    EXPECT_THAT(panels().hint.text, ::testing::HasSubstr("play the session"));
+    EXPECT_THAT(panels().help.hint.text, ::testing::HasSubstr("play the session"));
     tap(Key::space);
     frames(3);
-    EXPECT_EQ(panels().playback.steps, 60);
+    EXPECT_EQ(panels().session.playback.steps, 60);
     frames(45);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
 }
@@ -545,7 +545,7 @@ TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
     tap(Key::v);
     frames(45);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
-    EXPECT_EQ(panels().playback.steps, 60);
+    EXPECT_EQ(panels().session.playback.steps, 60);
 }
 
 TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {

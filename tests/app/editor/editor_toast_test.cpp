@@ -8,7 +8,7 @@ namespace {
 bool offers(const EditorToast& toast) {
     ui::PanelModel model;
     toast.describe(model);
-    return model.toastChoice.has_value();
+    return model.toast.choice.has_value();
 }
 
 TEST(EditorToast, OffersAScreenshotOnceItIsSaved) {

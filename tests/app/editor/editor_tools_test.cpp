@@ -79,10 +79,10 @@ TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
         settle();
         moveTo(kWidth / 2.0, 5);
         settle();
-        return std::pair(panels().triangles, viewPixels(editor->readPicture()));
+        return std::pair(panels().body.triangles, viewPixels(editor->readPicture()));
     };
     const auto fast = run(1);
-    EXPECT_EQ(panels().pieces.size(), 2U);
+    EXPECT_EQ(panels().pieces.rows.size(), 2U);
     EXPECT_EQ(run(7), fast);
     EXPECT_EQ(run(41), fast);
 }
@@ -92,16 +92,16 @@ TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
     frames(1);
     moveTo(kMiddle.x(), kMiddle.y());
     frames(2);
-    EXPECT_FALSE(panels().overlay.guides.empty()) << "a ring shows what it would take";
+    EXPECT_FALSE(panels().view.overlay.guides.empty()) << "a ring shows what it would take";
     pull(20);
-    EXPECT_GE(panels().step, 20) << "time runs while it holds";
-    ASSERT_EQ(panels().overlay.handles.size(), 1U);
-    EXPECT_NEAR(panels().overlay.handles[0].at.x, kMiddle.x() + 120, 0.5);
+    EXPECT_GE(panels().transport.step, 20) << "time runs while it holds";
+    ASSERT_EQ(panels().view.overlay.handles.size(), 1U);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.x, kMiddle.x() + 120, 0.5);
     press(false);
     settle();
-    const int step = panels().step;
+    const int step = panels().transport.step;
     frames(5);
-    EXPECT_EQ(panels().step, step) << "and stands when it lets go";
+    EXPECT_EQ(panels().transport.step, step) << "and stands when it lets go";
     ASSERT_EQ(panels().changes.rows.size(), 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Pull");
 }
@@ -122,7 +122,7 @@ TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     frames(2);
     EXPECT_EQ(panels().changes.done, 0U);
-    EXPECT_TRUE(panels().overlay.handles.empty()) << "it holds nothing any more";
+    EXPECT_TRUE(panels().view.overlay.handles.empty()) << "it holds nothing any more";
     press(false);
     settle();
     expectReplayed(savedSession(), sphereDocument().mesh);
@@ -132,7 +132,7 @@ TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
     tap(Key::s);
     moveTo(kMiddle.x(), kMiddle.y());
     settle();
-    const auto searches = [this] { return editor->scene()->surfaceSearches(); };
+    const auto searches = [this] { return editor->scene()->readout().look().searches(); };
     const int before = searches();
     EXPECT_GT(before, 0);
     frames(5);
@@ -155,18 +155,18 @@ TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
 TEST_F(EditorToolsTest, TheBrushPinsInOneChangeAndTheControlKeyFrees) {
     tap(Key::p);
     dragWith({}, kMiddle - Vec2(60, 0), kMiddle + Vec2(60, 0), 6);
-    const std::size_t pinned = panels().pinned;
+    const std::size_t pinned = panels().body.pinned;
     EXPECT_GT(pinned, 10U);
     ASSERT_EQ(panels().changes.rows.size(), 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Pin");
     dragWith({.control = true}, kMiddle, kMiddle + Vec2(1, 0), 1);
-    EXPECT_LT(panels().pinned, pinned);
+    EXPECT_LT(panels().body.pinned, pinned);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().pinned, pinned);
+    EXPECT_EQ(panels().body.pinned, pinned);
     editor->post(ui::KeyChange{Key::p, true, {.shift = true}});
     settle();
-    EXPECT_EQ(panels().pinned, 0U);
+    EXPECT_EQ(panels().body.pinned, 0U);
 }
 
 TEST_F(EditorToolsTest, ABoxPinsThroughTheWholeBody) {
@@ -178,8 +178,8 @@ TEST_F(EditorToolsTest, ABoxPinsThroughTheWholeBody) {
     const Vec2 middle(kMiddle.x(), view.y + view.height / 2);
     dragWith({.shift = true}, middle, middle + Vec2(300, -200), 4);
     // A quarter of the sphere, front and back.
-    EXPECT_GT(panels().pinned, 386U / 5);
-    EXPECT_LT(panels().pinned, 386U / 3);
+    EXPECT_GT(panels().body.pinned, 386U / 5);
+    EXPECT_LT(panels().body.pinned, 386U / 3);
 }
 
 TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
@@ -201,7 +201,7 @@ TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {
         editor->post(ui::PointerMove{kTop.x() + (i % 2 == 0 ? 14.0 : -14.0) * (i > 1), y, shift});
     }
     frames(1);
-    const auto& swept = panels().overlay.swept;
+    const auto& swept = panels().view.overlay.swept;
     editor->post(ui::ButtonChange{Button::left, false, shift});
     frames(1);
     for (const ui::Overlay::Line& line : swept) {

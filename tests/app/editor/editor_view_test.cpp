@@ -10,7 +10,7 @@ namespace {
 
 class EditorViewTest : public EditorTest {
   protected:
-    Vec3 axis(int i) const { return panels().axes.axes[i]; }
+    Vec3 axis(int i) const { return panels().view.axes.axes[i]; }
 };
 
 /// The range of colours and the value under the pointer are those of pictures.
@@ -26,7 +26,7 @@ class EditorLegendTest : public EditorViewTest {
 TEST_F(EditorViewTest, WithoutPerspectiveAStrokeStillCutsTheSphereInTwo) {
     tap(Key::digit5);
     settle();
-    EXPECT_TRUE(panels().orthographic);
+    EXPECT_TRUE(panels().view.orthographic);
     drag(kTop, kBottom, 30);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
@@ -37,7 +37,7 @@ TEST_F(EditorViewTest, WithoutPerspectiveTheScalpelFindsTheSurface) {
     tap(Key::s);
     drag(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0), 12);
     settle();
-    EXPECT_GT(panels().triangles, 768);
+    EXPECT_GT(panels().body.triangles, 768);
     EXPECT_EQ(panels().changes.rows.size(), 1U);
 }
 
@@ -46,12 +46,12 @@ TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
     tap(Key::g);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 4U);
-    const ui::PlotPoint before = panels().overlay.handles[0].at;
+    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
+    const ui::PlotPoint before = panels().view.overlay.handles[0].at;
     drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
     frames(2);
-    EXPECT_NEAR(panels().overlay.handles[0].at.x, before.x + 40, 0.5);
-    EXPECT_NEAR(panels().overlay.handles[0].at.y, before.y + 30, 0.5);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.x, before.x + 40, 0.5);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.y, before.y + 30, 0.5);
 }
 
 TEST_F(EditorViewTest, TheKeysOfTheAxesLookAlongThem) {
@@ -72,20 +72,20 @@ TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
     click("axes.-X");
     settle();
     EXPECT_NEAR(axis(0).z(), -1, 1e-3);
-    EXPECT_EQ(panels().step, 0) << "and cuts nothing";
+    EXPECT_EQ(panels().transport.step, 0) << "and cuts nothing";
 }
 
 TEST_F(EditorLegendTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
     moveTo(kWidth / 2.0, kHeight / 2.0);
     tap(Key::j);
     frames(3);
-    ASSERT_EQ(panels().fieldLegend.field, render::SurfaceField::strain);
-    EXPECT_NEAR(panels().fieldLegend.range.high, 0.01, 1e-6) << "at rest: the least range";
-    ASSERT_TRUE(panels().fieldLegend.underPointer);
-    EXPECT_NEAR(*panels().fieldLegend.underPointer, 0, 1e-5);
+    ASSERT_EQ(panels().looks.field.field, render::SurfaceField::strain);
+    EXPECT_NEAR(panels().looks.field.range.high, 0.01, 1e-6) << "at rest: the least range";
+    ASSERT_TRUE(panels().looks.field.underPointer);
+    EXPECT_NEAR(*panels().looks.field.underPointer, 0, 1e-5);
     moveTo(kWidth / 2.0, 2);
     frames(2);
-    EXPECT_FALSE(panels().fieldLegend.underPointer) << "beside the body";
+    EXPECT_FALSE(panels().looks.field.underPointer) << "beside the body";
 }
 
 TEST_F(EditorLegendTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
@@ -97,9 +97,9 @@ TEST_F(EditorLegendTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     moveTo(kWidth / 2.0, kHeight / 2.0 + 60);
     settle();
     frames(3);
-    EXPECT_GT(panels().fieldLegend.range.high, 0.01);
-    ASSERT_TRUE(panels().fieldLegend.underPointer);
-    EXPECT_GT(*panels().fieldLegend.underPointer, 1e-4);
+    EXPECT_GT(panels().looks.field.range.high, 0.01);
+    ASSERT_TRUE(panels().looks.field.underPointer);
+    EXPECT_GT(*panels().looks.field.underPointer, 1e-4);
 }
 
 TEST_F(EditorLegendTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOld) {
@@ -107,19 +107,19 @@ TEST_F(EditorLegendTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOl
         tap(Key::j);
     }
     moveTo(kWidth / 2.0, kHeight / 2.0 + 10);
-    ASSERT_EQ(panels().fieldLegend.field, render::SurfaceField::thickness);
-    for (int i = 0; i < 400 && !(panels().fieldLegend.note.empty() && i > 2); ++i) {
+    ASSERT_EQ(panels().looks.field.field, render::SurfaceField::thickness);
+    for (int i = 0; i < 400 && !(panels().looks.field.note.empty() && i > 2); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         frames(1);
     }
     frames(3);
-    EXPECT_EQ(panels().fieldLegend.note, "");
-    ASSERT_TRUE(panels().fieldLegend.underPointer);
-    EXPECT_NEAR(*panels().fieldLegend.underPointer, 1, 0.05) << "the diameter";
+    EXPECT_EQ(panels().looks.field.note, "");
+    ASSERT_TRUE(panels().looks.field.underPointer);
+    EXPECT_NEAR(*panels().looks.field.underPointer, 1, 0.05) << "the diameter";
     tap(Key::v);
     tap(Key::space);
     frames(3);
-    EXPECT_THAT(panels().fieldLegend.note, testing::HasSubstr("That of step 0."));
+    EXPECT_THAT(panels().looks.field.note, testing::HasSubstr("That of step 0."));
 }
 
 TEST_F(EditorViewTest, ASectionOpensThePictureAndItsHandleShiftsItAlongItsNormal) {
@@ -136,15 +136,15 @@ TEST_F(EditorViewTest, ASectionOpensThePictureAndItsHandleShiftsItAlongItsNormal
     tap(Key::n);
     moveTo(2, 2);
     frames(2);
-    ASSERT_EQ(panels().overlay.handles.size(), 2U);
+    ASSERT_EQ(panels().view.overlay.handles.size(), 2U);
     tap(Key::digit3);  // from the right: the normal lies across the view
     settle();
-    const ui::PlotPoint from = panels().overlay.handles[0].at;
+    const ui::PlotPoint from = panels().view.overlay.handles[0].at;
     drag(Vec2(from.x, from.y), Vec2(from.x - 40, from.y + 25), 4);
     frames(2);
     EXPECT_NE(panels().display.section->point.z(), 0);
-    EXPECT_NEAR(panels().overlay.handles[0].at.x, from.x - 40, 2);
-    EXPECT_NEAR(panels().overlay.handles[0].at.y, from.y, 2) << "it stays on its normal";
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.x, from.x - 40, 2);
+    EXPECT_NEAR(panels().view.overlay.handles[0].at.y, from.y, 2) << "it stays on its normal";
     EXPECT_EQ(panels().changes.rows.size(), 0U) << "nothing was cut";
 }
 
@@ -153,8 +153,8 @@ TEST_F(EditorViewTest, TheTipOfASectionTurnsIt) {
     tap(Key::digit3);
     moveTo(2, 2);
     settle();
-    const ui::PlotPoint middle = panels().overlay.handles[0].at;
-    drag(Vec2(panels().overlay.handles[1].at.x, panels().overlay.handles[1].at.y),
+    const ui::PlotPoint middle = panels().view.overlay.handles[0].at;
+    drag(Vec2(panels().view.overlay.handles[1].at.x, panels().view.overlay.handles[1].at.y),
          Vec2(middle.x, middle.y - 80), 4);
     frames(2);
     EXPECT_NEAR(panels().display.section->normal.y(), 1, 0.05);
@@ -164,10 +164,10 @@ TEST_F(EditorLegendTest, UnderThePointerIsWhatASectionShows) {
     tap(Key::j);
     moveTo(kWidth / 2.0, kHeight / 2.0 + 8);
     frames(3);
-    ASSERT_TRUE(panels().fieldLegend.underPointer);
+    ASSERT_TRUE(panels().looks.field.underPointer);
     tap(Key::n);
     frames(3);
-    EXPECT_FALSE(panels().fieldLegend.underPointer) << "the filled section has no strain";
+    EXPECT_FALSE(panels().looks.field.underPointer) << "the filled section has no strain";
 }
 
 TEST_F(EditorViewTest, TheLookComesBackAfterAllQuantities) {
@@ -257,9 +257,9 @@ TEST_F(EditorViewTest, PinnedVerticesAreMarked) {
     drag(middle, middle, 1);
     moveTo(5, 5);
     settle();
-    ASSERT_GT(panels().pinned, 0U);
+    ASSERT_GT(panels().body.pinned, 0U);
     EXPECT_GT(pixelsOf(render::kPinColor, viewPixels(editor->readPicture())),
-              8 * static_cast<int>(panels().pinned));
+              8 * static_cast<int>(panels().body.pinned));
 }
 
 TEST_F(EditorViewTest, ContactsAreMarkedWhereHalvesTouch) {
@@ -346,10 +346,10 @@ TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
     settle();
     BodyDisplay display;
     EXPECT_EQ(display.boundsOf({editor->scene(), false}).diagonal(),
-              editor->scene()->bounds().diagonal());
+              editor->scene()->simulation().bounds().diagonal());
     display.settings.apart = 1;
     EXPECT_GT(display.boundsOf({editor->scene(), false}).diagonal(),
-              1.15 * editor->scene()->bounds().diagonal());
+              1.15 * editor->scene()->simulation().bounds().diagonal());
 }
 
 TEST_F(EditorViewTest, TheCameraLooksAtTheMiddleOfWhatThePanelsLeaveFree) {
@@ -418,16 +418,16 @@ TEST_F(EditorViewTest, AnUndoThatMovesNothingSaysWhatComesNext) {
     tap(Key::space);
     tap(Key::z, {.control = true});
     frames(2);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Gravity"));
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("m/s\u00b2"));
-    ASSERT_TRUE(panels().toastChoice.has_value());
-    EXPECT_THAT(panels().toastChoice->label, ::testing::HasSubstr("Cut 1"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Gravity"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("m/s\u00b2"));
+    ASSERT_TRUE(panels().toast.choice.has_value());
+    EXPECT_THAT(panels().toast.choice->label, ::testing::HasSubstr("Cut 1"));
     click("toast.Ctrl+Z");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Taken back: Cut 1"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Cut 1"));
     tap(Key::z, {.shift = true, .control = true});
     frames(2);
-    EXPECT_THAT(panels().toast, ::testing::HasSubstr("Done again: Cut 1"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Done again: Cut 1"));
 }
 
 }  // namespace

@@ -140,10 +140,10 @@ TEST_F(EditorTest, AStrokeThatEndsInsideIsAnIncisionAndTheHintSaysSo) {
     drag(kTop, Vec2(kWidth / 2.0, kHeight / 2.0), 20);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_THAT(panels().hint.text, HasSubstr("incision"));
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("incision"));
     tap(Key::z, {.control = true});
     settle();
-    EXPECT_THAT(panels().hint.text, ::testing::Not(HasSubstr("incision")));
+    EXPECT_THAT(panels().help.hint.text, ::testing::Not(HasSubstr("incision")));
 }
 
 TEST_F(EditorTest, TheHintAfterACutLetsThePiecesFall) {
@@ -151,8 +151,8 @@ TEST_F(EditorTest, TheHintAfterACutLetsThePiecesFall) {
     settle();
     frames(2);
     click("hint.Shift+Space");
-    EXPECT_TRUE(panels().playing);
-    EXPECT_LT(panels().params.gravity.y(), 0);
+    EXPECT_TRUE(panels().transport.playing);
+    EXPECT_LT(panels().parameters.now.gravity.y(), 0);
 }
 
 TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
@@ -161,12 +161,12 @@ TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
     moveTo(kWidth / 2.0, 5);
     settle();
     const std::vector<std::uint8_t> together = viewPixels(editor->readPicture());
-    const int steps = panels().step;
+    const int steps = panels().transport.step;
     tap(Key::a);
     settle();
     EXPECT_GT(panels().display.apart, 0);
     EXPECT_NE(viewPixels(editor->readPicture()), together);
-    EXPECT_EQ(panels().step, steps) << "nothing moved";
+    EXPECT_EQ(panels().transport.step, steps) << "nothing moved";
     moveTo(kTop.x() + 60, kTop.y());
     press(true);
     settle();

@@ -41,7 +41,7 @@ TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
     for (const char* kernel : kOfContact) {
         EXPECT_TRUE(hasRun(kernel)) << kernel;
     }
-    EXPECT_EQ(panels().step, 0) << "and nothing happened to it";
+    EXPECT_EQ(panels().transport.step, 0) << "and nothing happened to it";
 }
 
 TEST_F(KernelPreparationTest, WhereItIsNotWantedNothingRuns) {

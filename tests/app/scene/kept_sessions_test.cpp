@@ -224,7 +224,7 @@ class KeptSessions : public test::GlTest {
         }
     }
     static void playOn(RandomSession& die, OpenedSession& opened) {
-        opened->playing = true;
+        opened->timeline().playing = true;
         opened.run(die.below(40));
     }
 };
@@ -274,7 +274,7 @@ TEST_F(KeptSessions, APictureAddedToASessionWithoutEventsLeavesItsLength) {
                          "assets/sessions/drop-in.kerf.json");
     const int steps = opened->document().session.steps;
     opened.run(3);
-    opened->addPicture(opened->end());
+    opened->recorder().addPicture(opened->recorder().end());
     const Session session = opened.saved().session;
     EXPECT_EQ(session.steps, steps);
     ASSERT_EQ(session.events.size(), 1U);
@@ -294,8 +294,8 @@ TEST_F(KeptSessions, RandomOnesAreSavedAsTheyWereWhereverTheyStand) {
         opened.goTo(steps);
         EXPECT_EQ(opened.text(), text) << "at the end";
         const std::string hash = opened.stateHash();
-        opened->toggleLoop();
-        opened->playing = true;
+        opened->timeline().toggleLoop();
+        opened->timeline().playing = true;
         opened.run(3 * steps / 2);
         EXPECT_EQ(opened.text(), text) << "in the second round";
         EXPECT_EQ(opened.replay().stateHash, hash);
@@ -343,17 +343,17 @@ TEST_F(KeptSessions, WhereAPersonGoesOnAloneTheSessionIsThatSoFarAndReplaysAsItW
         const std::vector<SessionEvent> file = opened->document().session.events;
         switch (die.below(3)) {
             case 0:
-                EXPECT_EQ(opened->grab(opened->bounds().center(), 10), "");
-                opened->dragTo(Vec3(0.3, 0.9, 0));
+                EXPECT_EQ(opened->hands().grab(opened->simulation().bounds().center(), 10), "");
+                opened->hands().dragTo(Vec3(0.3, 0.9, 0));
                 opened.run(2);
-                opened->letGo();
+                opened->hands().letGo();
                 break;
             case 1:
                 opened->execute(Restart{});
                 break;
             default:
                 opened->stroke().begin(Blade{Vec3(-0.1, 0.7, -1), Vec3(-0.1, 0.7, 1)},
-                                       {0.5, maxStrokeStep(opened->bounds())});
+                                       {0.5, maxStrokeStep(opened->simulation().bounds())});
                 opened->stroke().moveTo(Blade{Vec3(-0.1, 0, -1), Vec3(-0.1, 0, 1)});
                 opened->stroke().end();
         }
@@ -371,20 +371,20 @@ TEST_F(KeptSessions, PicturesChecksAndExportsSurviveScrubbingLoopingAndRestarts)
         const std::size_t before = opened->document().session.events.size();
         const int steps = opened->document().session.steps;
         opened.goTo(die.below(steps + 1));
-        opened->addPicture(opened->here());
-        opened->addPicture(opened->here());
-        opened->addCheck();
+        opened->recorder().addPicture(opened->recorder().here());
+        opened->recorder().addPicture(opened->recorder().here());
+        opened->recorder().addCheck();
         opened.goTo(die.below(steps + 1));
-        opened->addExport();
-        opened->addCheck();
+        opened->recorder().addExport();
+        opened->recorder().addCheck();
         const std::string text = opened.text();
         EXPECT_EQ(opened.saved().session.events.size(), before + 5);
         opened.goTo(0);
         opened.goTo(steps);
         opened->reset();
         EXPECT_EQ(opened.text(), text);
-        opened->toggleLoop();
-        opened->playing = true;
+        opened->timeline().toggleLoop();
+        opened->timeline().playing = true;
         opened.run(steps + 7);
         EXPECT_EQ(opened.text(), text);
         EXPECT_THAT(opened->takeMessages(),
@@ -405,7 +405,7 @@ TEST_F(KeptSessions, TheViewIsItsOwnUntilAPersonChoosesAnother) {
     EXPECT_EQ(opened.saved().session.view->eye, own) << "also of one that a person goes on with";
     render::Camera chosen;
     chosen.eye = Vec3(1, 2, 3);
-    opened->useView(chosen);
+    opened->recorder().useView(chosen);
     EXPECT_EQ(opened.saved().session.view->eye, chosen.eye);
 
     OpenedSession live(sessions / "drop-in.kerf.json");
@@ -420,7 +420,7 @@ TEST_F(KeptSessions, ARecordingOverASessionIsOfItself) {
     opened.run(20);
     opened->startRecording();
     opened.run(3);
-    opened->stopRecording();
+    opened->recorder().stop();
     const Session session = opened.saved().session;
     EXPECT_EQ(session.steps, 3);
     EXPECT_EQ(session.view->eye, Vec3(7, 8, 9));
@@ -455,11 +455,11 @@ TEST_F(KeptSessions, TakingBackASettingLetsTheSessionPlayOn) {
     opened.run(4);
     opened->execute(SetParam{"friction", 0.1});
     EXPECT_EQ(opened->execute(Undo{}), "");
-    EXPECT_TRUE(opened->playingBack());
+    EXPECT_TRUE(opened->timeline().playingBack());
     opened.run(20);
     opened->execute(SetParam{"friction", 0.2});
     opened->execute(Undo{});
-    EXPECT_FALSE(opened->playingBack()) << "an undo lifts the blade, so the session can't go on";
+    EXPECT_FALSE(opened->timeline().playingBack()) << "an undo lifts the blade, so the session can't go on";
 }
 
 // The next stroke began where the one before had been put away.
@@ -475,7 +475,7 @@ TEST_F(KeptSessions, AnUndoWithNothingToUndoEndsTheStrokeInTheSessionToo) {
     EXPECT_NE(opened->execute(Undo{}), "");
     stroke(0.9, 1.2);
     opened.run(4);
-    EXPECT_EQ(opened->pieceCount(), 1);
+    EXPECT_EQ(opened->simulation().report().pieces, 1);
     EXPECT_EQ(opened.replay().stateHash, opened.stateHash());
 }
 

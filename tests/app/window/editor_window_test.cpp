@@ -150,7 +150,7 @@ struct GuillotinePlaces {
     static GuillotinePlaces in(Editor& editor) {
         tap(editor, ui::Key::g);
         GuillotinePlaces places{{}, editor.itemRects().at("blade.lowered")};
-        for (const ui::Overlay::Handle& handle : editor.panels().overlay.handles) {
+        for (const ui::Overlay::Handle& handle : editor.panels().view.overlay.handles) {
             places.handles.emplace_back(handle.at.x, handle.at.y);
         }
         tap(editor, ui::Key::c);

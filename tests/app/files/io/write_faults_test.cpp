@@ -173,7 +173,7 @@ class WriteFaultsInTheEditor : public EditorTest {
             click("file.accept");
         }
         waitForWork();
-        return panels().toastIsError ? panels().toast : "";
+        return panels().toast.isError ? panels().toast.text : "";
     }
     void expectFailuresToLeaveAllAsItWas(Key key, const std::string& name) {
         drag(kTop, kBottom, 10);
