@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ui/action.h"
@@ -31,15 +32,8 @@ enum class ActionId : std::uint8_t {
     toggleGravity,
     remesh,
     partModel,
-    toolStroke,
-    toolScalpel,
-    toolGuillotine,
-    toolGrab,
-    toolPin,
-    toolRetract,
-    toolMove,
-    toolMeasure,
-    bringDown,
+    firstTool,  ///< one for each Tool, see actionOf()
+    bringDown = firstTool + kTools,
     freePins,
     removeRetractor,
     playPause,
@@ -136,8 +130,27 @@ bool draws(const PanelModel& model) {
     return model.display.overlays.*member;
 }
 
-/// All actions in the order of the menus.
-inline constexpr std::array kActions{
+/// The action that takes a tool.
+constexpr ActionId actionOf(Tool tool) {
+    return static_cast<ActionId>(static_cast<int>(ActionId::firstTool) + static_cast<int>(tool));
+}
+/// Rows in the order of ActionId: `others`, and among them what `toRow` makes for each tool.
+template <class Row, std::size_t count, class ToRow>
+constexpr auto withTools(const std::array<Row, count>& others, ToRow toRow) {
+    constexpr auto first = static_cast<std::size_t>(ActionId::firstTool);
+    return [&]<std::size_t... before, std::size_t... tool, std::size_t... behind>(
+        std::index_sequence<before...>, std::index_sequence<tool...>,
+        std::index_sequence<behind...>) {
+        return std::array{others[before]...,
+                          toRow.template operator()<static_cast<Tool>(tool)>()...,
+                          others[first + behind]...};
+    }
+    (std::make_index_sequence<first>{}, std::make_index_sequence<kTools>{},
+     std::make_index_sequence<count - first>{});
+}
+
+/// All actions but those that take a tool, in the order of the menus.
+inline constexpr std::array kOtherActions{
     ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open a model or a session...",
               "File", always},
     ActionRow{ActionId::addModel, at(Key::o, kControlShift, "Ctrl+Shift+O"),
@@ -169,26 +182,9 @@ inline constexpr std::array kActions{
     ActionRow{ActionId::partModel, at(Key::o, kShift, "Shift+O"),
               "Part: a model for each object of the file", "Edit",
               [](const PanelModel& m) { return m.model.objects > 1; }},
-    ActionRow{ActionId::toolStroke, at(Key::c, kPlain, "C"), "Stroke: cut along the view", "Tool",
-              withBody, holds<Tool::stroke>},
-    ActionRow{ActionId::toolScalpel, at(Key::s, kPlain, "S"), "Scalpel: follow the surface", "Tool",
-              withBody, holds<Tool::scalpel>},
-    ActionRow{ActionId::toolGuillotine, at(Key::g, kPlain, "G"), "Guillotine: pose the blade",
-              "Tool", withBody, holds<Tool::guillotine>},
-    ActionRow{ActionId::toolGrab, at(Key::d, kPlain, "D"), "Grab: pull at the body", "Tool",
-              withBody, holds<Tool::grab>},
-    ActionRow{ActionId::toolPin, at(Key::p, kPlain, "P"), "Pin: hold parts in place", "Tool",
-              withBody, holds<Tool::pin>},
-    ActionRow{ActionId::toolRetract, at(Key::y, kPlain, "Y"), "Retract: hold a cut open", "Tool",
-              withBody, holds<Tool::retract>},
-    ActionRow{ActionId::toolMove, at(Key::u, kPlain, "U"),
-              "Move: boxes, pins and the model, by arrows and rings", "Tool", withBody,
-              holds<Tool::move>},
-    ActionRow{ActionId::toolMeasure, at(Key::m, kPlain, "M"), "Measure: distances, angles, pieces",
-              "Tool", withBody, holds<Tool::measure>},
-    ActionRow{ActionId::bringDown, at(Key::enter, kPlain, "Enter"), "Bring the guillotine down",
-              "Tool",
-              [](const PanelModel& m) { return withBody(m) && holds<Tool::guillotine>(m); }},
+    ActionRow{
+        ActionId::bringDown, at(Key::enter, kPlain, "Enter"), "Bring the guillotine down", "Tool",
+        [](const PanelModel& m) { return withBody(m) && !rowOf(m.tools.tool).trigger.empty(); }},
     ActionRow{ActionId::freePins, at(Key::p, kShift, "Shift+P"), "Free all that is pinned", "Tool",
               [](const PanelModel& m) { return m.body.pinned > 0; }},
     ActionRow{ActionId::removeRetractor, at(Key::del, kPlain, "Delete"),
@@ -274,6 +270,13 @@ inline constexpr std::array kActions{
     ActionRow{ActionId::help, at(Key::f1, kPlain, "F1"), "All keys", "Help", always,
               [](const PanelModel& m) { return m.help.open; }, at(Key::questionMark, kPlain, "?")},
 };
+
+/// All actions in the order of the menus.
+inline constexpr auto kActions = withTools(kOtherActions, []<Tool tool>() {
+    const ToolRow& row = rowOf(tool);
+    return ActionRow{actionOf(tool), at(row.key, kPlain, row.keyText), row.label, "Tool", withBody,
+                     holds<tool>};
+});
 
 /// Whether a table has one row for each ActionId, in the same order.
 template <class Table>

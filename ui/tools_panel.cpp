@@ -2,60 +2,50 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/measure_rows.h"
-#include "ui/panel_model.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {
 namespace {
 
-struct ToolButton {
-    Tool tool;
-    ActionId id;
-    const char* label;
-};
-constexpr std::array kTools{
-    ToolButton{Tool::stroke, ActionId::toolStroke, "Stroke"},
-    ToolButton{Tool::scalpel, ActionId::toolScalpel, "Scalpel"},
-    ToolButton{Tool::guillotine, ActionId::toolGuillotine, "Guillotine"},
-    ToolButton{Tool::grab, ActionId::toolGrab, "Grab"},
-    ToolButton{Tool::pin, ActionId::toolPin, "Pin"},
-    ToolButton{Tool::retract, ActionId::toolRetract, "Retract"},
-    ToolButton{Tool::move, ActionId::toolMove, "Move"},
-    ToolButton{Tool::measure, ActionId::toolMeasure, "Measure"},
-};
 constexpr std::size_t kToolsInARow = 3;
 constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest blade
 
-void drawToolButton(const ToolButton& button, bool chosen, float width,
-                    std::vector<Action>& actions) {
+/// A button with a name of its own, which asks for an action.
+void drawButton(const char* label, const std::string& item, float width, ActionId id,
+                std::vector<Action>& actions) {
+    if (ImGui::Button(label, {width, 0})) {
+        actions.emplace_back(id);
+    }
+    noteItem(item);
+    itemTooltip(describeAction(id));
+}
+
+void drawToolButton(const ToolRow& tool, bool chosen, float width, std::vector<Action>& actions) {
     if (chosen) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     }
-    if (ImGui::Button(button.label, {width, 0})) {
-        actions.emplace_back(button.id);
-    }
+    drawButton(tool.name, std::string("tool.") + tool.name, width, actionOf(tool.tool), actions);
     if (chosen) {
         ImGui::PopStyleColor();
     }
-    noteItem(std::string("tool.") + button.label);
-    itemTooltip(describeAction(button.id));
 }
 
 void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width =
         (ImGui::GetContentRegionAvail().x - (kToolsInARow - 1) * gap) / kToolsInARow;
-    for (std::size_t i = 0; i < kTools.size(); ++i) {
+    for (std::size_t i = 0; i < kToolRows.size(); ++i) {
         if (i % kToolsInARow > 0) {
             ImGui::SameLine(0, gap);
         }
-        drawToolButton(kTools[i], model.tools.tool == kTools[i].tool, width, actions);
+        drawToolButton(kToolRows[i], model.tools.tool == kToolRows[i].tool, width, actions);
     }
 }
 
@@ -71,90 +61,89 @@ bool slideLength(const char* label, double& value, double longest, const char* t
         .changed;
 }
 
-bool drawStrokeRows(ToolSettings& tools) {
-    bool changed = ImGui::Checkbox("Through all", &tools.throughAll);
+/// What the rows of a tool go by, change and answer.
+struct Rows {
+    const PanelModel& model;
+    ToolSettings& tools;
+    std::vector<Action>& actions;
+};
+
+bool drawStrokeRows(const Rows& rows) {
+    bool changed = ImGui::Checkbox("Through all", &rows.tools.stroke.throughAll);
     noteItem("blade.through");
     itemTooltip("The blade reaches through the whole body along the line of sight");
-    if (!tools.throughAll) {
-        changed |= slideLength("Depth", tools.strokeDepth, tools.longest,
+    if (!rows.tools.stroke.throughAll) {
+        changed |= slideLength("Depth", rows.tools.stroke.depth, rows.tools.longest,
                                "How far the blade goes in, from the nearest point of the body");
     }
     return changed;
 }
 
-bool drawGuillotineRows(ToolSettings& tools, std::vector<Action>& actions) {
-    bool changed = slideLength("Length", tools.length, tools.longest, "Length of the blade");
-    changed |= slideLength("Drop", tools.drop, tools.longest, "How far the blade goes down");
+bool drawScalpelRow(const Rows& rows) {
+    return slideLength("Depth", rows.tools.scalpel.depth, rows.tools.longest,
+                       "How deep the scalpel goes below the surface");
+}
+
+bool drawGuillotineRows(const Rows& rows) {
+    GuillotineSettings& tool = rows.tools.guillotine;
+    bool changed = slideLength("Length", tool.length, rows.tools.longest, "Length of the blade");
+    changed |= slideLength("Drop", tool.drop, rows.tools.longest, "How far the blade goes down");
     const double up = 0;
     const double down = 1;
     const float button = 4.6F * ImGui::GetFontSize();
-    const float width = ImGui::GetContentRegionAvail().x - button;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     changed |= slideRow({"Lowered", "Pulls the blade down by hand, and cuts", "blade.lowered"},
-                        {ImGuiDataType_Double, &tools.lowered, &up, &down, "%.2f"},
-                        width - ImGui::GetStyle().ItemInnerSpacing.x)
+                        {ImGuiDataType_Double, &tool.lowered, &up, &down, "%.2f"},
+                        ImGui::GetContentRegionAvail().x - button - gap)
                    .changed;
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::Button("Down", {button, 0})) {
-        actions.emplace_back(ActionId::bringDown);
-    }
-    noteItem("blade.down");
-    itemTooltip(describeAction(ActionId::bringDown));
+    ImGui::SameLine(0, gap);
+    drawButton("Down", "blade.down", button, ActionId::bringDown, rows.actions);
     return changed;
 }
 
-bool drawPinRows(ToolSettings& tools, std::vector<Action>& actions) {
+bool drawGrabRow(const Rows& rows) {
+    return slideLength("Hand", rows.tools.grab.radius, kLargestRadius * rows.tools.longest,
+                       "How far around the pointer the hand takes hold");
+}
+
+bool drawPinRows(const Rows& rows) {
     const float button = 5.4F * ImGui::GetFontSize();
-    const bool changed = slideLength("Brush", tools.pinRadius, kLargestRadius * tools.longest,
-                                     "How far around the pointer it pins", button);
+    const bool changed =
+        slideLength("Brush", rows.tools.pin.radius, kLargestRadius * rows.tools.longest,
+                    "How far around the pointer it pins", button);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::Button("Free all", {button, 0})) {
-        actions.emplace_back(ActionId::freePins);
-    }
-    noteItem("pin.free");
-    itemTooltip(describeAction(ActionId::freePins));
+    drawButton("Free all", "pin.free", button, ActionId::freePins, rows.actions);
     return changed;
 }
 
-void drawRetractRow(const PanelModel& model, std::vector<Action>& actions) {
-    const std::string label =
-        model.body.hooks == 0 ? "No retractor holds a cut open" : "Remove the last";
-    if (model.body.hooks == 0) {
-        ImGui::TextDisabled("%s", label.c_str());
-    } else if (ImGui::Button(label.c_str(), {-1, 0})) {
-        actions.emplace_back(ActionId::removeRetractor);
+bool drawRetractRow(const Rows& rows) {
+    if (rows.model.body.hooks > 0) {
+        drawButton("Remove the last", "retract.remove", -1, ActionId::removeRetractor,
+                   rows.actions);
+        return false;
     }
+    ImGui::TextDisabled("No retractor holds a cut open");
     noteItem("retract.remove");
     itemTooltip(describeAction(ActionId::removeRetractor));
-}
-
-bool drawRowsOf(const PanelModel& model, ToolSettings& tools, std::vector<Action>& actions) {
-    switch (tools.tool) {
-        case Tool::stroke:
-            return drawStrokeRows(tools);
-        case Tool::scalpel:
-            return slideLength("Depth", tools.scalpelDepth, tools.longest,
-                               "How deep the scalpel goes below the surface");
-        case Tool::guillotine:
-            return drawGuillotineRows(tools, actions);
-        case Tool::grab:
-            return slideLength("Hand", tools.grabRadius, kLargestRadius * tools.longest,
-                               "How far around the pointer the hand takes hold");
-        case Tool::pin:
-            return drawPinRows(tools, actions);
-        case Tool::retract:
-            drawRetractRow(model, actions);
-            return false;
-        case Tool::move:
-            return false;
-        case Tool::measure:
-            return drawMeasureRows(model.view.measures, tools, actions);
-    }
     return false;
 }
 
-bool cuts(Tool tool) {
-    return tool == Tool::stroke || tool == Tool::scalpel || tool == Tool::guillotine;
-}
+/// A tool with rows of its own: draws them, and answers whether its settings were changed.
+struct SettingRows {
+    Tool tool;
+    bool (*draw)(const Rows& rows);
+};
+constexpr std::array kSettingRows{
+    SettingRows{Tool::stroke, drawStrokeRows},
+    SettingRows{Tool::scalpel, drawScalpelRow},
+    SettingRows{Tool::guillotine, drawGuillotineRows},
+    SettingRows{Tool::grab, drawGrabRow},
+    SettingRows{Tool::pin, drawPinRows},
+    SettingRows{Tool::retract, drawRetractRow},
+    SettingRows{
+        Tool::measure,
+        [](const Rows& r) { return drawMeasureRows(r.model.view.measures, r.tools, r.actions); }},
+};
 
 void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions) {
     bool runs = model.settings.timeRunsWhileCutting;
@@ -170,10 +159,11 @@ void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions)
 void drawTools(const PanelModel& model, std::vector<Action>& actions) {
     drawToolButtons(model, actions);
     ToolSettings tools = model.tools;
-    if (drawRowsOf(model, tools, actions)) {
+    const auto* rows = std::ranges::find(kSettingRows, tools.tool, &SettingRows::tool);
+    if (rows != kSettingRows.end() && rows->draw({model, tools, actions})) {
         actions.emplace_back(SetTools{tools});
     }
-    if (cuts(model.tools.tool)) {
+    if (rowOf(model.tools.tool).leadsBlade) {
         drawTimeWhileCutting(model, actions);
     }
 }

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/scene/editor_document.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/scene_readout.h"
-#include "sim/run/simulation.h"
 #include "ui/theme.h"
 
 namespace kerf::app {
@@ -42,8 +40,8 @@ void shiftApart(const std::vector<Bounds>& bounds, double apart,
     }
 }
 
-render::BodyLook ownLook(const EditorScene& scene) {
-    return render::lookFor(scene.document().session.model.name());
+render::BodyLook ownLook(const Document& document) {
+    return render::lookFor(document.session.model.name());
 }
 
 Bounds shifted(Bounds bounds, const Vec3& by) {
@@ -100,7 +98,8 @@ bool BodyDisplay::join() {
     return std::exchange(settings.apart, 0) > 0;
 }
 
-render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
+render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
+    EditorScene& scene = *busy.scene_;
     const std::vector<Bounds>& bounds = scene.simulation().pieceBounds();
     render::SceneView view = scene.readout().view();
     view.wireframe = settings.wireframe;
@@ -108,7 +107,7 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     view.field.choice = settings.field;
     view.section = settings.section;
     view.hardEdges = settings.hardEdges;
-    view.look = look(scene);
+    view.look = look(scene.document());
     if (!settings.colors.showOwn()) {
         view.paint.reset();
     }
@@ -124,13 +123,13 @@ render::SceneView BodyDisplay::viewOf(EditorScene& scene) const {
     return view;
 }
 
-Bounds BodyDisplay::boundsOf(const EditorScene& scene) const {
-    const std::vector<Bounds>& pieces = scene.simulation().pieceBounds();
-    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.simulation().bounds();
+Bounds BodyDisplay::boundsOf(const BusyScene& scene) const {
+    const std::vector<Bounds>& pieces = scene.pieceBounds();
+    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
 }
 
-Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {
-    const std::vector<Bounds>& pieces = scene.simulation().pieceBounds();
+Bounds BodyDisplay::boundsOf(const BusyScene& scene, int piece) const {
+    const std::vector<Bounds>& pieces = scene.pieceBounds();
     const auto index = static_cast<std::size_t>(piece);
     if (piece < 0 || index >= pieces.size()) {
         return {};
@@ -139,8 +138,8 @@ Bounds BodyDisplay::boundsOf(const EditorScene& scene, int piece) const {
     return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
 }
 
-render::BodyLook BodyDisplay::look(const EditorScene& scene) const {
-    return render::colored(ownLook(scene), settings.colors);
+render::BodyLook BodyDisplay::look(const Document& document) const {
+    return render::colored(ownLook(document), settings.colors);
 }
 
 /// The look of each piece; empty where all look as always.
@@ -160,16 +159,16 @@ std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& b
     return looks;
 }
 
-void BodyDisplay::describe(const EditorScene* scene, ui::PanelModel& model) const {
+void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) const {
     model.display = settings;
-    if (scene == nullptr) {
+    if (!scene) {
         return;
     }
-    const render::BodyLook look =
-        render::colored(ownLook(*scene), {.look = settings.colors.look, .skin = {}, .flesh = {}});
+    const render::BodyLook look = render::colored(
+        ownLook(scene.document()), {.look = settings.colors.look, .skin = {}, .flesh = {}});
     model.looks.ownSkin = render::toDisplay(look.skin);
     model.looks.ownFlesh = render::toDisplay(look.inner);
-    model.looks.hasOwnColors = scene->document().looks.colored();
+    model.looks.hasOwnColors = scene.document().looks.colored();
     model.pieces.hovered = hovered_;
     for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
         model.pieces.rows[p].hidden = hidden_.contains(static_cast<int>(p));

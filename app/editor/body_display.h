@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "app/scene/editor_scene.h"
+#include "app/editor/busy_scene.h"
 #include "render/scene/scene.h"
 #include "ui/panel_model.h"
 
@@ -28,17 +28,17 @@ class BodyDisplay {
     bool join();
 
     /// The bounds of the body as it is drawn, with its pieces together or apart [m].
-    Bounds boundsOf(const EditorScene& scene) const;
+    Bounds boundsOf(const BusyScene& scene) const;
     /// Those of one piece; empty where there is none of that number.
-    Bounds boundsOf(const EditorScene& scene, int piece) const;
+    Bounds boundsOf(const BusyScene& scene, int piece) const;
 
     /// The look that the body is shown in, as far as it has no colours of its own.
-    render::BodyLook look(const EditorScene& scene) const;
-    /// The scene with all that the person chose to see.
-    render::SceneView viewOf(EditorScene& scene) const;
+    render::BodyLook look(const Document& document) const;
+    /// The scene with all that the person chose to see, where BusyScene::isWhole().
+    render::SceneView viewOf(const BusyScene& scene) const;
     /// Sets the settings, and of an open `scene` the colours of the model itself, and which rows of
-    /// its pieces are hidden or hovered. `scene` may be null.
-    void describe(const EditorScene* scene, ui::PanelModel& model) const;
+    /// its pieces are hidden or hovered.
+    void describe(const BusyScene& scene, ui::PanelModel& model) const;
 
   private:
     std::vector<render::PieceLook> looksOf(const std::vector<Bounds>& bounds) const;

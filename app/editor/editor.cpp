@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <utility>
 
@@ -10,7 +11,8 @@
 #include "app/scene/held_hands.h"
 #include "app/scene/scene_readout.h"
 #include "app/scene/scene_recorder.h"
-#include "app/scene/scene_timeline.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/move_tool.h"
 #include "gpu/buffer.h"
 #include "gpu/context_loss.h"
 #include "render/scene/depth_field.h"
@@ -22,6 +24,71 @@ constexpr double kForever = 1e9;        // [s]
 constexpr double kWorkPause = 0.05;     // between two pictures while a thread works [s]
 constexpr double kWorkPictures = 0.25;  // the same while a step is under way and nothing moves [s]
 constexpr int kMostSeekSteps = 64;      // per picture, while they are fast
+
+using State = Editor::State;
+
+/// Does what the gizmo in hand asks for.
+bool followGizmo(State& s, EditorScene& now) {
+    MoveTool& gizmo = s.view.tools.get<MoveTool>();
+    const std::optional<Command> command = gizmo.takeCommand(now);
+    if (!command) {
+        return false;
+    }
+    const Place* const place = std::get_if<Place>(&*command);
+    if (place != nullptr && !gizmo.holds()) {  // at the end of a drag
+        s.place(*place);
+        gizmo.noteOutcome(s.work.placing() == nullptr, now);
+    } else {
+        gizmo.noteOutcome(s.execute(*command), now);
+    }
+    return false;
+}
+
+/// Lets view and picture follow a model that was placed otherwise.
+bool followPlacement(State& s, EditorScene& now) {
+    if (!s.view.follow(now)) {
+        return false;
+    }
+    s.picture.setRestDepth(s.depths.of(now.simulation().uncut()));
+    return true;
+}
+
+/// Has the thickness of the body worked out where the colours show it.
+bool followThickness(State& s, EditorScene& now) {
+    return now.readout().followThickness(
+        s.view.display.settings.field.field == render::SurfaceField::thickness, !now.running());
+}
+
+/// Lets the measures go on with the body.
+bool followMeasures(State& s, EditorScene& now) {
+    MeasureTool& measures = s.view.tools.get<MeasureTool>();
+    if (const std::string word = measures.any() ? measures.follow(now) : ""; !word.empty()) {
+        s.toast.show(word, false);
+    }
+    return false;
+}
+
+/// Has the pieces added up where their list has all columns.
+bool followPieceSums(State& s, EditorScene& now) {
+    return now.readout().followPieceSums(s.view.display.settings.pieceDetails && !now.running());
+}
+
+/// Has the quality of the cuts measured where its section is open.
+bool followCuts(State& s, EditorScene& now) {
+    return now.readout().followCuts(s.panels.shows("cuts"));
+}
+
+/// What follows the open scene once a picture, where that rests: whether there is something else
+/// to show then, and what shows it.
+struct Follower {
+    bool (*follow)(State& s, EditorScene& now);
+    void (Redraw::*shows)();
+};
+constexpr std::array kFollowers{
+    Follower{followGizmo, &Redraw::scene},      Follower{followPlacement, &Redraw::scene},
+    Follower{followThickness, &Redraw::scene},  Follower{followMeasures, &Redraw::panels},
+    Follower{followPieceSums, &Redraw::panels}, Follower{followCuts, &Redraw::panels},
+};
 
 }  // namespace
 
@@ -81,21 +148,20 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.view.camera.advance(elapsedSeconds);
     s.followFiles();
     if (s.scene != nullptr) {
-        s.sceneSteps.follow(*s.scene.meanwhile());
+        s.sceneSteps.follow(s.scene.meanwhile().history());
     }
-    if (s.scene != nullptr && !s.scene.underWay() && s.guide.follow(*s.scene, s.view)) {
+    if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
         s.redraw.panels();
     }
     s.advance(elapsedSeconds);
     s.keepWork(elapsedSeconds);
     s.offerLeftWork();
     s.tellOfDriver();
-    s.followGizmo();
-    s.followPlacement();
-    s.followThickness();
-    s.followMeasures();
-    s.followPieceSums();
-    s.followCuts();
+    for (const Follower& row : kFollowers) {
+        if (EditorScene* const now = s.scene.atRest(); now && row.follow(s, *now)) {
+            (s.redraw.*row.shows)();
+        }
+    }
     s.sincePicture.restart();
     if (s.drawsAll || s.screenshotWanted || s.keeping.pictureDue() == 0.0) {
         s.draw();
@@ -119,8 +185,8 @@ bool Editor::workOn() {
 
 double Editor::idleSeconds() const {
     const State& s = *state_;
-    const EditorScene* const scene = s.scene.meanwhile();
-    const bool runs = s.scene.underWay() || !s.waiting.empty() || (scene && scene->running());
+    const BusyScene scene = s.scene.meanwhile();
+    const bool runs = s.scene.underWay() || !s.waiting.empty() || (scene && scene.running());
     if (!s.queue.empty() || runs || s.redraw.pending() || s.redraw.stepsPending() ||
         s.view.camera.flying()) {
         return 0;
@@ -129,7 +195,7 @@ double Editor::idleSeconds() const {
         return opening->preparing() ? kWorkPause : 0;
     }
     if (s.work.saves() || s.work.placing() != nullptr || s.chooser.previews() ||
-        (scene && (scene->readout().thickness().working() || scene->readout().cuts().working()))) {
+        (scene && scene.workingOut())) {
         return kWorkPause;
     }
     const bool soon =
@@ -276,11 +342,10 @@ void Editor::State::drawScene() {
         picture.drawModel(model, view, redraw.takeScene());
         return;
     }
-    EditorScene* const now = scene.meanwhile();
+    const BusyScene now = scene.meanwhile();
     const render::FieldRange range = picture.fieldRange();
-    if (now == nullptr || now->simulation().isWhole()) {
-        const bool rests =
-            now != nullptr && now->running() && clock.byTheClock() && picture.rests();
+    if (!now || now.isWhole()) {
+        const bool rests = now && now.running() && clock.byTheClock() && picture.rests();
         picture.draw(now, view, panels.covered(view.width, view.height), redraw.takeScene(!rests));
     } else {
         picture.keep(view);
@@ -290,67 +355,10 @@ void Editor::State::drawScene() {
     }
 }
 
-void Editor::State::followGizmo() {
-    if (scene == nullptr || scene.underWay()) {
-        return;
-    }
-    const std::optional<Command> command = view.moveTool.takeCommand(*scene);
-    if (!command) {
-        return;
-    }
-    const Place* const place = std::get_if<Place>(&*command);
-    if (place != nullptr && !view.moveTool.holds()) {  // at the end of a drag
-        this->place(*place);
-        view.moveTool.noteOutcome(work.placing() == nullptr, *scene);
-    } else {
-        view.moveTool.noteOutcome(execute(*command), *scene);
-    }
-}
-
-void Editor::State::followPlacement() {
-    if (scene == nullptr || scene.underWay() || !view.follow(*scene)) {
-        return;
-    }
-    picture.setRestDepth(depths.of(scene->simulation().uncut()));
-    redraw.scene();
-}
-
-void Editor::State::followMeasures() {
-    if (scene == nullptr || scene.underWay() || !view.measures.any()) {
-        return;
-    }
-    if (const std::string word = view.measures.follow(*scene); !word.empty()) {
-        toast.show(word, false);
-    }
-}
-
-void Editor::State::followPieceSums() {
-    const bool wanted = view.display.settings.pieceDetails;
-    if (scene != nullptr && !scene.underWay() &&
-        scene->readout().followPieceSums(wanted && !scene->running())) {
-        redraw.panels();
-    }
-}
-
-void Editor::State::followCuts() {
-    if (scene != nullptr && !scene.underWay() &&
-        scene->readout().followCuts(panels.shows("cuts"))) {
-        redraw.panels();
-    }
-}
-
-void Editor::State::followThickness() {
-    const bool wanted = view.display.settings.field.field == render::SurfaceField::thickness;
-    if (scene != nullptr && !scene.underWay() &&
-        scene->readout().followThickness(wanted, !scene->running())) {
-        redraw.scene();
-    }
-}
-
 void Editor::State::saveScreenshot() {
     if (std::exchange(screenshotWanted, false)) {
         const int number = savePicture(picture.read(), "kerf");
-        if (scene != nullptr && scene.meanwhile()->recorder().recording()) {
+        if (scene != nullptr && scene.meanwhile().recording()) {
             toast.offerOnceSaved(scene->recorder().here(), number);
         }
     }

@@ -5,15 +5,14 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/free_file.h"
 #include "app/scene/editor_stroke.h"
-#include "app/scene/held_hands.h"
-#include "app/scene/scene_body.h"
 #include "app/scene/scene_readout.h"
 #include "app/scene/scene_recorder.h"
-#include "app/scene/scene_timeline.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/move_tool.h"
+#include "app/tools/retract_tool.h"
 #include "gpu/data_path.h"
-#include "sim/run/undo/undo_history.h"
 #include "ui/action_table.h"
 #include "ui/plots_panel.h"
 #include "ui/unit_text.h"
@@ -31,11 +30,7 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
-    const bool pulls = s.view.holdsBody();
-    if (s.view.moveTool.holds()) {
-        s.view.moveTool.undoDrag(*s.scene);
-    }
-    s.view.cancelTools(pulls ? *s.scene : *s.scene.meanwhile());
+    s.view.cancelTools(s.sceneOfTool(), true);
     s.redraw.scene();
 }
 
@@ -44,7 +39,7 @@ void cancel(State& s) {
         s.panels.helpOpen = false;
     } else if (s.faulty) {
         s.hideFaulty();
-    } else if (s.view.endsMeasuring()) {
+    } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
         s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
         stopTools(s);
@@ -56,10 +51,10 @@ void cancelWork(State& s) {
     if (s.work.cancel() || s.scene == nullptr) {
         return;
     }
-    EditorScene& scene = *s.scene.meanwhile();
+    const BusyScene scene = s.scene.meanwhile();
     if (scene.stroke().pending() == 0) {
-        scene.timeline().playing = false;
-        scene.timeline().stopSeeking();
+        scene.playing() = false;
+        scene.stopSeeking();
     }
     stopTools(s);
 }
@@ -96,13 +91,12 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
 
 /// The one before lets go.
 void setTools(State& s, const ui::ToolSettings& settings) {
-    const bool pulls = s.view.holdsBody();
-    s.view.setTools(settings, pulls ? *s.scene : *s.scene.meanwhile());
+    s.view.setTools(settings, s.sceneOfTool());
 }
 
 template <ui::Tool tool>
 void take(State& s) {
-    ui::ToolSettings settings = s.view.bladeTool.settings();
+    ui::ToolSettings settings = s.view.tools.settings();
     settings.tool = tool;
     setTools(s, settings);
 }
@@ -124,12 +118,7 @@ void freePins(State& s) {
 }
 
 void removeRetractor(State& s) {
-    s.view.retractTool.release(*s.scene);
-    const std::vector<Hands::Hand> hooks = s.scene->hands().hooks();
-    if (!hooks.empty()) {
-        const auto under = RetractTool::hookAt(s.view.frame(), s.view.pointer, *s.scene);
-        s.scene->hands().removeRetractor(under.value_or(hooks.back().number));
-    }
+    s.view.tools.get<RetractTool>().removeOne(s.view.context(s.restingScene()));
 }
 
 void toggleGravity(State& s) {
@@ -152,7 +141,7 @@ void toggleTimeWhileCutting(State& s) {
 }
 
 void playOrPause(State& s) {
-    bool& playing = s.scene.meanwhile()->timeline().playing;
+    bool& playing = s.scene.meanwhile().playing();
     playing = !playing;
 }
 
@@ -162,14 +151,14 @@ void stepOnce(State& s) {
 }
 
 void reset(State& s) {
-    s.view.cancelTools(*s.scene);
+    s.view.cancelTools(s.restingScene());
     s.scene->reset();
 }
 
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
     if (!s.scene->recorder().recording()) {
-        s.view.cancelTools(*s.scene);
+        s.view.cancelTools(s.restingScene());
         s.scene->startRecording();
         s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
         return;
@@ -245,8 +234,7 @@ void toggleSection(State& s) {
     if (section) {
         section.reset();
     } else {
-        section =
-            sectionAcross(s.scene.meanwhile()->simulation().bounds(), s.view.camera.destination());
+        section = sectionAcross(s.scene.meanwhile().bounds(), s.view.camera.destination());
     }
 }
 
@@ -270,9 +258,8 @@ using render::Overlays;
 using ui::ActionId;
 using ui::DisplaySettings;
 using ui::FilePurpose;
-using ui::Tool;
 
-constexpr std::array kHandlers{
+constexpr std::array kOtherHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::addModel, Needs::scene,
             [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
@@ -292,18 +279,10 @@ constexpr std::array kHandlers{
     Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
     Handler{ActionId::remesh, Needs::body, [](State& s) { s.remesh({}); }},
     Handler{ActionId::partModel, Needs::body, [](State& s) { s.partModel(); }},
-    Handler{ActionId::toolStroke, Needs::scene, take<Tool::stroke>},
-    Handler{ActionId::toolScalpel, Needs::scene, take<Tool::scalpel>},
-    Handler{ActionId::toolGuillotine, Needs::scene, take<Tool::guillotine>},
-    Handler{ActionId::toolGrab, Needs::scene, take<Tool::grab>},
-    Handler{ActionId::toolPin, Needs::scene, take<Tool::pin>},
-    Handler{ActionId::toolRetract, Needs::scene, take<Tool::retract>},
-    Handler{ActionId::toolMove, Needs::scene, take<Tool::move>},
-    Handler{ActionId::toolMeasure, Needs::scene, take<Tool::measure>},
     Handler{ActionId::bringDown, Needs::scene,
             [](State& s) {
                 if (!s.comesBack()) {
-                    s.view.bladeTool.bringDown(*s.scene.meanwhile());
+                    s.view.tools.inHand().trigger(s.view.context(s.scene.meanwhile()));
                 }
             }},
     Handler{ActionId::freePins, Needs::body, freePins},
@@ -325,9 +304,9 @@ constexpr std::array kHandlers{
     Handler{ActionId::addCamera, Needs::body, addCamera},
     Handler{ActionId::useView, Needs::body, useView},
     Handler{ActionId::frameBody, Needs::scene,
-            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(*s.scene.meanwhile())); }},
+            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(s.scene.meanwhile())); }},
     Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile()->rest().homeView()); }},
+            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile().homeView()); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
@@ -354,6 +333,9 @@ constexpr std::array kHandlers{
     Handler{ActionId::help, Needs::nothing,
             [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
 };
+constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::Tool tool>() {
+    return Handler{ui::actionOf(tool), Needs::scene, take<tool>};
+});
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");
 
 const Handler& handlerOf(ActionId id) {
@@ -397,7 +379,7 @@ void exportPlots(State& s, bool asPicture) {
 
 void exportMeasures(State& s) {
     s.work.saveBehind("kerf-measures", ".csv",
-                      [text = ui::measuresAsCsv(s.view.measures.rows())](
+                      [text = ui::measuresAsCsv(s.view.tools.get<MeasureTool>().rows())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
@@ -415,7 +397,8 @@ void placeBox(State& s) {
     if (!s.execute(AddBox{box})) {
         return;
     }
-    s.view.moveTool.chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) - 1);
+    s.view.tools.get<MoveTool>().chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) -
+                                           1);
     if (!isInView(box, frame, s.view.free)) {
         Bounds both = body;
         both.add(box.bounds());
@@ -445,11 +428,7 @@ struct Answer {
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
     void operator()(const ui::RemoveMeasure& removal) const {
-        if (removal.id == 0) {
-            s.view.measures.clear();
-        } else {
-            s.view.measures.remove(removal.id);
-        }
+        s.view.tools.get<MeasureTool>().remove(removal.id);
     }
     void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
@@ -470,7 +449,7 @@ struct Answer {
         s.execute(countedFrom(command, s.scene->document().session.origin));
     }
     void onBody(const ui::PlaceModel& wanted) const {
-        s.view.cancelTools(*s.scene);
+        s.view.cancelTools(s.restingScene());
         s.place(s.scene->body().placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
@@ -488,7 +467,7 @@ struct Answer {
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
     void onBody(const ui::ExportPieces&) const { exportPieces(s); }
     void onBody(const ui::FramePiece& wanted) const {
-        const Bounds piece = s.view.display.boundsOf(*s.scene.meanwhile(), wanted.piece);
+        const Bounds piece = s.view.display.boundsOf(s.scene.meanwhile(), wanted.piece);
         if (!piece.empty()) {
             s.view.flyToFrame(piece);
         }
@@ -527,7 +506,7 @@ void Editor::State::perform(ui::ActionId id) {
 
 bool Editor::State::execute(const Command& command) {
     if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
-        view.cancelTools(*scene);  // Neither a stroke nor a pull goes on elsewhere.
+        view.cancelTools(restingScene());  // Neither a stroke nor a pull goes on elsewhere.
     }
     const std::string problem = scene->execute(command);
     say(problem);

@@ -5,10 +5,9 @@
 
 #include "app/editor/editor_state.h"
 #include "app/scene/scene_readout.h"
-#include "app/scene/scene_timeline.h"
 #include "app/scene/section_pick.h"
+#include "app/tools/measure_tool.h"
 #include "sim/base/text.h"
-#include "sim/run/simulation.h"
 
 namespace kerf::app {
 namespace {
@@ -41,20 +40,19 @@ void Editor::State::describe(bool withOverlay) {
         describeScene();
     }
     panels.describe(told);
-    if (EditorScene* const now = scene.meanwhile()) {
-        model.transport.playing = now->timeline().playing;
+    if (const BusyScene now = scene.meanwhile()) {
+        model.transport.playing = now.playing();
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
-            model.view.overlay =
-                withOverlay ? view.overlay(inView, !scene.underWay(), *now) : std::move(before);
+            model.view.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
         }
     }
     view.display.describe(scene.meanwhile(), model);
     model.looks.field = fieldLegend(withOverlay && !panels.interface.ownsPointer());
     model.view.axes = axesOf(view.camera.shown());
     model.view.orthographic = view.camera.shown().orthographic;
-    model.tools = view.bladeTool.settings();
-    model.view.measures = view.measures.rows();
+    model.tools = view.tools.settings();
+    model.view.measures = view.tools.get<MeasureTool>().rows();
     model.transport.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);
@@ -89,12 +87,12 @@ ui::FieldLegend Editor::State::fieldLegend(bool inView) {
 
 /// A stroke by its poses; and what else takes long, which has no end that could be told.
 ui::WorkState Editor::State::sceneWork() const {
-    const EditorScene* const now = scene.meanwhile();
+    const BusyScene now = scene.meanwhile();
     const double perStep = std::max(clock.secondsPerStep(), scene.seconds());
-    if (now == nullptr) {
+    if (!now) {
         return {};
     }
-    const StrokeProgress cut = now->stroke().progress();
+    const StrokeProgress cut = now.stroke().progress();
     const auto left = static_cast<double>(cut.poses - cut.done);
     if (left * perStep > kQuietSeconds) {
         return {"Cutting", std::to_string(cut.done) + " of " + std::to_string(cut.poses) + " steps",
@@ -117,10 +115,11 @@ std::string Editor::State::title() const {
     if (scene == nullptr) {
         return "Kerf";
     }
-    const EditorScene& now = *scene.meanwhile();
+    const EditorScene* const rests = scene.atRest();
     const std::size_t pieces =
-        scene.underWay() ? told.pieces.rows.size() : now.simulation().report().pieces;
-    return "Kerf - " + now.document().name + " - " + counted(pieces, "piece", "pieces");
+        rests == nullptr ? told.pieces.rows.size() : rests->simulation().report().pieces;
+    return "Kerf - " + scene.meanwhile().document().name + " - " +
+           counted(pieces, "piece", "pieces");
 }
 
 }  // namespace kerf::app

@@ -9,14 +9,11 @@
 
 #include "app/editor/editor_state.h"
 #include "app/files/import/model_units.h"
-#include "app/scene/scene_body.h"
-#include "app/scene/scene_readout.h"
 #include "app/scene/scene_timeline.h"
 #include "app/scene/triangle_text.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/repair/soup_editing.h"
-#include "sim/run/undo/undo_history.h"
 #include "ui/action_table.h"
 #include "ui/unit_text.h"
 
@@ -258,7 +255,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
     const TriangleFigures before = figuresOf(*scene);
     const TriangleFigures now = figuresOf(*next);
-    view.cancelTools(*scene);
+    view.cancelTools(restingScene());
     scene->timeline().playing = false;
     scene->timeline().stopSeeking();
     picture.setRestDepth(uploaded.depth);
@@ -303,7 +300,7 @@ void Editor::State::followExchange() {
         askAboutRepair();
         return;
     }
-    view.cancelTools(*scene);
+    view.cancelTools(restingScene());
     scene->timeline().playing = false;
     scene->timeline().stopSeeking();
     const int saved = keeping.savedDeeds();
@@ -349,7 +346,7 @@ void Editor::State::describeFaults() {
             ++model.changes.done;
         }
         if (model.display.overlays.faults && !faulty) {
-            model.looks.faults = ui::faultRows(*scene.meanwhile()->readout().faultMarks());
+            model.looks.faults = ui::faultRows(*scene.meanwhile().faultMarks());
         }
     }
     if (faulty) {

@@ -6,9 +6,7 @@
 
 #include "app/editor/editor_state.h"
 #include "app/files/io/file_io.h"
-#include "app/scene/scene_body.h"
 #include "app/scene/scene_recorder.h"
-#include "app/scene/scene_timeline.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -138,7 +136,7 @@ void Editor::State::followPlacing() {
         return;
     }
     scene.begin(SceneWork::change, [this, command = placing->command()](EditorScene& now) {
-        view.cancelTools(now);
+        view.cancelTools({&now, false});
         say(now.execute(command));
     });
     goOn();
@@ -147,12 +145,12 @@ void Editor::State::followPlacing() {
 // --- Choosing and saving -----------------------------------------------------------------------
 
 void Editor::State::browse(ui::FilePurpose purpose, BrowseFor what) {
-    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile()->document().name, what);
+    chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile().document().name, what);
 }
 
 /// A test without a picture is one too, but it can't show what has changed.
 void Editor::State::askAboutTest() {
-    if (scene.meanwhile()->recorder().takesPictures()) {
+    if (scene.meanwhile().takesPictures()) {
         browse(ui::FilePurpose::saveTest);
         return;
     }
@@ -243,7 +241,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         onceSaved = nullptr;
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
-                              scene->simulation(), view.display.look(*scene)));
+                              scene->simulation(), view.display.look(scene->document())));
         return;
     }
     if (chosen.purpose == ui::FilePurpose::saveMaterial) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "app/editor/editor_state.h"
-#include "app/scene/scene_timeline.h"
 #include "sim/base/text.h"
 #include "ui/action_table.h"
 
@@ -20,8 +19,8 @@ bool pressesKey(const std::vector<ui::InputEvent>& batch) {
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
-    if (EditorScene* const now = scene.meanwhile(); now != nullptr && !now->timeline().playing) {
-        now->stroke().elapse(elapsedSeconds);
+    if (const BusyScene now = scene.meanwhile(); now && !now.playing()) {
+        now.stroke().elapse(elapsedSeconds);
     }
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
@@ -61,7 +60,7 @@ void Editor::State::dispatch(const ui::InputEvent& event) {
         onButton(*change);
     } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
                wheel != nullptr && pointsAtView()) {
-        view.zoom(wheel->y, faulty ? nullptr : scene.meanwhile());
+        view.zoom(wheel->y, faulty ? BusyScene{} : scene.meanwhile());
     } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
         onKey(key->key, key->modifiers);
     } else if (const auto* typed = std::get_if<ui::Character>(&event);
@@ -103,13 +102,14 @@ bool Editor::State::pointsAtView() const {
     return !panels.interface.ownsPointer() || panels.interface.pointsBesideQuestion();
 }
 
-EditorScene* Editor::State::sceneInHand(bool presses) {
+BusyScene Editor::State::sceneInHand(bool presses) {
     if (faulty || (presses && comesBack())) {
-        return nullptr;
+        return {};
     }
-    const ui::Tool tool = view.bladeTool.settings().tool;
-    const bool leadsBlade = tool == ui::Tool::stroke || tool == ui::Tool::guillotine;
-    return leadsBlade || !(presses || view.holds()) ? scene.meanwhile() : scene.get();
+    if (ui::rowOf(view.tools.settings().tool).readsBody && (presses || view.holds())) {
+        scene.get();
+    }
+    return scene.meanwhile();
 }
 
 }  // namespace kerf::app

@@ -5,7 +5,6 @@
 
 #include "app/editor/editor_state.h"
 #include "app/scene/editor_document.h"
-#include "app/scene/scene_timeline.h"
 
 namespace kerf::app {
 namespace {
@@ -117,13 +116,13 @@ void Editor::State::giveUpScene(const std::string& sentence) {
 }
 
 bool Editor::State::comesBack() {
-    comingBack = comingBack && scene != nullptr && scene.meanwhile()->timeline().seekSteps() > 0;
+    comingBack = comingBack && scene != nullptr && scene.meanwhile().seekSteps() > 0;
     return comingBack;
 }
 
 bool Editor::State::hasUnsavedWork() const {
-    const EditorScene* const now = scene.meanwhile();
-    return now != nullptr && keeping.isUnsaved(*now);
+    const BusyScene now = scene.meanwhile();
+    return now && keeping.isUnsaved(now.deeds());
 }
 
 void Editor::State::askBefore(const std::string& what, const std::function<void()>& next) {
@@ -137,7 +136,7 @@ void Editor::State::askBefore(const std::string& what, const std::function<void(
         return;
     }
     asked = {{what + " and lose what was done?",
-              "What was done to " + scene.meanwhile()->document().name +
+              "What was done to " + scene.meanwhile().document().name +
                   " since it was opened or saved is in no file yet. A saved session can be gone on "
                   "from.",
               {"Save...", "Don't save", "Cancel"}},

@@ -20,7 +20,7 @@ constexpr std::array<float, 3> kBrightEmptyColor{0.86F, 0.87F, 0.89F};
 
 }  // namespace
 
-void EditorPicture::drawScene(EditorScene& scene, const Shot& shot, bool transparent) {
+void EditorPicture::drawScene(const BusyScene& scene, const Shot& shot, bool transparent) {
     render::SceneView view = shot.display.viewOf(scene);
     view.covered = shot.covered;
     view.transparent = transparent;
@@ -51,10 +51,10 @@ void EditorPicture::keep(const EditorView& view) {
     }
 }
 
-void EditorPicture::draw(EditorScene* scene, const EditorView& view,
+void EditorPicture::draw(const BusyScene& scene, const EditorView& view,
                          std::vector<render::PixelRect> covered, bool changed) {
     fit(view);
-    if (scene == nullptr) {
+    if (!scene) {
         target_.bind();
         const auto& color = view.bright ? kBrightEmptyColor : kEmptyColor;
         glClearColor(color[0], color[1], color[2], 1);
@@ -65,7 +65,7 @@ void EditorPicture::draw(EditorScene* scene, const EditorView& view,
         changed || drawn_ != shot) {
         const Stopwatch watch;
         sceneTimer_.begin();
-        drawScene(*scene, shot, false);
+        drawScene(scene, shot, false);
         sceneTimer_.end();
         drawSeconds_ = watch.seconds();
         sinceDrawn_.restart();
@@ -127,7 +127,7 @@ render::Image EditorPicture::readFree(const EditorView& view) const {
 
 render::Image EditorPicture::readScene(EditorScene& scene, const EditorView& view) {
     drawn_.reset();
-    drawScene(scene, {view.frame(), view.display, {}, false}, true);
+    drawScene({&scene, false}, {view.frame(), view.display, {}, false}, true);
     render::Image image = renderer_.readPicture();
     render::divideByAlpha(image);
     return image;

@@ -23,8 +23,8 @@ class EditorPicture {
     /// Draws the scene where it has `changed`, or is seen otherwise than in the last picture. What
     /// lies in `covered` need not be drawn. `scene` is null while nothing is open. Throws
     /// gpu::ShaderError.
-    void draw(EditorScene* scene, const EditorView& view, std::vector<render::PixelRect> covered,
-              bool changed);
+    void draw(const BusyScene& scene, const EditorView& view,
+              std::vector<render::PixelRect> covered, bool changed);
     /// Draws something else than the scene, as the others where it has `changed` or is seen
     /// otherwise.
     void drawModel(const render::SceneView& model, const EditorView& view, bool changed);
@@ -62,7 +62,7 @@ class EditorPicture {
         bool operator==(const Shot&) const = default;
     };
     void fit(const EditorView& view);
-    void drawScene(EditorScene& scene, const Shot& shot, bool transparent);
+    void drawScene(const BusyScene& scene, const Shot& shot, bool transparent);
 
     render::Renderer renderer_;
     gpu::Timer sceneTimer_;

@@ -131,18 +131,6 @@ struct Editor::State {
     /// Scene and panels.
     void draw();
     void drawScene();
-    /// Has the pieces added up where their list has all columns.
-    void followPieceSums();
-    /// Has the quality of the cuts measured where its section is open.
-    void followCuts();
-    /// Lets the measures go on with the body.
-    void followMeasures();
-    /// Has the thickness of the body worked out where the colours show it.
-    void followThickness();
-    /// Does what the gizmo in hand asks for.
-    void followGizmo();
-    /// Lets view and picture follow a model that was placed otherwise.
-    void followPlacement();
     void saveScreenshot();
     /// Writes the settings where they have changed, once a drag is over and not at each of its
     /// moves.
@@ -160,8 +148,12 @@ struct Editor::State {
     void onButton(const ui::ButtonChange& change);
     void onKey(ui::Key key, const ui::Modifiers& modifiers);
     bool pointsAtView() const;
+    /// The scene once what it does is done.
+    BusyScene restingScene() { return {scene.get(), false}; }
+    /// That for a tool that is to let go: it waits where it holds the body.
+    BusyScene sceneOfTool() { return view.tools.holdsBody() ? restingScene() : scene.meanwhile(); }
     /// The scene for the tool in hand: one that leads the blade doesn't wait for it.
-    EditorScene* sceneInHand(bool presses = false);
+    BusyScene sceneInHand(bool presses = false);
 
     // Answers to keys and panels: editor_actions.cpp.
     /// Does what was asked for, at once or once the scene is done with what it does.

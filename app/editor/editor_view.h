@@ -3,20 +3,15 @@
 #include <string>
 
 #include "app/editor/body_display.h"
-#include "app/tools/blade_tool.h"
 #include "app/tools/editor_camera.h"
-#include "app/tools/measure_list.h"
-#include "app/tools/move_tool.h"
-#include "app/tools/pull_tool.h"
-#include "app/tools/retract_tool.h"
 #include "app/tools/section_tool.h"
-#include "ui/cursor.h"
+#include "app/tools/tool_box.h"
 #include "ui/layout.h"
 
 namespace kerf::app {
 
 /// The view of the body: from where it is seen, how it is shown, and what the pointer does there.
-/// Where a function takes a scene, null means that none is open.
+/// Where a function takes a BusyScene, null means that none is open.
 struct EditorView {
     int width = 0;  ///< of the picture [px]
     int height = 0;
@@ -26,12 +21,8 @@ struct EditorView {
     Vec2 pointer = Vec2::Zero();  ///< [px]
     EditorCamera camera;
     BodyDisplay display;
-    BladeTool bladeTool;
-    PullTool pullTool;
-    RetractTool retractTool;
-    MoveTool moveTool;
+    ToolBox tools;
     SectionTool sectionTool;
-    MeasureList measures;
 
     /// The camera looks at the middle of what the panels leave free.
     ViewFrame frame() const;
@@ -48,39 +39,32 @@ struct EditorView {
     bool follow(const EditorScene& scene);
 
     // The pointer.
-    void move(const ui::PointerMove& move, EditorScene* scene);
+    void move(const ui::PointerMove& move, const BusyScene& scene);
     /// Takes hold of the view, the blade or the body. Returns "" or one sentence.
-    std::string press(const ui::ButtonChange& change, EditorScene* scene);
+    std::string press(const ui::ButtonChange& change, const BusyScene& scene);
     /// Lets go of what that button holds. Returns "" or one sentence.
-    std::string release(ui::Button button, EditorScene* scene);
-    void zoom(double notches, EditorScene* scene);
+    std::string release(ui::Button button, const BusyScene& scene);
+    void zoom(double notches, const BusyScene& scene);
 
     // The tools of its left button.
+    /// What they go by while the pointer is where it is.
+    ToolContext context(const BusyScene& scene, const ui::Modifiers& modifiers = {});
     /// Whether a stroke or a pull is under way, or a handle is held.
-    bool holds() const { return bladeTool.holds() || holdsBody() || sectionTool.holds(); }
-    /// Whether one holds what takes part in the simulation.
-    bool holdsBody() const { return pullTool.holds() || retractTool.holds() || moveTool.holds(); }
+    bool holds() const { return tools.inHand().holds() || sectionTool.holds(); }
     /// Whether the right button, which goes up, was no drag but a click for the tool.
     bool rightClicks() const;
     /// Takes another tool, which lets go, or another depth.
-    void setTools(const ui::ToolSettings& settings, EditorScene& scene);
-    /// Esc while one measures: forgets the points so far, or else takes the stroke again. False
-    /// where nobody measures.
-    bool endsMeasuring();
-    /// Gives up the stroke and lets go of everything.
-    void cancelTools(EditorScene& scene);
+    void setTools(const ui::ToolSettings& settings, const BusyScene& scene);
+    /// Gives up the stroke and lets go of everything; `takesBack` what that did to the body too.
+    void cancelTools(const BusyScene& scene, bool takesBack = false);
     /// The shape of the pointer over the view, where the tools show `overlay`.
     ui::Cursor cursor(const ui::Overlay& overlay) const;
     /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
-    /// Without `looks`, as in the midst of a step, no more than where the blade goes.
-    ui::Overlay overlay(bool inView, bool looks, EditorScene& scene) const;
+    /// In the midst of a step no more than where the blade goes.
+    ui::Overlay overlay(bool inView, const BusyScene& scene);
 
   private:
-    bool pressSection(const EditorScene& scene);
-    void pressMeasure(EditorScene& scene);
-
-    void removeRetractorAt(const Vec2& pixel, EditorScene& scene) const;
-
+    bool pressSection(const BusyScene& scene);
     Vec2 rightPress_ = Vec2::Zero();  ///< where the right button went down [px]
     int placement_ = 0;               ///< EditorScene::placementRevision() that is shown
     Bounds restBounds_;               ///< of the body then [m]

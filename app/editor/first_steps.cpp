@@ -3,14 +3,13 @@
 #include "app/scene/editor_stroke.h"
 #include "app/scene/scene_timeline.h"
 #include "sim/base/text.h"
-#include "sim/run/simulation.h"
 #include "ui/action_table.h"
 
 namespace kerf::app {
 
 using ui::ActionId;
+using ui::actionOf;
 using ui::Hint;
-using ui::Tool;
 
 void CutWatch::follow(bool cutting, int pieces, int triangles) {
     const MeshCounts now{pieces, triangles};
@@ -85,7 +84,7 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
         return {counted(now.pieces, "piece", "pieces") + " now. What next?",
                 {{ActionId::letFall, "Let them fall"},
                  {ActionId::showApart, "Show them apart"},
-                 {ActionId::toolGrab, "Pull at one"}}};
+                 {actionOf(ui::Tool::grab), "Pull at one"}}};
     }
     if (now.parted() && !wentOn_ && now.tool == cutTool_) {
         return {"Drag to cut again, or:",
@@ -93,7 +92,7 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
                  {ActionId::reset, "Back to the start"},
                  {ActionId::help, "All keys"}}};
     }
-    const bool unsure = !parted_ && now.tool == Tool::stroke;
+    const bool unsure = !parted_ && now.tool == ui::kFirstTool;
     if (unsure && now.outcome == StrokeOutcome::missed) {
         return {
             "The blade met nothing. Drag right across the model, from one side of it to the "
@@ -106,56 +105,28 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
             "it, and it falls in two.",
             {{ActionId::undo, "Undo"}}};
     }
-    if (now.outcome == StrokeOutcome::incised && !hasUsed(Tool::grab) && !hasUsed(Tool::retract)) {
+    if (now.outcome == StrokeOutcome::incised && !hasUsed(ui::Tool::grab) &&
+        !hasUsed(ui::Tool::retract)) {
         return {"An incision. Hold it open, or pull at a lip:",
-                {{ActionId::toolRetract, "Hold open"}, {ActionId::toolGrab, "Pull"}}};
+                {{actionOf(ui::Tool::retract), "Hold open"}, {actionOf(ui::Tool::grab), "Pull"}}};
     }
     return {};
 }
 
 Hint FirstSteps::beforeStroke(const Situation& now) const {
-    if (now.session && now.tool == Tool::stroke && !played_) {
+    if (now.session && now.tool == ui::kFirstTool && !played_) {
         return {"Press Space to play the session, or drag right across the model to cut it.",
                 {{ActionId::playPause, "Play"}}};
     }
     if (hasUsed(now.tool)) {
         return {};
     }
-    switch (now.tool) {
-        case Tool::stroke:
-            return {
-                "Drag with the left button right across the model to cut it, from one side to "
-                "the other.",
-                {}};
-        case Tool::scalpel:
-            return {
-                "Drag over the model: the scalpel cuts along its surface, as deep as its ring is "
-                "wide.",
-                {}};
-        case Tool::guillotine:
-            return {"Drag the four handles to pose the blade, then:",
-                    {{ActionId::bringDown, "Bring it down"}}};
-        case Tool::grab:
-            return {"Drag the model to pull at it: time runs while you hold it.", {}};
-        case Tool::pin:
-            return {
-                "Drag over the model and what is under the brush stays in place. Shift+drag "
-                "pins a box, Ctrl+drag frees.",
-                {}};
-        case Tool::retract:
-            return {
-                "Press beside a cut and drag: two hooks draw its lips apart and stay. A right "
-                "click on a hook removes them.",
-                {}};
-        case Tool::move:
-            return {
-                "Drag an arrow, a ring or a square. A click on a box, on what is pinned or on the "
-                "uncut model puts them there.",
-                {}};
-        case Tool::measure:
-            return {"Click on the body. Esc ends it.", {}};
+    const ui::ToolRow& tool = ui::rowOf(now.tool);
+    Hint hint{std::string(tool.hint), {}};
+    if (!tool.trigger.empty()) {
+        hint.choices = {{ActionId::bringDown, std::string(tool.trigger)}};
     }
-    return {};
+    return hint;
 }
 
 void NewcomerGuide::begin(const EditorScene& scene) {
@@ -165,7 +136,7 @@ void NewcomerGuide::begin(const EditorScene& scene) {
 
 Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
     Situation now;
-    now.tool = view.bladeTool.settings().tool;
+    now.tool = view.tools.settings().tool;
     if (scene == nullptr) {
         return now;
     }
@@ -175,7 +146,7 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.past = scene->timeline().inThePast();
     now.session = scene->timeline().playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
-    now.touching = view.holdsBody();
+    now.touching = view.tools.holdsBody();
     now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
     now.outcome = cutWatch_.outcome();

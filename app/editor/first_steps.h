@@ -48,7 +48,7 @@ struct Situation {
     bool past = false;        ///< the person went back in time
     bool cutting = false;     ///< a stroke is drawn or still to be cut
     bool touching = false;    ///< a tool pulls or pins
-    ui::Tool tool = ui::Tool::stroke;
+    ui::Tool tool = ui::kFirstTool;
     int pieces = 1;
     int piecesAtFirst = 1;  ///< as it was opened: a file may hold several shells
     StrokeOutcome outcome = StrokeOutcome::none;
@@ -72,12 +72,12 @@ class FirstSteps {
     ui::Hint beforeStroke(const Situation& now) const;
 
     std::array<bool, ui::kTools> used_{};
-    ui::Tool cutTool_ = ui::Tool::stroke;  ///< of the last stroke
-    bool played_ = false;                  ///< a session
-    bool parted_ = false;                  ///< something was cut right through
-    bool weighed_ = false;                 ///< time ran with gravity
-    bool fell_ = false;                    ///< and did so with pieces
-    bool wentOn_ = false;                  ///< a stroke was drawn after that
+    ui::Tool cutTool_ = ui::kFirstTool;  ///< of the last stroke
+    bool played_ = false;                ///< a session
+    bool parted_ = false;                ///< something was cut right through
+    bool weighed_ = false;               ///< time ran with gravity
+    bool fell_ = false;                  ///< and did so with pieces
+    bool wentOn_ = false;                ///< a stroke was drawn after that
 };
 
 /// Watches what a newcomer does, and says what to do first or next.

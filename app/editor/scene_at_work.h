@@ -4,8 +4,9 @@
 #include <functional>
 #include <memory>
 
+#include "app/editor/busy_scene.h"
 #include "app/editor/work_in_portions.h"
-#include "app/scene/editor_scene.h"
+#include "gpu/bindings.h"
 
 namespace kerf::app {
 
@@ -31,10 +32,10 @@ class SceneAtWork {
         return scene.scene_ == nullptr;
     }
 
-    /// The scene in the midst of what it does. A stroke goes on, time may be stopped, and what no
-    /// step changes may be read; a picture may be drawn where Simulation::isWhole().
-    EditorScene* meanwhile() { return scene_.get(); }
-    const EditorScene* meanwhile() const { return scene_.get(); }
+    /// The scene, perhaps in the midst of what it does: as much of it as may be used then.
+    BusyScene meanwhile() const { return {scene_.get(), underWay() && !work_.isWorking()}; }
+    /// The scene where nothing is under way; null otherwise, and while none is open.
+    EditorScene* atRest() const { return meanwhile().atRest(); }
 
     /// Begins something, to be done by goOn(); nothing must be under way.
     void begin(SceneWork kind, std::function<void(EditorScene&)> work);
@@ -48,7 +49,7 @@ class SceneAtWork {
   private:
     std::unique_ptr<EditorScene> scene_;
     SceneWork kind_ = SceneWork::steps;
-    WorkInPortions work_;  // gone before the scene
+    WorkInPortions work_{gpu::clearBindings};  // gone before the scene
 };
 
 }  // namespace kerf::app

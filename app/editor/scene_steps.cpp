@@ -47,8 +47,8 @@ void SceneSteps::add(std::string name, std::unique_ptr<EditorScene> before, int 
     }
 }
 
-void SceneSteps::follow(const EditorScene& now) {
-    if (!after_.empty() && after_.back().additions != historyOf(now).additions()) {
+void SceneSteps::follow(const UndoHistory& now) {
+    if (!after_.empty() && after_.back().additions != now.additions()) {
         after_.clear();
     }
 }

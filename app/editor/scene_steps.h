@@ -31,8 +31,9 @@ class SceneSteps {
     void clear();
     /// `before` was exchanged for a new scene. What was undone is lost.
     void add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds);
-    /// Forgets what can't be brought back any more since `now`, the open scene, was changed.
-    void follow(const EditorScene& now);
+    /// Forgets what can't be brought back any more since the open scene, whose history is `now`,
+    /// was changed.
+    void follow(const UndoHistory& now);
 
     /// Whether an undo takes an exchange back: nothing else of `now` is left to undo.
     bool undoes(const EditorScene& now) const;

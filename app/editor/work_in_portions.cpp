@@ -45,7 +45,7 @@ void WorkInPortions::resume() {
     sinceResumed_.restart();
     working_ = true;
     {
-        const Pauses pauses([this] { rest(); });
+        const Pauses pauses([this] { rest(); }, check_);
         work_ = std::move(work_).resume();
     }
     working_ = false;

@@ -3,6 +3,8 @@
 #include <boost/context/fiber.hpp>
 #include <exception>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "sim/base/stopwatch.h"
 
@@ -13,7 +15,8 @@ namespace kerf::app {
 /// the work writes, but must change nothing of it.
 class WorkInPortions {
   public:
-    WorkInPortions() = default;
+    /// `check`: of Pauses.
+    explicit WorkInPortions(std::function<std::string()> check = {}) : check_(std::move(check)) {}
     ~WorkInPortions() { giveUp(); }
     WorkInPortions(const WorkInPortions&) = delete;
     WorkInPortions& operator=(const WorkInPortions&) = delete;
@@ -45,6 +48,7 @@ class WorkInPortions {
     double portion_ = 0;  ///< [s]
     Stopwatch sinceResumed_, sinceBegun_;
     std::exception_ptr failure_;
+    std::function<std::string()> check_;
 };
 
 }  // namespace kerf::app

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/files/io/file_io.h"
-#include "app/scene/editor_document.h"
 #include "app/scene/scene_recorder.h"
 
 namespace kerf::app {
@@ -95,8 +94,8 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
         addHashes(hashed, *hashes);
         return journalStart(name, hashed);
     });
-    write(scene.recorder().takeChange(true), isUnsaved(scene));
-    if (isUnsaved(scene)) {
+    write(scene.recorder().takeChange(true), isUnsaved(scene.recorder().deeds()));
+    if (isUnsaved(scene.recorder().deeds())) {
         untilPicture_ = kUntilPicture;
     }
 }
@@ -104,7 +103,7 @@ void WorkKeeping::start(EditorScene& scene, Session session) {
 /// That time goes by is noted now and then; what is done, at once.
 void WorkKeeping::note(EditorScene& scene) {
     SessionChange change = scene.recorder().takeChange(false);
-    const bool unsaved = isUnsaved(scene);
+    const bool unsaved = isUnsaved(scene.recorder().deeds());
     const bool isDone = change.dropped > 0 || !change.added.empty();
     const bool goesBy =
         change.steps != steps_ && (!scene.running() || sinceLine_.seconds() > kBetweenSteps);

@@ -9,7 +9,6 @@
 #include "app/journal/journal_folder.h"
 #include "app/journal/journal_writer.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_recorder.h"
 #include "render/scene/image.h"
 #include "sim/base/stopwatch.h"
 
@@ -46,9 +45,7 @@ class WorkKeeping {
     void noteSaved(int deeds) { savedDeeds_ = deeds; }
     int savedDeeds() const { return savedDeeds_; }
     /// Whether a person has done something that no file has.
-    bool isUnsaved(const EditorScene& scene) const {
-        return scene.recorder().deeds() != savedDeeds_;
-    }
+    bool isUnsaved(int deeds) const { return deeds != savedDeeds_; }
     /// Whether nothing is on its way to the disk, and follow() has nothing to do of itself.
     bool settled() const;
 

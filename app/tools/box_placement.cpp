@@ -6,6 +6,12 @@
 #include <functional>
 
 namespace kerf::app {
+namespace {
+
+constexpr double kBoxMargin = 0.01;     // beyond the body, of its diagonal
+constexpr double kFarthestCorner = 20;  // of a box to be pinned, of the distance to the body
+
+}  // namespace
 
 StaticBox boxBeside(const Bounds& body, std::optional<double> floor, const Vec3& direction) {
     const double side = std::clamp(body.diagonal() / 3, kLeastBoxSize, kLargestBoxSize);
@@ -43,6 +49,28 @@ bool isInView(const StaticBox& box, const ViewFrame& view, const ui::Rect& free)
         }
     }
     return true;
+}
+
+Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const Bounds& body) {
+    int axis = 0;
+    view.camera.forward().cwiseAbs().maxCoeff(&axis);
+    const auto onPlane = [&](const Vec2& pixel) {
+        const render::Ray ray = view.rayThrough(pixel);
+        double way = (body.center()[axis] - ray.origin[axis]) / ray.direction[axis];
+        // A pointer far outside of the window may look past the plane.
+        const double most = kFarthestCorner * (body.center() - ray.origin).norm();
+        if (!view.camera.orthographic && !(way >= 0)) {
+            way = most;
+        }
+        return Vec3(ray.origin + std::clamp(way, -most, most) * ray.direction);
+    };
+    Bounds box;
+    box.add(onPlane(from));
+    box.add(onPlane(to));
+    const double margin = kBoxMargin * body.diagonal();
+    box.low[axis] = body.low[axis] - margin;
+    box.high[axis] = body.high[axis] + margin;
+    return box;
 }
 
 }  // namespace kerf::app

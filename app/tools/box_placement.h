@@ -21,4 +21,8 @@ StaticBox boxInView(const Bounds& body, std::optional<double> floor, const ViewF
 /// Whether all of a box is seen there [px].
 bool isInView(const StaticBox& box, const ViewFrame& view, const ui::Rect& free);
 
+/// The box between two points of the view: across the axis nearest to the line of sight it lies in
+/// the plane through the middle of `body`, along that it reaches through all of `body`.
+Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const Bounds& body);
+
 }  // namespace kerf::app

@@ -7,6 +7,7 @@
 
 #include "app/scene/cut_preview.h"
 #include "app/scene/rest_of_body.h"
+#include "app/tools/tool_marks.h"
 #include "sim/base/turn.h"
 #include "sim/mesh/ray_box.h"
 #include "sim/run/simulation.h"
@@ -101,9 +102,9 @@ Vec3 MoveTool::middleOfPins(EditorScene& scene) const {
     return pins_.at;
 }
 
-std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, const Vec2& pixel,
-                                                     EditorScene& scene) {
-    const render::Ray ray = view.rayThrough(pixel);
+std::optional<MoveTool::Subject> MoveTool::subjectAt(const ToolContext& c) {
+    EditorScene& scene = *c.scene;
+    const render::Ray ray = c.view.rayThrough(c.pixel);
     std::optional<Subject> found;
     double nearest = std::numeric_limits<double>::max();
     if (const auto point = scene.pick(ray)) {
@@ -123,9 +124,10 @@ std::optional<MoveTool::Subject> MoveTool::subjectAt(const ViewFrame& view, cons
 
 // --- A drag ------------------------------------------------------------------------------------
 
-std::string MoveTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+std::string MoveTool::press(const ToolContext& c) {
+    EditorScene& scene = *c.scene;
     const std::optional<GizmoFrame> frame = frameOf(scene);
-    if (frame && gizmo_.press(view, pixel, *frame)) {
+    if (frame && gizmo_.press(c.view, c.pixel, *frame)) {
         const Subject subject = subjectOf(scene);
         start_ = Start{.subject = subject,
                        .frame = *frame,
@@ -138,7 +140,7 @@ std::string MoveTool::press(const ViewFrame& view, const Vec2& pixel, EditorScen
         }
         return "";
     }
-    if (const std::optional<Subject> subject = subjectAt(view, pixel, scene)) {
+    if (const std::optional<Subject> subject = subjectAt(c)) {
         subject_ = subject;
         if (subject->kind == Kind::model && !isUncut(scene)) {
             return "The model is cut: to place it begins with the uncut one. The panel Model does "
@@ -148,20 +150,21 @@ std::string MoveTool::press(const ViewFrame& view, const Vec2& pixel, EditorScen
     return "";
 }
 
-void MoveTool::move(const ViewFrame& view, const Vec2& pixel, bool snaps) {
+void MoveTool::move(const ToolContext& c) {
     if (gizmo_.holds()) {
-        wanted_ = gizmo_.moved(view, pixel, snaps);
+        wanted_ = gizmo_.moved(c.view, c.pixel, c.modifiers.control);
     }
 }
 
-void MoveTool::release() {
+std::string MoveTool::release(const ToolContext& /*c*/) {
     gizmo_.release();
     if (!wanted_) {
         start_.reset();
     }
+    return "";
 }
 
-void MoveTool::drop() {
+void MoveTool::cancel(const ToolContext& /*c*/) {
     gizmo_.release();
     start_.reset();
     wanted_.reset();
@@ -191,12 +194,12 @@ void MoveTool::noteOutcome(bool done, const EditorScene& scene) {
     }
 }
 
-void MoveTool::undoDrag(EditorScene& scene) {
-    const bool did =
-        start_ && start_->continues && start_->changes == scene.simulation().history().done();
-    drop();
+void MoveTool::takeBack(const ToolContext& c) {
+    const bool did = gizmo_.holds() && start_ && start_->continues &&
+                     start_->changes == c.scene->simulation().history().done();
+    cancel(c);
     if (did) {
-        scene.execute(Undo{});
+        c.scene->execute(Undo{});
     }
 }
 
@@ -231,20 +234,28 @@ Command MoveTool::placed(const GizmoChange& change) const {
 
 // --- The picture -------------------------------------------------------------------------------
 
-bool MoveTool::isOver(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const {
-    const std::optional<GizmoFrame> frame = frameOf(scene);
-    if (frame && Gizmo::isAt(view, pixel, *frame)) {
+bool MoveTool::isOver(const ToolContext& c, const std::optional<GizmoFrame>& frame) const {
+    if (frame && Gizmo::isAt(c.view, c.pixel, *frame)) {
         return true;
     }
-    const std::optional<Subject> subject = subjectAt(view, pixel, scene);
-    return subject && *subject != subjectOf(scene);
+    const std::optional<Subject> subject = subjectAt(c);
+    return subject && *subject != subjectOf(*c.scene);
 }
 
-void MoveTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-                     EditorScene& scene) const {
-    if (const std::optional<GizmoFrame> frame = frameOf(scene)) {
-        gizmo_.addTo(overlay, view, pixel, *frame);
+void MoveTool::addTo(ui::Overlay& overlay, const ToolContext& c) const {
+    const std::optional<GizmoFrame> frame = frameOf(*c.scene);
+    if (frame) {
+        gizmo_.addTo(overlay, c.view, c.pixel, *frame);
     }
+    overlay.chooses = isOver(c, frame);
+}
+
+ui::Cursor MoveTool::cursor(const ui::Overlay& overlay) const {
+    return isOnHandle(overlay) || overlay.chooses ? ui::Cursor::hand : ui::Cursor::arrow;
+}
+
+std::unique_ptr<Tool> makeMoveTool() {
+    return std::make_unique<MoveTool>();
 }
 
 }  // namespace kerf::app

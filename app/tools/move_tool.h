@@ -6,24 +6,27 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/tools/gizmo.h"
+#include "app/tools/tool_table.h"
 
 namespace kerf::app {
 
-/// Moves, turns and sizes by a gizmo what stands in the scene (Tool::move): a box, what is pinned,
-/// or the uncut model. A click chooses which.
-class MoveTool {
+/// Moves, turns and sizes by a gizmo what stands in the scene (ui::Tool::move): a box, what is
+/// pinned, or the uncut model. A click chooses which. It changes nothing itself: what a drag asks
+/// for is taken from it between two steps.
+class MoveTool : public Tool {
   public:
-    /// Takes a part of the gizmo, or chooses what lies at a pixel. Returns "" or one sentence.
-    std::string press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    /// `snaps`: in whole steps.
-    void move(const ViewFrame& view, const Vec2& pixel, bool snaps);
+    static constexpr ui::Tool kTool = ui::Tool::move;
+
+    /// Takes a part of the gizmo, or chooses what lies under the pointer.
+    std::string press(const ToolContext& c) override;
+    /// With Ctrl in whole steps.
+    void move(const ToolContext& c) override;
     /// The drag is over; what it asks for is still to be taken.
-    void release();
+    std::string release(const ToolContext& c) override;
     /// Ends the drag; what it still asks for is forgotten.
-    void drop();
-    bool holds() const { return gizmo_.holds(); }
-    /// Forgets what was chosen: another document was opened.
-    void forget() { *this = MoveTool{}; }
+    void cancel(const ToolContext& c) override;
+    void takeBack(const ToolContext& c) override;
+    bool holds() const override { return gizmo_.holds(); }
     /// Chooses a box by its number.
     void chooseBox(int box) { subject_ = {Kind::box, box}; }
 
@@ -31,15 +34,9 @@ class MoveTool {
     std::optional<Command> takeCommand(const EditorScene& scene);
     /// Notes that it was done, or could not be.
     void noteOutcome(bool done, const EditorScene& scene);
-    /// Ends the drag and takes back what it did.
-    void undoDrag(EditorScene& scene);
-
-    /// Whether the gizmo, or something that a click would choose, is at a pixel.
-    bool isOver(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) const;
-    void addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-               EditorScene& scene) const;
-    /// Where the gizmo is; none where there is nothing to handle.
-    std::optional<GizmoFrame> frameOf(EditorScene& scene) const;
+    /// Adds the gizmo; whether a press would choose something else is told too.
+    void addTo(ui::Overlay& overlay, const ToolContext& c) const override;
+    ui::Cursor cursor(const ui::Overlay& overlay) const override;
 
   private:
     enum class Kind { model, pins, box };
@@ -59,8 +56,10 @@ class MoveTool {
         GizmoChange sent;
     };
     Subject subjectOf(const EditorScene& scene) const;
-    static std::optional<Subject> subjectAt(const ViewFrame& view, const Vec2& pixel,
-                                            EditorScene& scene);
+    static std::optional<Subject> subjectAt(const ToolContext& c);
+    /// Where the gizmo is; none where there is nothing to handle.
+    std::optional<GizmoFrame> frameOf(EditorScene& scene) const;
+    bool isOver(const ToolContext& c, const std::optional<GizmoFrame>& frame) const;
     Command commandOf(const GizmoChange& change) const;
     Command placed(const GizmoChange& change) const;
 

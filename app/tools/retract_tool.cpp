@@ -1,11 +1,13 @@
 #include "app/tools/retract_tool.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/scene/cut_preview.h"
+#include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/rest_of_body.h"
-#include "app/tools/tool_limits.h"
+#include "app/tools/tool_marks.h"
 #include "sim/base/quantity_text.h"
 #include "sim/run/simulation.h"
 
@@ -22,24 +24,24 @@ std::optional<Incision> incisionAt(const Vec3& point, EditorScene& scene) {
 
 }  // namespace
 
-std::string RetractTool::press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    if (const std::optional<int> hook = hookAt(view, pixel, scene)) {
-        takeAgain(*hook, scene);
+std::string RetractTool::press(const ToolContext& c) {
+    if (const std::optional<int> hook = hookAt(c)) {
+        takeAgain(*hook, *c.scene);
         return "";
     }
-    return hookLips(view, pixel, scene);
+    return hookLips(c);
 }
 
-std::string RetractTool::hookLips(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
-    const auto point = scene.pick(view.rayThrough(pixel));
+std::string RetractTool::hookLips(const ToolContext& c) {
+    const auto point = c.scene->pick(c.view.rayThrough(c.pixel));
     if (!point) {
         return "";
     }
-    const std::optional<Incision> incision = incisionAt(point->position, scene);
+    const std::optional<Incision> incision = incisionAt(point->position, *c.scene);
     if (!incision) {
         return "No cut is near that place. Press on the skin beside a cut.";
     }
-    const std::variant<int, std::string> hooked = scene.hands().hook(*incision);
+    const std::variant<int, std::string> hooked = c.scene->hands().hook(*incision);
     if (const auto* problem = std::get_if<std::string>(&hooked)) {
         return *problem;
     }
@@ -68,15 +70,15 @@ void RetractTool::takeAgain(int hook, const EditorScene& scene) {
 }
 
 /// A new retractor opens wherever the pointer goes; a hook that is taken again follows it.
-void RetractTool::move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene) {
+void RetractTool::move(const ToolContext& c) {
     if (!drag_) {
         return;
     }
-    const Vec3 way = view.onPlaneThrough(drag_->at, pixel) - drag_->at;
+    const Vec3 way = c.view.onPlaneThrough(drag_->at, c.pixel) - drag_->at;
     const double wanted = drag_->isNew ? way.norm() : -2 * way.dot(drag_->across);
-    const double widest = kWidest * scene.rest().bounds().diagonal();
+    const double widest = kWidest * c.scene->rest().bounds().diagonal();
     drag_->by = std::clamp(wanted, -drag_->before, std::max(0.0, widest - drag_->before));
-    moveHooks(scene);
+    moveHooks(*c.scene);
 }
 
 void RetractTool::moveHooks(EditorScene& scene) const {
@@ -86,51 +88,58 @@ void RetractTool::moveHooks(EditorScene& scene) const {
     scene.hands().settle();
 }
 
-void RetractTool::release(EditorScene& scene) {
+std::string RetractTool::release(const ToolContext& c) {
     if (drag_) {
         drag_.reset();
-        scene.hands().letGo();
+        c.scene->hands().letGo();
     }
+    return "";
 }
 
-void RetractTool::cancel(EditorScene& scene) {
+void RetractTool::cancel(const ToolContext& c) {
     if (!drag_) {
         return;
     }
     if (drag_->isNew) {
-        scene.hands().removeRetractor(drag_->hooks[0]);
+        c.scene->hands().removeRetractor(drag_->hooks[0]);
     } else {
         drag_->by = 0;
-        moveHooks(scene);
+        moveHooks(*c.scene);
     }
-    release(scene);
+    release(c);
 }
 
-std::optional<int> RetractTool::hookAt(const ViewFrame& view, const Vec2& pixel,
-                                       const EditorScene& scene) {
-    std::optional<int> nearest;
-    double least = kHandleReach;
-    for (const Hands::Hand& hook : scene.hands().hooks()) {
-        const auto at = view.toPixel(hook.to);
-        const double away = at ? (Vec2(at->x, at->y) - pixel).norm() : least;
-        if (away < least) {
-            least = away;
-            nearest = hook.number;
-        }
+void RetractTool::rightClick(const ToolContext& c) {
+    if (const std::optional<int> hook = hookAt(c)) {
+        c.scene->hands().removeRetractor(*hook);
     }
-    return nearest;
 }
 
-void RetractTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-                        EditorScene& scene) const {
-    const std::optional<int> hot = drag_ ? drag_->hooks[0] : hookAt(view, pixel, scene);
-    const std::vector<Hands::Hand> hooks = scene.hands().hooks();
+void RetractTool::removeOne(const ToolContext& c) {
+    release(c);
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
+    if (!hooks.empty()) {
+        c.scene->hands().removeRetractor(hookAt(c).value_or(hooks.back().number));
+    }
+}
+
+std::optional<int> RetractTool::hookAt(const ToolContext& c) {
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
+    std::vector<Vec3> points;
+    std::ranges::transform(hooks, std::back_inserter(points), &Hands::Hand::to);
+    const std::optional<int> at = handleAt(c.view, c.pixel, points);
+    return at ? std::optional(hooks[*at].number) : std::nullopt;
+}
+
+void RetractTool::addTo(ui::Overlay& overlay, const ToolContext& c) const {
+    const std::optional<int> hot = drag_ ? drag_->hooks[0] : hookAt(c);
+    const std::vector<Hands::Hand> hooks = c.scene->hands().hooks();
     for (const Hands::Hand& hook : hooks) {
         const auto other = std::ranges::find(hooks, partnerOf(hook.number), &Hands::Hand::number);
         if (other != hooks.end() && hook.number < other->number) {
-            view.addLine(hook.to, other->to, overlay.swept);
+            c.view.addLine(hook.to, other->to, overlay.swept);
         }
-        if (const auto at = view.toPixel(hook.to)) {
+        if (const auto at = c.view.toPixel(hook.to)) {
             const bool isHot = hot == hook.number || hot == partnerOf(hook.number);
             overlay.handles.push_back({*at, isHot});
             if (drag_ && hot == hook.number) {
@@ -139,26 +148,33 @@ void RetractTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2&
         }
     }
     if (!hot) {
-        addLips(overlay, view, pixel, scene);
+        addLips(overlay, c);
     }
 }
 
 /// Where that needs no look at a body that moves, or a large one.
-void RetractTool::addLips(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-                          EditorScene& scene) const {
-    const bool costly =
-        scene.running() || scene.simulation().report().triangles > kMostPreviewTriangles;
-    const auto point = costly ? std::nullopt : scene.pick(view.rayThrough(pixel));
+void RetractTool::addLips(ui::Overlay& overlay, const ToolContext& c) {
+    const auto point =
+        isCostlyToFollow(*c.scene) ? std::nullopt : c.scene->pick(c.view.rayThrough(c.pixel));
     if (!point) {
         return;
     }
-    if (const std::optional<Incision> incision = incisionAt(point->position, scene)) {
+    if (const std::optional<Incision> incision = incisionAt(point->position, *c.scene)) {
         for (const Vec3& lip : incision->lips) {
-            if (const auto at = view.toPixel(lip)) {
+            if (const auto at = c.view.toPixel(lip)) {
                 overlay.dots.push_back(*at);
             }
         }
     }
+}
+
+/// Dots show the lips that it would hook.
+ui::Cursor RetractTool::cursor(const ui::Overlay& overlay) const {
+    return isOnHandle(overlay) || !overlay.dots.empty() ? ui::Cursor::hand : ui::Cursor::arrow;
+}
+
+std::unique_ptr<Tool> makeRetractTool() {
+    return std::make_unique<RetractTool>();
 }
 
 }  // namespace kerf::app

@@ -4,32 +4,35 @@
 #include <optional>
 #include <string>
 
-#include "app/scene/editor_scene.h"
-#include "app/tools/view_frame.h"
-#include "ui/overlay.h"
+#include "app/tools/tool_table.h"
 
 namespace kerf::app {
 
-/// Holds cuts open (Tool::retract): a press beside a cut hooks both lips, a drag pulls them apart
-/// by the way of the pointer, and they stay so. A drag of a hook moves its retractor on.
-class RetractTool {
+/// Holds cuts open (ui::Tool::retract): a press beside a cut hooks both lips, a drag pulls them
+/// apart by the way of the pointer, and they stay so. A drag of a hook moves its retractor on.
+class RetractTool : public Tool {
   public:
-    /// Hooks the lips near a pixel of the picture, or takes a hook there. Returns "" or one
-    /// sentence.
-    std::string press(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    void move(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
-    /// Leaves the hooks where they are.
-    void release(EditorScene& scene);
-    /// Brings a retractor back to where it was, or takes away a new one.
-    void cancel(EditorScene& scene);
-    bool holds() const { return drag_.has_value(); }
+    static constexpr ui::Tool kTool = ui::Tool::retract;
 
-    /// The hook at a pixel.
-    static std::optional<int> hookAt(const ViewFrame& view, const Vec2& pixel,
-                                     const EditorScene& scene);
+    void fitTo(const Bounds& /*bounds*/, ui::ToolSettings& /*settings*/) override { *this = {}; }
+    /// Hooks the lips near the pointer, or takes a hook there.
+    std::string press(const ToolContext& c) override;
+    void move(const ToolContext& c) override;
+    /// Leaves the hooks where they are.
+    std::string release(const ToolContext& c) override;
+    void putAway(const ToolContext& c) override { release(c); }
+    /// Brings a retractor back to where it was, or takes away a new one.
+    void cancel(const ToolContext& c) override;
+    bool holds() const override { return drag_.has_value(); }
+    /// On a hook, removes its retractor.
+    bool takesRightClicks() const override { return true; }
+    void rightClick(const ToolContext& c) override;
+    /// Removes the retractor under the pointer, or else the last.
+    void removeOne(const ToolContext& c);
+
     /// Adds the hooks, and the lips that a press would hook.
-    void addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-               EditorScene& scene) const;
+    void addTo(ui::Overlay& overlay, const ToolContext& c) const override;
+    ui::Cursor cursor(const ui::Overlay& overlay) const override;
 
   private:
     /// A retractor that is being drawn apart.
@@ -43,10 +46,10 @@ class RetractTool {
         double by = 0;      ///< how much farther they shall stand [m]
     };
     void moveHooks(EditorScene& scene) const;
-    std::string hookLips(const ViewFrame& view, const Vec2& pixel, EditorScene& scene);
+    std::string hookLips(const ToolContext& c);
     void takeAgain(int hook, const EditorScene& scene);
-    void addLips(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
-                 EditorScene& scene) const;
+    static std::optional<int> hookAt(const ToolContext& c);
+    static void addLips(ui::Overlay& overlay, const ToolContext& c);
 
     std::optional<Opening> drag_;
 };

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "app/tools/gizmo_math.h"
+#include "app/tools/tool_marks.h"
 
 namespace kerf::app {
 namespace {
 
-constexpr double kReach = 14;      // of a handle [px]
 constexpr double kTipShare = 0.3;  // of the body's diagonal, from the middle handle to the tip
 constexpr double kSideShare = 0.55;
 
@@ -35,7 +35,7 @@ std::array<Vec3, SectionTool::kHandles> SectionTool::handles(const render::Secti
 
 bool SectionTool::press(const ViewFrame& view, const Vec2& pixel, const render::SectionPlane& plane,
                         const Bounds& bounds) {
-    held_ = handleAt(view, pixel, plane, bounds);
+    held_ = handleAt(view, pixel, handles(plane, bounds));
     last_ = pixel;
     return held_.has_value();
 }
@@ -72,24 +72,6 @@ double SectionTool::shiftTo(const ViewFrame& view, const Vec2& pixel,
     return (last_.y() - pixel.y()) * perPixel;
 }
 
-std::optional<SectionTool::Handle> SectionTool::handleAt(const ViewFrame& view, const Vec2& pixel,
-                                                         const render::SectionPlane& plane,
-                                                         const Bounds& bounds) const {
-    std::optional<Handle> best;
-    double nearest = kReach;
-    const auto points = handles(plane, bounds);
-    for (int i = 0; i < kHandles; ++i) {
-        if (const auto at = view.toPixel(points[i])) {
-            const double distance = (Vec2(at->x, at->y) - pixel).norm();
-            if (distance < nearest) {
-                nearest = distance;
-                best = static_cast<Handle>(i);
-            }
-        }
-    }
-    return best;
-}
-
 void SectionTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel,
                         const render::SectionPlane& plane, const Bounds& bounds) const {
     const auto points = handles(plane, bounds);
@@ -103,12 +85,7 @@ void SectionTool::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2&
         view.addLine(corners[i], corners[(i + 1) % corners.size()], overlay.swept);
     }
     view.addLine(points[middle], points[tip], overlay.guides);
-    const std::optional<Handle> hot = held_ ? held_ : handleAt(view, pixel, plane, bounds);
-    for (int i = 0; i < kHandles; ++i) {
-        if (const auto at = view.toPixel(points[i])) {
-            overlay.handles.push_back({*at, hot == static_cast<Handle>(i)});
-        }
-    }
+    addHandles(overlay, view, points, held_ ? held_ : handleAt(view, pixel, points));
 }
 
 }  // namespace kerf::app

@@ -37,12 +37,10 @@ class SectionTool {
                                               const Bounds& bounds);
 
   private:
-    std::optional<Handle> handleAt(const ViewFrame& view, const Vec2& pixel,
-                                   const render::SectionPlane& plane, const Bounds& bounds) const;
     double shiftTo(const ViewFrame& view, const Vec2& pixel, const render::SectionPlane& plane,
                    const Bounds& bounds) const;
 
-    std::optional<Handle> held_;
+    std::optional<int> held_;   ///< a Handle
     Vec2 last_ = Vec2::Zero();  ///< where the pointer was [px]
 };
 

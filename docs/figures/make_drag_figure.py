@@ -13,7 +13,7 @@ COLUMNS = [
         ("the system tells of a move", "Window::State::onMove", "app/window"),
         ("it waits for the next picture", "Editor::post", "app/editor"),
         ("the editor takes all that waits", "EditorView::move", "app/editor"),
-        ("pixels become poses of the blade", "BladeTool::move", "app/tools"),
+        ("pixels become poses of the blade", "StrokeSpace::bladeAt", "app/scene"),
         ("poses queue up, close together", "BladeStroke::moveTo", "app/scene"),
     ]),
     ("2  A step", BLUE, [

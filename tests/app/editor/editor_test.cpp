@@ -376,7 +376,7 @@ TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
     const ui::Rect box = editor->itemRects().at("blade.through");
     drag(Vec2(box.x + 8, box.y + box.height / 2), Vec2(box.x + 8, box.y + box.height / 2), 1);
     settle();
-    EXPECT_FALSE(panels().tools.throughAll);
+    EXPECT_FALSE(panels().tools.stroke.throughAll);
     drag(kTop, kBottom, 10);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
@@ -469,10 +469,10 @@ TEST_F(EditorTest, UndoInMidStrokeEndsTheStroke) {
     const double y = slider.y + slider.height / 2;
     drag(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width / 2, y), 4);
     settle();
-    EXPECT_GT(panels().tools.lowered, 0.3);
+    EXPECT_GT(panels().tools.guillotine.lowered, 0.3);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
-    EXPECT_EQ(panels().tools.lowered, 0) << "the guillotine is above the body again";
+    EXPECT_EQ(panels().tools.guillotine.lowered, 0) << "the guillotine is above the body again";
     EXPECT_EQ(panels().changes.done, 0U);
 }
 

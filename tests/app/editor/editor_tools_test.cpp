@@ -4,7 +4,7 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/scene_readout.h"
-#include "app/tools/pull_tool.h"
+#include "app/tools/box_placement.h"
 #include "app/tools/ruler.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"

@@ -346,10 +346,10 @@ TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
     drag(kTop, kBottom, 10);
     settle();
     BodyDisplay display;
-    EXPECT_EQ(display.boundsOf(*editor->scene()).diagonal(),
+    EXPECT_EQ(display.boundsOf({editor->scene(), false}).diagonal(),
               editor->scene()->simulation().bounds().diagonal());
     display.settings.apart = 1;
-    EXPECT_GT(display.boundsOf(*editor->scene()).diagonal(),
+    EXPECT_GT(display.boundsOf({editor->scene(), false}).diagonal(),
               1.15 * editor->scene()->simulation().bounds().diagonal());
 }
 

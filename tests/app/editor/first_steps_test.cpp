@@ -61,7 +61,8 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
     EXPECT_THAT(choicesOf(steps.hint(now)),
-                ::testing::ElementsAre(ActionId::letFall, ActionId::showApart, ActionId::toolGrab));
+                ::testing::ElementsAre(ActionId::letFall, ActionId::showApart,
+                                       ui::actionOf(ui::Tool::grab)));
     now.tool = ui::Tool::grab;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("pull at it")) << "a tool that is new";
@@ -106,7 +107,8 @@ TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
     now.cutting = false;
     now.outcome = StrokeOutcome::incised;
     steps.follow(now);
-    EXPECT_EQ(choicesOf(steps.hint(now)), (std::vector{ActionId::toolRetract, ActionId::toolGrab}));
+    EXPECT_EQ(choicesOf(steps.hint(now)),
+              (std::vector{ui::actionOf(ui::Tool::retract), ui::actionOf(ui::Tool::grab)}));
 }
 
 // Not that the blade began or ended inside, which the log does not say.

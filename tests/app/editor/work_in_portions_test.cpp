@@ -101,6 +101,15 @@ TEST(WorkInPortions, IsNotPausedByWhatOthersDoMeanwhile) {
     EXPECT_FALSE(work.underWay());
 }
 
+TEST(WorkInPortions, AsksItsCheckAtAPause) {
+    std::string problem;
+    WorkInPortions work([] { return "a vertex array"; });
+    work.begin([&] { problem = problemOfPause(); });
+    work.finish();
+    EXPECT_EQ(problem, "a vertex array");
+    EXPECT_EQ(problemOfPause(), "") << "nobody pauses this thread now";
+}
+
 TEST(WorkInPortions, LeavesTheTimeOfItsPausesOutOfWhatItTook) {
     double took = 0;
     WorkInPortions work;

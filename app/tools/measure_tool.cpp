@@ -1,4 +1,4 @@
-#include "app/tools/measure_list.h"
+#include "app/tools/measure_tool.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/scene/section_pick.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/piece_figures.h"
@@ -80,11 +81,11 @@ ui::PlotPoint between(const ui::PlotPoint& a, const ui::PlotPoint& b) {
 
 }  // namespace
 
-bool MeasureList::Points::complete() const {
+bool MeasureTool::Points::complete() const {
     return anchors.size() == pointsOf(kind);
 }
 
-bool MeasureList::Points::follow(const SurfaceMesh& mesh) {
+bool MeasureTool::Points::follow(const SurfaceMesh& mesh) {
     const bool stays =
         std::ranges::all_of(anchors, [&mesh](SurfaceAnchor& a) { return a.follow(mesh); });
     if (stays) {
@@ -94,28 +95,44 @@ bool MeasureList::Points::follow(const SurfaceMesh& mesh) {
     return stays;
 }
 
-void MeasureList::click(ui::MeasureKind kind, const SurfacePoint& point, EditorScene& scene) {
+std::string MeasureTool::press(const ToolContext& c) {
+    const ui::MeasureKind kind = c.settings.measure;
+    const auto point = pickVisible(*c.scene, c.view.rayThrough(c.pixel), c.section);
+    if (!point) {
+        return "";
+    }
     if (pending_.kind != kind) {
         pending_ = {kind, {}, {}};
     }
-    pending_.anchors.emplace_back(scene.simulation().meshAsRead(), point);
-    pending_.at.push_back(point.position);
-    if (!pending_.complete()) {
-        return;
+    pending_.anchors.emplace_back(c.scene->simulation().meshAsRead(), *point);
+    pending_.at.push_back(point->position);
+    if (pending_.complete()) {
+        points_.push_back(std::exchange(pending_, {kind, {}, {}}));
+        rows_.push_back({++lastId_, kind, {}, false});
+        measure(rows_.size() - 1, *c.scene);
     }
-    points_.push_back(std::exchange(pending_, {kind, {}, {}}));
-    rows_.push_back({++lastId_, kind, {}, false});
-    measure(rows_.size() - 1, scene);
+    return "";
 }
 
-bool MeasureList::dropPending() {
+bool MeasureTool::escape(ui::ToolSettings& settings) {
+    if (!dropPending()) {
+        settings.tool = ui::kFirstTool;
+    }
+    return true;
+}
+
+bool MeasureTool::dropPending() {
     const bool had = !pending_.anchors.empty();
     pending_.anchors.clear();
     pending_.at.clear();
     return had;
 }
 
-void MeasureList::remove(int id) {
+void MeasureTool::remove(int id) {
+    if (id == 0) {
+        *this = {};
+        return;
+    }
     const auto row = std::ranges::find(rows_, id, &ui::MeasureRow::id);
     if (row != rows_.end()) {
         points_.erase(points_.begin() + (row - rows_.begin()));
@@ -123,7 +140,7 @@ void MeasureList::remove(int id) {
     }
 }
 
-std::string MeasureList::follow(EditorScene& scene) {
+std::string MeasureTool::follow(EditorScene& scene) {
     Simulation& simulation = scene.simulation();
     const bool moved = revision_ != simulation.bodyRevision();
     revision_ = simulation.bodyRevision();
@@ -150,7 +167,7 @@ std::string MeasureList::follow(EditorScene& scene) {
                                " ended: what they stood on was cut away.";
 }
 
-void MeasureList::measure(std::size_t index, EditorScene& scene) {
+void MeasureTool::measure(std::size_t index, EditorScene& scene) {
     ui::MeasureRow& row = rows_[index];
     const Points& points = points_[index];
     const OwnUnit unit(scene.simulation().placement());
@@ -176,7 +193,7 @@ void MeasureList::measure(std::size_t index, EditorScene& scene) {
 
 // --- In the view -------------------------------------------------------------------------------
 
-void MeasureList::drawPoints(ui::Overlay& overlay, const ViewFrame& view,
+void MeasureTool::drawPoints(ui::Overlay& overlay, const ViewFrame& view,
                              const Points& points) const {
     for (std::size_t i = 0; i < points.at.size(); ++i) {
         if (const auto at = view.toPixel(points.at[i])) {
@@ -188,7 +205,8 @@ void MeasureList::drawPoints(ui::Overlay& overlay, const ViewFrame& view,
     }
 }
 
-void MeasureList::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel) const {
+void MeasureTool::addMeasures(ui::Overlay& overlay, const ViewFrame& view,
+                              const Vec2& pixel) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         drawPoints(overlay, view, points_[i]);
         const std::vector<Vec3>& at = points_[i].at;
@@ -205,6 +223,10 @@ void MeasureList::addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2&
             overlay.guides.push_back({*last, ui::PlotPoint{pixel.x(), pixel.y()}});
         }
     }
+}
+
+std::unique_ptr<Tool> makeMeasureTool() {
+    return std::make_unique<MeasureTool>();
 }
 
 }  // namespace kerf::app

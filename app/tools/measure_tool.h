@@ -3,25 +3,28 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/editor_scene.h"
 #include "app/tools/surface_anchor.h"
-#include "app/tools/view_frame.h"
-#include "ui/measures.h"
+#include "app/tools/tool_table.h"
 
 namespace kerf::app {
 
-/// What a person measures by clicks on the body. Points stick to its material; a measure ends with
-/// the material of one of its points.
-class MeasureList {
+/// What a person measures by clicks on the body (ui::Tool::measure). Points stick to its material;
+/// a measure ends with the material of one of its points. Measures stand while other tools are
+/// used.
+class MeasureTool : public Tool {
   public:
-    /// Takes a point of a measure of that kind, which is there once it has all of its points.
-    void click(ui::MeasureKind kind, const SurfacePoint& point, EditorScene& scene);
-    /// Forgets the points of a measure that is not there yet. False where there are none.
-    bool dropPending();
+    static constexpr ui::Tool kTool = ui::Tool::measure;
+
+    /// Takes a point of a measure, which is there once it has all of its points.
+    std::string press(const ToolContext& c) override;
+    /// Forgets the points of a measure that is not there yet.
+    void putAway(const ToolContext& /*c*/) override { dropPending(); }
+    /// The same; where there are none, the first tool is taken.
+    bool escape(ui::ToolSettings& settings) override;
     /// Whether there is anything to follow.
     bool any() const { return !rows_.empty() || !pending_.anchors.empty(); }
+    /// Takes out a measure by its number, or all of them by 0.
     void remove(int id);
-    void clear() { *this = {}; }
 
     /// Goes on with the body between two of its steps: where all points are, and while time stands
     /// what the pieces measure. Returns "" or a sentence about what ended.
@@ -29,7 +32,7 @@ class MeasureList {
 
     const std::vector<ui::MeasureRow>& rows() const { return rows_; }
     /// Adds the measures to what the view shows, and from the last point a line to the pointer.
-    void addTo(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel) const;
+    void addMeasures(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel) const;
 
   private:
     /// Points of one measure.
@@ -41,6 +44,7 @@ class MeasureList {
         bool follow(const SurfaceMesh& mesh);
         bool complete() const;
     };
+    bool dropPending();
     void measure(std::size_t index, EditorScene& scene);
     void drawPoints(ui::Overlay& overlay, const ViewFrame& view, const Points& points) const;
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/scene/cut_preview.h"
+#include "app/tools/view_frame.h"
+
+namespace kerf::app {
+
+class EditorScene;
+
+/// How near a pointer must come to take hold of a handle [px].
+inline constexpr double kHandleReach = 14;
+/// Outside of every picture [px].
+inline const Vec2 kNowhere(-1e5, -1e5);
+
+/// Whether a look at all of the body would slow the pictures down, since it is large; where it is
+/// to be asked for each picture, also since it moves.
+bool isLarge(const EditorScene& scene);
+bool isCostlyToFollow(const EditorScene& scene);
+
+/// The number of the handle at a pixel; `handles` are points in the world [m].
+std::optional<int> handleAt(const ViewFrame& view, const Vec2& pixel,
+                            std::span<const Vec3> handles);
+/// Adds handles, of which one may be hot.
+void addHandles(ui::Overlay& overlay, const ViewFrame& view, std::span<const Vec3> handles,
+                std::optional<int> hot);
+/// Whether one of the handles shown, or a part of a gizmo, is hot.
+bool isOnHandle(const ui::Overlay& overlay);
+
+/// Adds a circle about a point of the surface; the radius is in metres.
+void addRing(ui::Overlay& overlay, const ViewFrame& view, const SurfacePoint& point, double radius);
+
+}  // namespace kerf::app
