@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/files/io/memory_means.h"
 #include "gpu/context.h"
 #include "python/bindings.h"

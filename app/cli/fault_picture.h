@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/cli/picture_size.h"
+#include "app/cli/replay/picture_size.h"
 #include "app/files/import/model_faults.h"
 #include "render/scene/image.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/picture_size.h"
+#include "app/cli/replay/picture_size.h"
 
 namespace CLI {
 class App;

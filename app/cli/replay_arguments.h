@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/film.h"
-#include "app/cli/film_strip.h"
-#include "app/cli/mesh_sequence.h"
+#include "app/cli/replay/film.h"
+#include "app/cli/replay/film_strip.h"
+#include "app/cli/replay/mesh_sequence.h"
 #include "app/session/session.h"
 
 namespace CLI {

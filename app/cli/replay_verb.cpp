@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_checks.h"
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/cli/replay_arguments.h"
 #include "app/cli/replay_targets.h"
 #include "app/cli/usage_error.h"

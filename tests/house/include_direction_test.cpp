@@ -61,6 +61,7 @@ const std::vector<fs::path> kRooms = {
     "app/tools",
     "app/editor",
     "app/window",
+    "app/cli/replay",
     "app/cli",
     "app",
 };

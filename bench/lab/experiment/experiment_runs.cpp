@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/files/jobs/progress_line.h"
 #include "bench/lab/hollow_session.h"
 

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <random>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/regression/expectation.h"
 #include "app/regression/test_session.h"
 #include "app/scene/document_loading.h"

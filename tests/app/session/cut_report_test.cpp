@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "tests/paths.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/boxes.h"

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/files/io/file_io.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/settings_file.h"
 #include "app/files/io/file_io.h"

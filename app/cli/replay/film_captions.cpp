@@ -1,4 +1,4 @@
-#include "app/cli/film_captions.h"
+#include "app/cli/replay/film_captions.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,4 +1,4 @@
-#include "app/cli/run_files.h"
+#include "app/cli/replay/run_files.h"
 
 #include "app/session/session.h"
 

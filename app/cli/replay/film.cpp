@@ -1,4 +1,4 @@
-#include "app/cli/film.h"
+#include "app/cli/replay/film.h"
 
 #include <algorithm>
 #include <numbers>

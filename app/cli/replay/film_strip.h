@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/film.h"
-#include "app/cli/picture_size.h"
+#include "app/cli/replay/film.h"
+#include "app/cli/replay/picture_size.h"
 #include "app/files/io/file_io.h"
 #include "ui/picture_strip.h"
 

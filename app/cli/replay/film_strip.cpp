@@ -1,4 +1,4 @@
-#include "app/cli/film_strip.h"
+#include "app/cli/replay/film_strip.h"
 
 #include <spdlog/fmt/fmt.h>
 

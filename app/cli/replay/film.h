@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "app/cli/film_captions.h"
-#include "app/cli/picture_size.h"
+#include "app/cli/replay/film_captions.h"
+#include "app/cli/replay/picture_size.h"
 #include "app/files/film/film_encoder.h"
 #include "render/scene/camera_path.h"
 #include "sim/run/command.h"

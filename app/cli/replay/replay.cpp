@@ -1,4 +1,4 @@
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/run_files.h"
+#include "app/cli/replay/run_files.h"
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/folder_lock.h"

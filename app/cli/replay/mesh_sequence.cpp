@@ -1,4 +1,4 @@
-#include "app/cli/mesh_sequence.h"
+#include "app/cli/replay/mesh_sequence.h"
 
 #include <spdlog/fmt/fmt.h>
 

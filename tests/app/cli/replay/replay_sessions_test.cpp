@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/cli/replay.h"
+#include "app/cli/replay/replay.h"
 #include "app/session/session_runner.h"
 #include "sim/body/shape_error.h"
 #include "sim/run/simulation.h"

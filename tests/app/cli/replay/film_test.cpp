@@ -1,5 +1,5 @@
 // Films and strips of a run, read by ffprobe and ffmpeg themselves.
-#include "app/cli/film.h"
+#include "app/cli/replay/film.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/cli/film_captions.h"
+#include "app/cli/replay/film_captions.h"
 #include "render/scene/image.h"
 #include "tests/support/program_output.h"
 #include "tests/support/run_kerf.h"
