@@ -53,6 +53,7 @@ python3-matplotlib  plots in the examples for Python
 python3-jsonschema  checks sessions by their JSON Schema
 glslang-tools       is the reference compiler of shaders
 ffmpeg              makes films, and reads them again
+universal-ctags     tells scripts/house the classes and functions
 '
 zink_packages='
 mesa-vulkan-drivers  is the Vulkan driver below zink
