@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 #include "ui/display_settings.h"
 #include "ui/file_dialog_state.h"
 #include "ui/plot_math.h"

@@ -1,7 +1,7 @@
 #include "app/doctor/every_program.h"
 
 #include "render/renderer.h"
-#include "sim/run/every_kernel.h"
+#include "sim/run/start/every_kernel.h"
 
 namespace kerf::app {
 

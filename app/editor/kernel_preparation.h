@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/scene/editor_scene.h"
-#include "sim/run/kernel_warm_up.h"
+#include "sim/run/start/kernel_warm_up.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "render/scene/depth_field.h"
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

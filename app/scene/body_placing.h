@@ -5,9 +5,9 @@
 
 #include "app/files/jobs/background_job.h"
 #include "render/scene/depth_field.h"
-#include "sim/run/command.h"
-#include "sim/run/prepared_body.h"
+#include "sim/run/parts/command.h"
 #include "sim/run/simulation.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/files/jobs/background_job.h"
 #include "app/scene/editor_document.h"
 #include "render/scene/depth_field.h"
-#include "sim/run/body_upload.h"
+#include "sim/run/start/body_upload.h"
 
 namespace kerf::app {
 

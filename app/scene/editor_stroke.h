@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/scene/camera.h"
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf::app {
 

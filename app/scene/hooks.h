@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/run/hands.h"
+#include "sim/run/parts/hands.h"
 
 namespace kerf::app {
 

@@ -8,8 +8,8 @@
 
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_quality.h"
+#include "sim/run/parts/stroke_record.h"
 #include "sim/run/simulation.h"
-#include "sim/run/stroke_record.h"
 
 namespace kerf::app {
 

@@ -14,7 +14,7 @@
 #include "render/scene/camera_path.h"
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/body/body_model.h"
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 namespace {

@@ -19,12 +19,12 @@ COLUMNS = [
     ("2  A step", BLUE, [
         ("one pose, as a recorded command", "EditorScene::perform", "app/scene"),
         ("the blade is told", "Simulation::execute", "sim/run"),
-        ("what must come back is asked for", "MeshSync::prefetch", "sim/run"),
+        ("what must come back is asked for", "MeshSync::prefetch", "sim/run/parts"),
         ("the soft body moves, on the GPU", "GpuSolver::step", "sim/solve"),
         ("the cutter takes the pose", "Cutter::advance", "sim/cut/stroke"),
         ("it plans one try after the other", "cut::planStep", "sim/cut/plan"),
         ("one succeeds: the mesh changes", "cut::commit", "sim/cut/commit"),
-        ("model and GPU follow the change", "followCut", "sim/run"),
+        ("model and GPU follow the change", "followCut", "sim/run/blade"),
         ("counts and volumes are there", "Simulation::State::publish", "sim/run"),
     ]),
     ("3  The picture", GREEN, [

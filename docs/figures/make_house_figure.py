@@ -34,23 +34,27 @@ FLOORS = {
     "render/scene": (30, 384, 150, "what is drawn"),
     "render/passes": (212, 384, 150, "one pass a file"),
     "render": (394, 384, 150, "the renderer"),
-    "sim/body": (30, 486, 140, "rest shape, masses,\nconstraints"),
-    "sim/contact": (190, 486, 140, "with itself, boxes\nand the blade"),
-    "sim/solve": (350, 486, 140, "the soft body\non the GPU"),
-    "sim/run": (510, 486, 140, "Simulation: a step,\nundo, commands"),
-    "sim/reference": (736, 486, 154, "plain kernels to\ncompare with"),
-    "sim/base": (130, 706, 94, "mathematics,\npredicates"),
-    "sim/mesh": (130, 620, 94, "half-edges,\npieces, trees"),
-    "sim/repair": (20, 620, 84, "files made\ncuttable"),
-    "sim/cut": (264, 629, 98, "types, words"),
-    "sim/cut/surface": (392, 629, 106, "what lies near"),
-    "sim/cut/exact": (392, 715, 106, "triangulation"),
-    "sim/cut/plan": (526, 668, 106, "one try of\na step"),
-    "sim/cut/commit": (660, 605, 100, "carries it out"),
-    "sim/cut/patch": (660, 668, 100, "closes wounds"),
-    "sim/cut/cleanup": (660, 731, 100, "removes slivers"),
-    "sim/cut/stroke": (786, 668, 94, "Cutter, retry\nladder"),
-    "gpu": (14, 816, 892, "OpenGL: context, buffers, programs"),
+    "sim/body": (30, 590, 140, "rest shape, masses,\nconstraints"),
+    "sim/contact": (190, 590, 140, "with itself, boxes\nand the blade"),
+    "sim/solve": (350, 590, 140, "the soft body\non the GPU"),
+    "sim/run/start": (30, 490, 142, "the body to begin\nwith, its memory"),
+    "sim/run/parts": (196, 490, 150, "body, blade, clock;\ncommands, snapshot"),
+    "sim/run/undo": (370, 490, 106, "changes taken\nback"),
+    "sim/run/blade": (500, 490, 106, "the course of\na stroke"),
+    "sim/run": (630, 490, 104, "Simulation:\na step"),
+    "sim/reference": (760, 490, 130, "plain kernels to\ncompare with"),
+    "sim/base": (130, 810, 94, "mathematics,\npredicates"),
+    "sim/mesh": (130, 724, 94, "half-edges,\npieces, trees"),
+    "sim/repair": (20, 724, 84, "files made\ncuttable"),
+    "sim/cut": (264, 733, 98, "types, words"),
+    "sim/cut/surface": (392, 733, 106, "what lies near"),
+    "sim/cut/exact": (392, 819, 106, "triangulation"),
+    "sim/cut/plan": (526, 772, 106, "one try of\na step"),
+    "sim/cut/commit": (660, 709, 100, "carries it out"),
+    "sim/cut/patch": (660, 772, 100, "closes wounds"),
+    "sim/cut/cleanup": (660, 835, 100, "removes slivers"),
+    "sim/cut/stroke": (786, 772, 94, "Cutter, retry\nladder"),
+    "gpu": (14, 920, 892, "OpenGL: context, buffers, programs"),
 }
 # Where the straight way would lead through rooms: corners of the arrow.
 WAYS = {
@@ -58,15 +62,17 @@ WAYS = {
     ("app/session", "render"): [(48, 144), (48, 162), (112, 162), (112, 355), (469, 355), (469, 383)],
     ("app/study", "ui"): [(279, 144), (279, 297)],
     ("app/scene", "ui"): [(441, 144), (441, 297)],
-    ("app/doctor", "sim/reference"): [(358, 144), (358, 168), (745, 168), (745, 485)],
+    ("app/doctor", "sim/reference"): [(358, 144), (358, 168), (745, 168), (745, 478), (790, 478), (790, 489)],
     ("app/files/film", "app/files/io"): [(816, 224), (816, 256), (198, 256), (198, 243)],
-    ("app/files/io", "sim/run"): [(240, 242), (240, 370), (630, 370), (630, 485)],
-    ("sim/repair", "sim/cut/exact"): [(64, 682), (64, 788), (445, 788), (445, 761)],
-    ("sim/repair", "sim/mesh"): [(106, 651), (129, 651)],
-    ("ui", "sim/run"): [(575, 342), (575, 485)],
-    ("sim/contact", "gpu"): [(239, 548), (239, 815)],
-    ("sim/cut/exact", "sim/base"): [(392, 737), (225, 737)],
-    ("sim/run", "sim/cut/stroke"): [(650, 528), (700, 528), (700, 562), (833, 562), (833, 667)],
+    ("sim/repair", "sim/cut/exact"): [(64, 786), (64, 892), (445, 892), (445, 865)],
+    ("sim/repair", "sim/mesh"): [(106, 755), (129, 755)],
+    ("app/session", "sim/run"): [(62, 144), (62, 168), (118, 168), (118, 349), (682, 349), (682, 489)],
+    ("render/scene", "sim/solve"): [(166, 428), (166, 446), (184, 446), (184, 581), (400, 581), (400, 589)],
+    ("sim/run/start", "sim/solve"): [(130, 552), (130, 568), (430, 568), (430, 589)],
+    ("sim/run/start", "sim/cut/stroke"): [(90, 552), (90, 574), (833, 574), (833, 771)],
+    ("sim/reference", "sim/solve"): [(825, 552), (825, 567), (470, 567), (470, 589)],
+    ("sim/contact", "gpu"): [(239, 652), (239, 919)],
+    ("sim/cut/exact", "sim/base"): [(392, 841), (225, 841)],
 }
 HEIGHTS = {"gpu": 42}
 
@@ -151,17 +157,19 @@ def main():
     ahead = [pair for pair in pairs if rooms.index(pair[0]) < rooms.index(pair[1])]
     if ahead:
         raise SystemExit(f"includes that look ahead: {ahead}")
-    d = Drawing(920, 878, "The rooms of the source, and which of them includes which")
+    d = Drawing(920, 982, "The rooms of the source, and which of them includes which")
     d.text((20, 30), "A room includes only what stands to its left on the same floor, or on a floor below. "
            "Arrows that follow from others are left out.",
            INK, size=13.5)
-    bands = (("app", 46, 218), ("ui", 274, 76), ("render", 360, 76), ("sim", 446, 358))
+    bands = (("app", 46, 218), ("ui", 274, 76), ("render", 360, 76), ("sim", 446, 462))
     for name, top, height in bands:
         d.box(14, top, 892, height, mixed(COLORS[name], "#ffffff", 0.93),
               mixed(COLORS[name], "#ffffff", 0.6), 12)
         d.text((892, top + 22), name + "/", COLORS[name], "end", 16, "bold")
-    d.box(250, 576, 642, 214, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
-    d.text((262, 597), "sim/cut/", BLUE, size=14, weight="bold")
+    d.box(20, 460, 724, 102, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
+    d.text((32, 480), "sim/run/", BLUE, size=14, weight="bold")
+    d.box(250, 680, 642, 214, "#ffffff", mixed(BLUE, "#ffffff", 0.5), 10)
+    d.text((262, 701), "sim/cut/", BLUE, size=14, weight="bold")
     d.text((24, 198), "app/files/", ORANGE, size=14, weight="bold")
     for pair in pairs:
         arrow(d, *pair)
@@ -169,7 +177,7 @@ def main():
         x, y, width, caption = FLOORS[room]
         color = COLORS[room.split("/")[0]]
         d.box(x, y, width, height_of(room), "#ffffff", color, 7, 1.4)
-        d.text((x + 8, y + 18), {"app": "main", "sim/cut": "cut"}.get(room, room.split("/")[-1]), color,
+        d.text((x + 8, y + 18), {"app": "main"}.get(room, room.split("/")[-1]), color,
                size=14, weight="bold")
         for i, line in enumerate(caption.split("\n")):
             d.text((x + 8, y + 35 + 15 * i), line, GREY, size=11.5)

@@ -8,8 +8,8 @@
 #include "sim/body/folded_triangles.h"
 #include "sim/body/inside_out.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/run/cut_followers.h"
-#include "sim/run/front_hold.h"
+#include "sim/run/blade/cut_followers.h"
+#include "sim/run/blade/front_hold.h"
 #include "sim/run/simulation_state.h"
 #include "sim/run/state_hash.h"
 

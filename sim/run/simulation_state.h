@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/box_edit.h"
+#include "sim/run/blade/stroke_course.h"
+#include "sim/run/parts/box_edit.h"
+#include "sim/run/parts/simulation_parts.h"
 #include "sim/run/simulation.h"
-#include "sim/run/simulation_parts.h"
-#include "sim/run/stroke_course.h"
-#include "sim/run/undo_log.h"
+#include "sim/run/undo/undo_log.h"
 
 namespace kerf {
 

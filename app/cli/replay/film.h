@@ -8,7 +8,7 @@
 #include "app/cli/replay/picture_size.h"
 #include "app/files/film/film_encoder.h"
 #include "render/scene/camera_path.h"
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 #include "ui/picture_painter.h"
 
 namespace kerf::app {

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "app/session/session.h"
-#include "sim/run/undo_history.h"
+#include "sim/run/undo/undo_history.h"
 #include "ui/unit_text.h"
 
 namespace kerf::app {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf::app {
 

@@ -18,7 +18,7 @@
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/soup_inspection.h"
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

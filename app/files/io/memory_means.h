@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/files/io/errors.h"
-#include "sim/run/memory_need.h"
+#include "sim/run/start/memory_need.h"
 
 namespace kerf::app {
 

@@ -32,7 +32,7 @@ CutBody::CutBody(SurfaceMesh& ofBody, const CutSettings& howFinely)
 
 // Whatever is looked up in the mesh during a step has its row here, and nowhere else. No row reads
 // what another one brings up to date. What follows a step as a whole stands in
-// sim/run/cut_followers.cpp.
+// sim/run/blade/cut_followers.cpp.
 void CutBody::follow(const MeshChange& change) {
     triangles.update(change.triangles);
     pieces.update(change.triangles, change.groupOfNewPieces);

@@ -1,4 +1,4 @@
-#include "sim/run/cut_followers.h"
+#include "sim/run/blade/cut_followers.h"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sim/cut/cut_types.h"
-#include "sim/run/running_body.h"
-#include "sim/run/simulation_parts.h"
-#include "sim/run/undo_history.h"
+#include "sim/run/parts/running_body.h"
+#include "sim/run/parts/simulation_parts.h"
+#include "sim/run/undo/undo_history.h"
 
 namespace kerf {
 

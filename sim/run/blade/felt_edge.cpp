@@ -1,10 +1,10 @@
-#include "sim/run/felt_edge.h"
+#include "sim/run/blade/felt_edge.h"
 
 #include <algorithm>
 
 #include "sim/mesh/line_hit.h"
 #include "sim/mesh/triangle.h"
-#include "sim/run/led_blade.h"
+#include "sim/run/parts/led_blade.h"
 
 namespace kerf {
 

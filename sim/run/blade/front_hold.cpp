@@ -1,9 +1,9 @@
-#include "sim/run/front_hold.h"
+#include "sim/run/blade/front_hold.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "sim/run/led_blade.h"
+#include "sim/run/parts/led_blade.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/run/running_body.h"
+#include "sim/run/parts/running_body.h"
 #include "sim/solve/front_anchors.h"
 
 namespace kerf {

@@ -1,11 +1,11 @@
-#include "sim/run/stroke_course.h"
+#include "sim/run/blade/stroke_course.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "sim/base/pausing.h"
-#include "sim/run/cut_followers.h"
+#include "sim/run/blade/cut_followers.h"
 
 namespace kerf {
 

@@ -4,10 +4,10 @@
 
 #include "sim/contact/blade_body.h"
 #include "sim/contact/edge_push.h"
-#include "sim/run/felt_edge.h"
-#include "sim/run/running_body.h"
-#include "sim/run/simulation_parts.h"
-#include "sim/run/undo_log.h"
+#include "sim/run/blade/felt_edge.h"
+#include "sim/run/parts/running_body.h"
+#include "sim/run/parts/simulation_parts.h"
+#include "sim/run/undo/undo_log.h"
 
 namespace kerf {
 

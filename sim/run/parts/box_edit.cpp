@@ -1,4 +1,4 @@
-#include "sim/run/box_edit.h"
+#include "sim/run/parts/box_edit.h"
 
 #include <spdlog/fmt/fmt.h>
 

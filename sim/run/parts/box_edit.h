@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf {
 

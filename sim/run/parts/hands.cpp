@@ -1,4 +1,4 @@
-#include "sim/run/hands.h"
+#include "sim/run/parts/hands.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -6,7 +6,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf {
 

@@ -1,4 +1,4 @@
-#include "sim/run/led_blade.h"
+#include "sim/run/parts/led_blade.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #include "sim/contact/blade_body.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
-#include "sim/run/command.h"
+#include "sim/run/parts/command.h"
 
 namespace kerf {
 

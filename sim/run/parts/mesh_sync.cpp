@@ -1,4 +1,4 @@
-#include "sim/run/mesh_sync.h"
+#include "sim/run/parts/mesh_sync.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "sim/run/pins.h"
+#include "sim/run/parts/pins.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sim/run/running_body.h"
+#include "sim/run/parts/running_body.h"
 
 #include <algorithm>
 #include <numeric>

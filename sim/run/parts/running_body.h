@@ -10,9 +10,9 @@
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/run/mesh_sync.h"
-#include "sim/run/prepared_body.h"
-#include "sim/run/snapshot.h"
+#include "sim/run/parts/mesh_sync.h"
+#include "sim/run/parts/snapshot.h"
+#include "sim/run/start/prepared_body.h"
 #include "sim/solve/gpu_solver.h"
 
 namespace kerf {

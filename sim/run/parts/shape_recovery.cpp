@@ -1,4 +1,4 @@
-#include "sim/run/shape_recovery.h"
+#include "sim/run/parts/shape_recovery.h"
 
 #include <algorithm>
 #include <limits>

@@ -9,8 +9,8 @@
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/cut_types.h"
-#include "sim/run/led_blade.h"
-#include "sim/run/step_report.h"
+#include "sim/run/parts/led_blade.h"
+#include "sim/run/parts/step_report.h"
 
 namespace kerf {
 

@@ -1,4 +1,4 @@
-#include "sim/run/step_report.h"
+#include "sim/run/parts/step_report.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -1,4 +1,4 @@
-#include "sim/run/body_upload.h"
+#include "sim/run/start/body_upload.h"
 
 #include <cassert>
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "sim/body/body_state.h"
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 #include "sim/solve/gpu_solver.h"
 
 namespace kerf {

@@ -1,10 +1,10 @@
-#include "sim/run/every_kernel.h"
+#include "sim/run/start/every_kernel.h"
 
 #include "gpu/program.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/box_surface.h"
-#include "sim/run/touching_boxes.h"
+#include "sim/run/start/touching_boxes.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gpu_solver.h"
 

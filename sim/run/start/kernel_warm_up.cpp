@@ -1,4 +1,4 @@
-#include "sim/run/kernel_warm_up.h"
+#include "sim/run/start/kernel_warm_up.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 #include "shaders/shared/small_body_bindings.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/run/touching_boxes.h"
+#include "sim/run/start/touching_boxes.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "sim/run/memory_need.h"
+#include "sim/run/start/memory_need.h"
 
 #include <algorithm>
 #include <cstddef>

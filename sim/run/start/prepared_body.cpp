@@ -1,4 +1,4 @@
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 
 #include <algorithm>
 #include <utility>

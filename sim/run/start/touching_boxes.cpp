@@ -1,4 +1,4 @@
-#include "sim/run/touching_boxes.h"
+#include "sim/run/start/touching_boxes.h"
 
 #include "sim/mesh/box_surface.h"
 

@@ -1,4 +1,4 @@
-#include "sim/run/undo_history.h"
+#include "sim/run/undo/undo_history.h"
 
 #include <spdlog/fmt/fmt.h>
 

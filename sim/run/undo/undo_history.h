@@ -6,7 +6,7 @@
 
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
-#include "sim/run/snapshot.h"
+#include "sim/run/parts/snapshot.h"
 
 namespace kerf {
 

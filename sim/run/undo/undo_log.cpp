@@ -1,4 +1,4 @@
-#include "sim/run/undo_log.h"
+#include "sim/run/undo/undo_log.h"
 
 #include <algorithm>
 #include <utility>

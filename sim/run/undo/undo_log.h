@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "sim/run/box_edit.h"
-#include "sim/run/running_body.h"
-#include "sim/run/simulation_parts.h"
-#include "sim/run/undo_history.h"
+#include "sim/run/parts/box_edit.h"
+#include "sim/run/parts/running_body.h"
+#include "sim/run/parts/simulation_parts.h"
+#include "sim/run/undo/undo_history.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/run/step_report.h"
+#include "sim/run/parts/step_report.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "ui/action_table.h"
 

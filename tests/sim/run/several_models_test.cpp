@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim/run/prepared_body.h"
+#include "sim/run/start/prepared_body.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

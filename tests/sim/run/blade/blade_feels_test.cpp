@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/run/felt_edge.h"
+#include "sim/run/blade/felt_edge.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

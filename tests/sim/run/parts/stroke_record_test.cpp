@@ -1,4 +1,4 @@
-#include "sim/run/stroke_record.h"
+#include "sim/run/parts/stroke_record.h"
 
 #include <gtest/gtest.h>
 

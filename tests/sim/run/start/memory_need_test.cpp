@@ -1,5 +1,5 @@
 // The memory that a body is said to need, against what it takes.
-#include "sim/run/memory_need.h"
+#include "sim/run/start/memory_need.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
