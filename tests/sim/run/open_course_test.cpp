@@ -6,6 +6,7 @@
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/open_manifold.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -68,7 +69,7 @@ TEST_F(OpenCourseTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     EXPECT_TRUE(cutting.open);
     EXPECT_FALSE(cutting.closed);
     const SurfaceMesh& mesh = simulation->mesh();
-    EXPECT_EQ(checkOpenManifold(mesh), "");
+    EXPECT_EQ(test::checkOpenManifold(mesh), "");
     EXPECT_GT(borderHalfEdges(mesh).size(), 10u);
     const auto absent = static_cast<int>(absentTriangles(mesh).size());
     EXPECT_GT(absent, 20);
