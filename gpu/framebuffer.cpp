@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "gpu/buffer.h"
 #include "gpu/context_loss.h"
@@ -53,35 +52,19 @@ Texture::Texture(std::uint32_t internalFormat, int width, int height, int sample
     checkSize(width, height);
     forgetErrors();
     const bool multisampled = samples > 1;
-    glCreateTextures(multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, 1, &id_);
+    id_ = makeTexture(multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D);
     if (multisampled) {
-        glTextureStorage2DMultisample(id_, samples, internalFormat, width, height, GL_TRUE);
+        glTextureStorage2DMultisample(id(), samples, internalFormat, width, height, GL_TRUE);
     } else {
-        glTextureStorage2D(id_, 1, internalFormat, width, height);
-        setSampling(id_);
+        glTextureStorage2D(id(), 1, internalFormat, width, height);
+        setSampling(id());
     }
     const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     throwIfOutOfMemory("a picture", texels * static_cast<std::size_t>(samples) * kBytesPerTexel);
 }
 
-Texture::~Texture() {
-    if (id_ != 0) {
-        glDeleteTextures(1, &id_);
-    }
-}
-
-Texture::Texture(Texture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), width_(other.width_), height_(other.height_) {}
-
-Texture& Texture::operator=(Texture&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(width_, other.width_);
-    std::swap(height_, other.height_);
-    return *this;
-}
-
 void Texture::bind(std::uint32_t unit) const {
-    glBindTextureUnit(unit, id_);
+    glBindTextureUnit(unit, id());
 }
 
 Framebuffer::Framebuffer(std::uint32_t colorFormat, std::uint32_t depthFormat, int width,
@@ -90,55 +73,35 @@ Framebuffer::Framebuffer(std::uint32_t colorFormat, std::uint32_t depthFormat, i
     if (colorFormat != 0) {
         color_ = Texture(colorFormat, width, height, samples);
     }
-    glCreateFramebuffers(1, &id_);
+    std::uint32_t made = 0;
+    glCreateFramebuffers(1, &made);
+    id_ = FramebufferName(made);
     const bool stencil = depthFormat == GL_DEPTH32F_STENCIL8;
-    glNamedFramebufferTexture(id_, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+    glNamedFramebufferTexture(id(), stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                               depth_.id(), 0);
     if (colorFormat == 0) {
-        glNamedFramebufferDrawBuffer(id_, GL_NONE);
-        glNamedFramebufferReadBuffer(id_, GL_NONE);
+        glNamedFramebufferDrawBuffer(id(), GL_NONE);
+        glNamedFramebufferReadBuffer(id(), GL_NONE);
     } else {
-        glNamedFramebufferTexture(id_, GL_COLOR_ATTACHMENT0, color_.id(), 0);
+        glNamedFramebufferTexture(id(), GL_COLOR_ATTACHMENT0, color_.id(), 0);
     }
-    assert(glCheckNamedFramebufferStatus(id_, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-}
-
-Framebuffer::~Framebuffer() {
-    if (id_ != 0) {
-        glDeleteFramebuffers(1, &id_);
-    }
-}
-
-Framebuffer::Framebuffer(Framebuffer&& other) noexcept
-    : id_(std::exchange(other.id_, 0)),
-      width_(other.width_),
-      height_(other.height_),
-      color_(std::move(other.color_)),
-      depth_(std::move(other.depth_)) {}
-
-Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(width_, other.width_);
-    std::swap(height_, other.height_);
-    std::swap(color_, other.color_);
-    std::swap(depth_, other.depth_);
-    return *this;
+    assert(glCheckNamedFramebufferStatus(id(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 void Framebuffer::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, id_);
+    glBindFramebuffer(GL_FRAMEBUFFER, id());
     glViewport(0, 0, width_, height_);
 }
 
 void Framebuffer::blitColorTo(const Framebuffer& target) const {
     assert(width_ == target.width_ && height_ == target.height_);
-    glBlitNamedFramebuffer(id_, target.id_, 0, 0, width_, height_, 0, 0, width_, height_,
+    glBlitNamedFramebuffer(id(), target.id(), 0, 0, width_, height_, 0, 0, width_, height_,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Framebuffer::blitDepthTo(const Framebuffer& target) const {
     assert(width_ == target.width_ && height_ == target.height_);
-    glBlitNamedFramebuffer(id_, target.id_, 0, 0, width_, height_, 0, 0, width_, height_,
+    glBlitNamedFramebuffer(id(), target.id(), 0, 0, width_, height_, 0, 0, width_, height_,
                            GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 

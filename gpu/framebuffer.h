@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/gl_name.h"
+
 namespace kerf::gpu {
 
 /// A 2D texture (move only).
@@ -11,20 +13,15 @@ class Texture {
     Texture() = default;
     /// `internalFormat` as GL_RGBA8, GL_DEPTH_COMPONENT32F; `samples` > 1 makes it multisampled.
     Texture(std::uint32_t internalFormat, int width, int height, int samples = 1);
-    ~Texture();
-    Texture(Texture&& other) noexcept;
-    Texture& operator=(Texture&& other) noexcept;
-    Texture(const Texture&) = delete;
-    Texture& operator=(const Texture&) = delete;
 
     /// Binds to a texture unit, for sampler uniforms with that binding.
     void bind(std::uint32_t unit) const;
-    std::uint32_t id() const { return id_; }
+    std::uint32_t id() const { return id_.get(); }
     int width() const { return width_; }
     int height() const { return height_; }
 
   private:
-    std::uint32_t id_ = 0;
+    TextureName id_;
     int width_ = 0;
     int height_ = 0;
 };
@@ -38,11 +35,6 @@ class Framebuffer {
     /// `colorFormat` 0 makes a depth-only target (shadow map).
     Framebuffer(std::uint32_t colorFormat, std::uint32_t depthFormat, int width, int height,
                 int samples = 1);
-    ~Framebuffer();
-    Framebuffer(Framebuffer&& other) noexcept;
-    Framebuffer& operator=(Framebuffer&& other) noexcept;
-    Framebuffer(const Framebuffer&) = delete;
-    Framebuffer& operator=(const Framebuffer&) = delete;
 
     /// Binds for drawing and sets the viewport to its whole size.
     void bind() const;
@@ -55,16 +47,16 @@ class Framebuffer {
 
     const Texture& color() const { return color_; }
     const Texture& depth() const { return depth_; }
-    std::uint32_t id() const { return id_; }
+    std::uint32_t id() const { return id_.get(); }
     int width() const { return width_; }
     int height() const { return height_; }
 
   private:
-    std::uint32_t id_ = 0;
     int width_ = 0;
     int height_ = 0;
     Texture color_;
     Texture depth_;
+    FramebufferName id_;  ///< deleted before what is attached to it
 };
 
 }  // namespace kerf::gpu

@@ -13,13 +13,13 @@ std::string_view wanted() {
     return name == nullptr ? "" : name;
 }
 
-}  // namespace
-
 std::optional<KernelWay> kernelWayNamed(std::string_view name) {
     return name == "images"   ? std::optional(KernelWay::images)
            : name == "shared" ? std::optional(KernelWay::shared)
                               : std::nullopt;
 }
+
+}  // namespace
 
 KernelWay kernelWay() {
     const auto suitable = [] {

@@ -12,8 +12,6 @@ enum class KernelWay : std::uint8_t {
     shared,  ///< as texels, through shared memory, in groups of hundreds: fast on GPUs
 };
 
-/// By its name, "images" or "shared"; none for any other.
-std::optional<KernelWay> kernelWayNamed(std::string_view name);
 /// The way that the variable KERF_KERNELS names, or else the one that suits the driver of the
 /// current context.
 KernelWay kernelWay();

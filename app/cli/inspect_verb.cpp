@@ -307,69 +307,84 @@ std::string listed(const Json& items) {
     return text + (items.size() > kMost ? ", ..." : "");
 }
 
-void printForPeople(const Inspection& inspection, const std::filesystem::path& file,
-                    std::ostream& out) {
+/// A line of what is told of a model, "skin       with texture coordinates", begins with a name.
+std::ostream& labelled(std::ostream& text, const char* name) {
+    return text << std::left << std::setw(kIndent) << name;
+}
+
+void printSurface(const Inspection& inspection, std::ostream& text) {
     const MeshReport& report = inspection.report;
-    const Json& looks = inspection.looks;
-    const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
-    std::ostringstream text;
-    const auto line = [&text](const char* name) -> std::ostream& {
-        return text << std::left << std::setw(kIndent) << name;
-    };
     const auto is = [](bool yes) { return yes ? "" : "not "; };
-    const auto lines = [&line](const char* name, const std::vector<std::string>& texts) {
-        for (const std::string& each : texts) line(name) << each << "\n";
-    };
-    line("size") << joined(sizeOf(report.bounds, guess), " x ", lengthText)
-                 << (guess.certain ? "" : ", as guessed") << "\n";
-    line("unit") << guess.sentence << "\n";
-    line("bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high) << "\n";
-    line("vertices") << report.vertices << "\n";
-    line("triangles") << report.triangles << "\n";
-    line("surface") << is(report.closed) << "closed, " << is(report.manifold) << "manifold, "
-                    << is(report.oriented) << "oriented\n";
+    labelled(text, "vertices") << report.vertices << "\n";
+    labelled(text, "triangles") << report.triangles << "\n";
+    labelled(text, "surface") << is(report.closed) << "closed, " << is(report.manifold)
+                              << "manifold, " << is(report.oriented) << "oriented\n";
     if (inspection.facts.objects.size() > 1) {
-        line("objects") << inspection.facts.objects.size() << "\n";
+        labelled(text, "objects") << inspection.facts.objects.size() << "\n";
     }
-    line("pieces") << report.pieces << "\n";
+    labelled(text, "pieces") << report.pieces << "\n";
     if (report.cavities > 0) {
-        line("cavities") << report.cavities << "\n";
+        labelled(text, "cavities") << report.cavities << "\n";
     }
     if (report.crossingTriangles > 0) {
-        line("crossing") << counted(report.crossingTriangles, "triangle", "triangles") << "\n";
+        labelled(text, "crossing")
+            << counted(report.crossingTriangles, "triangle", "triangles") << "\n";
     }
-    line("volume") << formatNumber(static_cast<float>(report.volume)) << " " << nameOf(guess.unit)
-                   << "\u00b3";
-    if (inspection.volumes.size() > 1) {
-        text << fmt::format("; the largest pieces: {:.3g}", fmt::join(inspection.volumes, ", "));
-    }
-    text << "\n";
-    for (const char* name : {"materials", "images"}) {
-        if (!looks[name].empty()) line(name) << listed(looks[name]) << "\n";
-    }
-    line("skin") << (looks["texture_coordinates"] ? "with" : "no") << " texture coordinates, "
-                 << (looks["vertex_colors"] ? "with" : "no") << " colours of vertices\n";
-    lines("repaired", report.repairs);
-    lines("left", report.left);
-    lines("remark", inspection.remarks);
-    line("memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
-    line("cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
+}
+
+/// What could be done about it.
+void printHelp(const Inspection& inspection, std::ostream& text) {
     if (inspection.isCoarse()) {
-        line("remark") << fmt::format(
+        labelled(text, "remark") << fmt::format(
             "{}; --remesh OUT.ply --edge {:.2g} makes it bend and cut well.\n",
             coarseText(inspection.triangles,
                        fmt::format("{:.3g}", inspection.triangles.longestEdge)),
             inspection.proposedEdge());
     }
     if (!inspection.help.repairs.empty()) {
-        line("--repair") << (inspection.refusal.empty() ? "would try: " : "would help: ")
-                         << joined(inspection.help.repairs, "; ") << "\n";
+        labelled(text, "--repair") << (inspection.refusal.empty() ? "would try: " : "would help: ")
+                                   << joined(inspection.help.repairs, "; ") << "\n";
     }
     if (inspection.help.thickness > 0) {
-        line("--thicken") << "would help, with --thickness " << inspection.help.thickness << "\n";
+        labelled(text, "--thicken")
+            << "would help, with --thickness " << inspection.help.thickness << "\n";
     }
-    out << std::left << std::setw(kIndent) << "file" << file.string() << "\n"
-        << wrapped(text.str());
+}
+
+void printForPeople(const Inspection& inspection, const std::filesystem::path& file,
+                    std::ostream& out) {
+    const MeshReport& report = inspection.report;
+    const Json& looks = inspection.looks;
+    const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
+    std::ostringstream text;
+    const auto lines = [&text](const char* name, const std::vector<std::string>& texts) {
+        for (const std::string& each : texts) labelled(text, name) << each << "\n";
+    };
+    labelled(text, "size") << joined(sizeOf(report.bounds, guess), " x ", lengthText)
+                           << (guess.certain ? "" : ", as guessed") << "\n";
+    labelled(text, "unit") << guess.sentence << "\n";
+    labelled(text, "bounds") << lengths(report.bounds.low) << " to " << lengths(report.bounds.high)
+                             << "\n";
+    printSurface(inspection, text);
+    labelled(text, "volume") << formatNumber(static_cast<float>(report.volume)) << " "
+                             << nameOf(guess.unit) << "\u00b3";
+    if (inspection.volumes.size() > 1) {
+        text << fmt::format("; the largest pieces: {:.3g}", fmt::join(inspection.volumes, ", "));
+    }
+    text << "\n";
+    for (const char* name : {"materials", "images"}) {
+        if (!looks[name].empty()) labelled(text, name) << listed(looks[name]) << "\n";
+    }
+    labelled(text, "skin") << (looks["texture_coordinates"] ? "with" : "no")
+                           << " texture coordinates, " << (looks["vertex_colors"] ? "with" : "no")
+                           << " colours of vertices\n";
+    lines("repaired", report.repairs);
+    lines("left", report.left);
+    lines("remark", inspection.remarks);
+    labelled(text, "memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
+    labelled(text, "cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
+    printHelp(inspection, text);
+    labelled(out, "file") << file.string() << "\n" << wrapped(text.str());
 }
 
 void writeFaultPicture(const Inspection& inspection, const std::filesystem::path& file,

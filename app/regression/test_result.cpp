@@ -62,6 +62,11 @@ std::string_view junitElement(const TestResult& result) {
     return !result.failed() ? "" : result.status == TestStatus::failed ? "failure" : "error";
 }
 
+/// All findings in one line; "" where there are none.
+std::string findingsOf(const TestResult& result) {
+    return joined(result.judgement.findings, " ", &Finding::sentence);
+}
+
 std::string testCase(const TestResult& result) {
     const std::string head =
         fmt::format(R"(    <testcase classname="kerf" name="{}" time="{:.3f}")",
@@ -94,10 +99,6 @@ Json toJson(const TestResult& result) {
 
 std::string_view nameOf(TestStatus status) {
     return kStatusNames[static_cast<std::size_t>(status)];
-}
-
-std::string findingsOf(const TestResult& result) {
-    return joined(result.judgement.findings, " ", &Finding::sentence);
 }
 
 std::string formatJUnit(const std::vector<TestResult>& results) {

@@ -39,8 +39,6 @@ struct TestResult {
 
 /// "passed", "failed", ...
 std::string_view nameOf(TestStatus status);
-/// All findings in one line; "" where there are none.
-std::string findingsOf(const TestResult& result);
 
 /// The results as JUnit XML, which CI servers show.
 std::string formatJUnit(const std::vector<TestResult>& results);

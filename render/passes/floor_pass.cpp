@@ -29,13 +29,15 @@ void setBackdrop(const gpu::Program& program, const Frame& frame) {
     program.set("rayUp", Vec3f(rayOf(-1, 1) - corner));
 }
 
-}  // namespace
-
+/// Side of a small grid cell for a body of this size: 1 or 2 times a power of ten, about a twelfth
+/// [m].
 double gridCell(double bodySize) {
     const double wanted = bodySize / 12;
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     return wanted / power < 1.5 ? power : (wanted / power < 5 ? 2 * power : 10 * power);
 }
+
+}  // namespace
 
 FloorPass::FloorPass()
     : backdrop_(gpu::Program::graphics("render/fullscreen.vert", "render/background.frag")),

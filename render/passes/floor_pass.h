@@ -23,8 +23,4 @@ class FloorPass {
     gpu::Program floor_;
 };
 
-/// Side of a small grid cell for a body of this size: 1 or 2 times a power of ten, about a twelfth
-/// [m].
-double gridCell(double bodySize);
-
 }  // namespace kerf::render

@@ -53,15 +53,15 @@ Image halved(const Image& image) {
     return half;
 }
 
-std::uint32_t upload(const Image& image, float anisotropy) {
+gpu::TextureName upload(const Image& image, float anisotropy) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::max(image.width, image.height) > largest) {
         return upload(halved(image), anisotropy);
     }
     const int levels = std::bit_width(unsigned(std::max(image.width, image.height)));
-    std::uint32_t id = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &id);
+    gpu::TextureName texture = gpu::makeTexture(GL_TEXTURE_2D);
+    const std::uint32_t id = texture.get();
     glTextureStorage2D(id, levels, GL_SRGB8_ALPHA8, image.width, image.height);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -75,7 +75,7 @@ std::uint32_t upload(const Image& image, float anisotropy) {
     if (anisotropy > 1) {
         glTextureParameterf(id, kMaxAnisotropy, anisotropy);
     }
-    return id;
+    return texture;
 }
 
 }  // namespace
@@ -85,26 +85,12 @@ SkinTextures::SkinTextures(std::shared_ptr<const Appearance> appearance)
     const float sharpness = anisotropy();
     for (std::size_t i = 0; appearance_ != nullptr && i < appearance_->images.size(); ++i) {
         const Image& image = appearance_->images[i].pixels;
-        ids_.push_back(image.pixels.empty() ? 0 : upload(image, sharpness));
+        ids_.push_back(image.pixels.empty() ? gpu::TextureName() : upload(image, sharpness));
     }
 }
 
-SkinTextures::~SkinTextures() {
-    glDeleteTextures(static_cast<GLsizei>(ids_.size()), ids_.data());
-}
-
-SkinTextures::SkinTextures(SkinTextures&& other) noexcept {
-    *this = std::move(other);
-}
-
-SkinTextures& SkinTextures::operator=(SkinTextures&& other) noexcept {
-    std::swap(appearance_, other.appearance_);
-    std::swap(ids_, other.ids_);
-    return *this;
-}
-
 void SkinTextures::bind(int image, std::uint32_t unit) const {
-    glBindTextureUnit(unit, ids_[image]);
+    glBindTextureUnit(unit, ids_[image].get());
 }
 
 }  // namespace kerf::render

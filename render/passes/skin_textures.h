@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "gpu/gl_name.h"
 #include "render/scene/appearance.h"
 
 namespace kerf::render {
@@ -15,11 +16,6 @@ class SkinTextures {
     SkinTextures() = default;
     /// Uploads the pictures; of ones larger than the driver takes, every second pixel or fewer.
     explicit SkinTextures(std::shared_ptr<const Appearance> appearance);
-    ~SkinTextures();
-    SkinTextures(SkinTextures&& other) noexcept;
-    SkinTextures& operator=(SkinTextures&& other) noexcept;
-    SkinTextures(const SkinTextures&) = delete;
-    SkinTextures& operator=(const SkinTextures&) = delete;
 
     /// Whether these are the pictures of that appearance.
     bool areOf(const std::shared_ptr<const Appearance>& appearance) const {
@@ -30,7 +26,7 @@ class SkinTextures {
 
   private:
     std::shared_ptr<const Appearance> appearance_;
-    std::vector<std::uint32_t> ids_;  // by image; 0 for one that can't be shown
+    std::vector<gpu::TextureName> ids_;  // by image; none for one that can't be shown
 };
 
 }  // namespace kerf::render

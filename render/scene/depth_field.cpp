@@ -185,40 +185,23 @@ DepthField measureSkinDepth(const SurfaceMesh& mesh) {
     return mesh.aliveTriangles() > 0 ? measureDepth(mesh, kResolution) : DepthField{};
 }
 
-DepthTexture::DepthTexture(const DepthField& field) {
+DepthTexture::DepthTexture(const DepthField& field) : id_(gpu::makeTexture(GL_TEXTURE_3D)) {
     const auto [nx, ny, nz] = field.size;
-    glCreateTextures(GL_TEXTURE_3D, 1, &id_);
-    glTextureStorage3D(id_, 1, GL_R16F, nx, ny, nz);
-    glTextureSubImage3D(id_, 0, 0, 0, 0, nx, ny, nz, GL_RED, GL_FLOAT, field.values.data());
-    glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    const std::uint32_t id = id_.get();
+    glTextureStorage3D(id, 1, GL_R16F, nx, ny, nz);
+    glTextureSubImage3D(id, 0, 0, 0, 0, nx, ny, nz, GL_RED, GL_FLOAT, field.values.data());
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-        glTextureParameteri(id_, axis, GL_CLAMP_TO_EDGE);
+        glTextureParameteri(id, axis, GL_CLAMP_TO_EDGE);
     }
     const Vec3 sizes(nx, ny, nz);
     origin_ = (field.origin - Vec3::Constant(0.5 * field.spacing)).cast<float>();
     scale_ = (sizes * field.spacing).cwiseInverse().cast<float>();
 }
 
-DepthTexture::~DepthTexture() {
-    if (id_ != 0) {
-        glDeleteTextures(1, &id_);
-    }
-}
-
-DepthTexture::DepthTexture(DepthTexture&& other) noexcept {
-    *this = std::move(other);
-}
-
-DepthTexture& DepthTexture::operator=(DepthTexture&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(origin_, other.origin_);
-    std::swap(scale_, other.scale_);
-    return *this;
-}
-
 void DepthTexture::bind(std::uint32_t unit) const {
-    glBindTextureUnit(unit, id_);
+    glBindTextureUnit(unit, id_.get());
 }
 
 }  // namespace kerf::render

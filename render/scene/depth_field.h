@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/gl_name.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::render {
@@ -35,20 +36,15 @@ class DepthTexture {
     DepthTexture() = default;
     /// Uploads the field.
     explicit DepthTexture(const DepthField& field);
-    ~DepthTexture();
-    DepthTexture(DepthTexture&& other) noexcept;
-    DepthTexture& operator=(DepthTexture&& other) noexcept;
-    DepthTexture(const DepthTexture&) = delete;
-    DepthTexture& operator=(const DepthTexture&) = delete;
 
-    bool empty() const { return id_ == 0; }
+    bool empty() const { return id_.get() == 0; }
     void bind(std::uint32_t unit) const;
     /// Texture coordinate = (rest - origin()) * scale().
     const Vec3f& origin() const { return origin_; }
     const Vec3f& scale() const { return scale_; }
 
   private:
-    std::uint32_t id_ = 0;
+    gpu::TextureName id_;
     Vec3f origin_ = Vec3f::Zero();
     Vec3f scale_ = Vec3f::Ones();
 };

@@ -8,7 +8,6 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 namespace kerf::render {
 namespace {
@@ -188,37 +187,23 @@ MirrorLevel mirrorLevel(float roughness) {
     return {nearest, (side - 1) / side};
 }
 
-EnvironmentTexture::EnvironmentTexture(const Environment& environment) : matt_(environment.matt) {
-    glCreateTextures(GL_TEXTURE_2D, 1, &id_);
-    glTextureStorage2D(id_, Environment::kLevels, GL_RGBA8, Environment::kSide, Environment::kSide);
+EnvironmentTexture::EnvironmentTexture(const Environment& environment)
+    : id_(gpu::makeTexture(GL_TEXTURE_2D)), matt_(environment.matt) {
+    const std::uint32_t id = id_.get();
+    glTextureStorage2D(id, Environment::kLevels, GL_RGBA8, Environment::kSide, Environment::kSide);
     for (int level = 0; level < Environment::kLevels; ++level) {
         const int side = Environment::kSide >> level;
-        glTextureSubImage2D(id_, level, 0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE,
+        glTextureSubImage2D(id, level, 0, 0, side, side, GL_RGBA, GL_UNSIGNED_BYTE,
                             environment.levels[level].data());
     }
-    glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-    glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(id_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-EnvironmentTexture::~EnvironmentTexture() {
-    if (id_ != 0) {
-        glDeleteTextures(1, &id_);
-    }
-}
-
-EnvironmentTexture::EnvironmentTexture(EnvironmentTexture&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), matt_(std::move(other.matt_)) {}
-
-EnvironmentTexture& EnvironmentTexture::operator=(EnvironmentTexture&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(matt_, other.matt_);
-    return *this;
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
 void EnvironmentTexture::bind(std::uint32_t unit) const {
-    glBindTextureUnit(unit, id_);
+    glBindTextureUnit(unit, id_.get());
 }
 
 }  // namespace kerf::render

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/gl_name.h"
 #include "sim/base/math.h"
 
 namespace kerf::render {
@@ -48,17 +49,12 @@ MirrorLevel mirrorLevel(float roughness);
 class EnvironmentTexture {
   public:
     explicit EnvironmentTexture(const Environment& environment);
-    ~EnvironmentTexture();
-    EnvironmentTexture(EnvironmentTexture&& other) noexcept;
-    EnvironmentTexture& operator=(EnvironmentTexture&& other) noexcept;
-    EnvironmentTexture(const EnvironmentTexture&) = delete;
-    EnvironmentTexture& operator=(const EnvironmentTexture&) = delete;
 
     void bind(std::uint32_t unit) const;
     const std::array<Vec3f, 4>& matt() const { return matt_; }
 
   private:
-    std::uint32_t id_ = 0;
+    gpu::TextureName id_;
     std::array<Vec3f, 4> matt_{};
 };
 

@@ -2,7 +2,6 @@
 
 #include <stb_image.h>
 #include <stb_image_write.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,6 @@
 #include <new>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 namespace kerf::render {
 namespace {
@@ -25,23 +23,6 @@ constexpr std::uintmax_t kMaxFileBytes = 512u << 20;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
     throw std::runtime_error(file.string() + ": " + why + ".");
-}
-
-bool writeAll(std::FILE* out, const std::vector<std::uint8_t>& bytes) {
-    return std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() &&
-           std::fflush(out) == 0 && ::fsync(::fileno(out)) == 0;
-}
-
-/// Empty on success, else what the system says.
-std::string writeFile(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
-    std::FILE* out = std::fopen(file.c_str(), "wb");
-    if (out == nullptr) {
-        return std::strerror(errno);
-    }
-    const bool written = writeAll(out, bytes);
-    const int error = errno;
-    const bool closed = std::fclose(out) == 0;
-    return written && closed ? "" : std::strerror(written ? errno : error);
 }
 
 std::vector<std::uint8_t> readFile(const fs::path& file) {
@@ -112,22 +93,6 @@ std::vector<std::uint8_t> encodePng(const Image& image) {
         throw std::runtime_error("The picture could not be encoded as PNG.");
     }
     return bytes;
-}
-
-void writePng(const Image& image, const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = encodePng(image);
-    const fs::path temporary = file.string() + ".part" + std::to_string(::getpid());
-    std::error_code error;
-    if (const std::string why = writeFile(temporary, bytes); !why.empty()) {
-        fs::remove(temporary, error);
-        refuse(file, "the picture could not be written: " + why);
-    }
-    fs::rename(temporary, file, error);
-    if (error) {
-        const std::string why = error.message();
-        fs::remove(temporary, error);
-        refuse(file, "the picture could not be written: " + why);
-    }
 }
 
 Image readPng(const fs::path& file) {

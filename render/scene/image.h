@@ -28,9 +28,6 @@ void divideByAlpha(Image& image);
 
 /// The bytes of a PNG file. Throws std::runtime_error with one sentence.
 std::vector<std::uint8_t> encodePng(const Image& image);
-/// Writes to a temporary file in the same folder, then renames. Throws std::runtime_error with one
-/// sentence.
-void writePng(const Image& image, const std::filesystem::path& file);
 /// Throws std::runtime_error with one sentence.
 Image readPng(const std::filesystem::path& file);
 

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "sim/body/shape_error.h"
+#include "sim/body/best_rotation.h"
 
 namespace kerf {
 

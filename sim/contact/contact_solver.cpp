@@ -36,6 +36,14 @@ constexpr int kSweeps = 2;               // over the contacts of a substep, as i
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
+/// How many times in a time step candidates are looked for, so that in between nothing moves much
+/// farther than an edge.
+int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {
+    const double way = relativeSpeed * settings.substep * settings.substeps;
+    const double wanted = std::ceil(way / ((kFarthest - kReach - kKept) * edgeLength));
+    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(settings.substeps)));
+}
+
 }  // namespace
 
 ContactSettings contactSettings(const Params& params) {
@@ -59,12 +67,6 @@ double fixedUnit(const ContactSettings& settings) {
 
 double contactEdgeLength(const BodyModel& model) {
     return wallEdgeFor(model.edgeLength, model.diagonal);
-}
-
-int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed) {
-    const double way = relativeSpeed * settings.substep * settings.substeps;
-    const double wanted = std::ceil(way / ((kFarthest - kReach - kKept) * edgeLength));
-    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(settings.substeps)));
 }
 
 shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,

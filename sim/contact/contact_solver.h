@@ -79,10 +79,6 @@ struct ContactMemory {
     RelativeMotion motion;
 };
 
-/// How many times in a time step candidates are looked for, so that in between nothing moves much
-/// farther than an edge.
-int contactSearches(const ContactSettings& settings, double edgeLength, double relativeSpeed);
-
 /// Contact of a body with itself, on the GPU: pieces, both walls of a slit, arms. Vertices against
 /// triangles and edges against edges, with the same bits for any number of threads. Candidates are
 /// found in a hash grid and kept while little moves, else looked for once or a few times a time

@@ -281,19 +281,6 @@ std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int
     return found;
 }
 
-std::string checkOpenManifold(const SurfaceMesh& mesh) {
-    if (std::string fault = checkClosedManifold(mesh); !fault.empty()) {
-        return fault;
-    }
-    std::vector<int> passes(mesh.vertexCount(), 0);
-    for (const int h : borderHalfEdges(mesh)) {
-        if (++passes[mesh.origin(h)] > 1) {
-            return "the border of the open surface passes " + vertexName(mesh.origin(h)) + " twice";
-        }
-    }
-    return "";
-}
-
 PieceMap findPieces(const SurfaceMesh& mesh) {
     const PieceLabels labels(mesh);
     PieceMap map;

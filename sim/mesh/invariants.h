@@ -25,9 +25,6 @@ std::string checkClosedManifold(const SurfaceMesh& mesh);
 /// mesh may have broken. Dead ones are passed over.
 std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-/// checkClosedManifold() with an open stroke: the mesh with its absent walls is a closed
-/// 2-manifold, what is present one with a border along them, which passes each vertex once at most.
-std::string checkOpenManifold(const SurfaceMesh& mesh);
 /// Half-edges of present triangles beside absent ones, ascending: the border of the open surface.
 std::vector<int> borderHalfEdges(const SurfaceMesh& mesh);
 

@@ -25,14 +25,15 @@ auto blend(const Values& corners, const Eigen::Vector3f& w) {
     return (w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2]).eval();
 }
 
-}  // namespace
-
+/// Those of a triangle that has none.
 TriangleAttributes noAttributes() {
     TriangleAttributes none;
     none.uvs.fill(Eigen::Vector2f::Zero());
     none.colors.fill(Eigen::Vector4f::Ones());
     return none;
 }
+
+}  // namespace
 
 TriangleAttributes attributesOf(const SkinAttributes& skin, int t) {
     TriangleAttributes own = noAttributes();

@@ -32,8 +32,6 @@ struct TriangleAttributes {
     CornerColors colors;
     int material = -1;
 };
-/// Those of a triangle that has none.
-TriangleAttributes noAttributes();
 /// Those of triangle t.
 TriangleAttributes attributesOf(const SkinAttributes& skin, int t);
 /// Gives a triangle its attributes, as far as there are lists, which must be long enough.

@@ -13,11 +13,17 @@ namespace kerf {
 using gpu::TexelFormat;
 using shared::uint;
 
+namespace {
+
+/// The speed [m/s] that no vertex of such a body reaches but by a blow-up: 1000 diagonals a second,
+/// and what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
 double runawaySpeed(double diagonal, double gravity) {
     constexpr double kDiagonalsPerSecond = 1000;
     constexpr double kFall = 100;  // [s]
     return kDiagonalsPerSecond * diagonal + kFall * gravity;
 }
+
+}  // namespace
 
 SolverBody::SolverBody() : loadsImages(gpu::kernelWay() == gpu::KernelWay::images) {
     setPulls({});

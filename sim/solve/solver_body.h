@@ -14,10 +14,6 @@
 
 namespace kerf {
 
-/// The speed [m/s] that no vertex of such a body reaches but by a blow-up: 1000 diagonals a second,
-/// and what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
-double runawaySpeed(double diagonal, double gravity);
-
 /// A body on the GPU, as the solver's kernels see it: constant set-up, running state, parameters.
 struct SolverBody {
     SolverBody();

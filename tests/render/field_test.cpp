@@ -5,8 +5,8 @@
 
 #include "render/renderer.h"
 #include "sim/mesh/invariants.h"
+#include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::render {
@@ -21,16 +21,8 @@ SurfaceMesh moved(SurfaceMesh mesh, Map&& map) {
     return mesh;
 }
 
-class FieldTest : public test::GlTest {
+class FieldTest : public LightRendererTest {
   protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        renderer_ = std::make_unique<Renderer>(Quality::light);
-    }
-    void TearDown() override {
-        renderer_.reset();
-        GlTest::TearDown();
-    }
     Image show(Stage& stage, SurfaceField field) {
         stage.scene.field.choice.field = field;
         stage.scene.bodyRevision = 1;
@@ -39,8 +31,6 @@ class FieldTest : public test::GlTest {
     float at(int vertex, bool wall = false) {
         return renderer_->fieldAt(1, static_cast<std::uint32_t>(vertex), wall).value_or(-1);
     }
-
-    std::unique_ptr<Renderer> renderer_;
 };
 
 /// A vertex in the middle of the face towards +z.

@@ -11,8 +11,8 @@
 #include <random>
 
 #include "tests/paths.h"
+#include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::render {
@@ -217,12 +217,8 @@ TEST(ChannelDifference, CountsPixelsAndErrors) {
 
 /// Pairs of pictures that people tell apart, or don't. docs/notes/picture-comparison.md has their
 /// figures in full size.
-class PicturePairs : public test::GlTest {
+class PicturePairs : public LightRendererTest {
   protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        renderer_ = std::make_unique<Renderer>(Quality::light);
-    }
     Image pictureOf(const Stage& stage) { return stage.picture(*renderer_); }
 
     /// Sideways in the picture [m].
@@ -231,8 +227,6 @@ class PicturePairs : public test::GlTest {
                               std::tan(camera.fovY * std::numbers::pi / 360);
         return camera.forward().cross(camera.up).normalized() * (count * height / kHeight);
     }
-
-    std::unique_ptr<Renderer> renderer_;
 };
 
 TEST_F(PicturePairs, ABladeThatIsGoneIsADifference) {

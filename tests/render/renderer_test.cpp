@@ -23,6 +23,7 @@
 #include "tests/support/body_upload.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::render {
 namespace {
@@ -503,7 +504,7 @@ void expectGolden(const Image& picture, const std::string& name) {
     const std::filesystem::path file =
         std::filesystem::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png");
     if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) {
-        writePng(picture, file);
+        test::writePng(picture, file);
         return;
     }
     const Image golden = readPng(file);
@@ -512,9 +513,9 @@ void expectGolden(const Image& picture, const std::string& name) {
         return;
     }
     const std::filesystem::path folder = KERF_BINARY_DIR;
-    writePng(picture, folder / (name + "-now.png"));
+    test::writePng(picture, folder / (name + "-now.png"));
     if (comparison.sameSize) {
-        writePng(differencePicture(golden, comparison), folder / (name + "-difference.png"));
+        test::writePng(differencePicture(golden, comparison), folder / (name + "-difference.png"));
     }
     FAIL() << name << ": the worst place differs by " << comparison.worst << ", "
            << 100 * comparison.shareDiffering() << " % of the pixels do; see " << folder;

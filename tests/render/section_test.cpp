@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "render/renderer.h"
+#include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::render {
@@ -15,16 +15,8 @@ namespace {
 
 constexpr double kViewHeight = 2;  // of the picture at the target [m]
 
-class SectionTest : public test::GlTest {
+class SectionTest : public LightRendererTest {
   protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        renderer_ = std::make_unique<Renderer>(Quality::light);
-    }
-    void TearDown() override {
-        renderer_.reset();
-        GlTest::TearDown();
-    }
     /// Straight at the plane, on nothing.
     Image lookAt(Stage& stage, const SectionPlane& plane) {
         stage.scene.section = plane;
@@ -49,8 +41,6 @@ class SectionTest : public test::GlTest {
         }
         return count;
     }
-
-    std::unique_ptr<Renderer> renderer_;
 };
 
 std::size_t byteAt(double x, double y) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/body/shape_error.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/folds.h"
+#include "tests/support/shape_error.h"
 
 namespace kerf::test {
 
@@ -37,7 +37,8 @@ ShapeErrors shapeErrors(Simulation& simulation, double bodyVolume) {
     ShapeErrors errors;
     for (std::size_t p = 0; p < vertices.size(); ++p) {
         if (pieces.pieces[p].restVolume >= kChip * bodyVolume) {
-            const double error = rmsShapeError(mesh.restPositions(), mesh.positions(), vertices[p]);
+            const double error =
+                test::rmsShapeError(mesh.restPositions(), mesh.positions(), vertices[p]);
             errors.largest = std::max(errors.largest, error);
             errors.largestOfPiece = std::max(errors.largestOfPiece, error / bounds[p].diagonal());
         }

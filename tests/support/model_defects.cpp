@@ -176,4 +176,29 @@ TriangleSoup soundBall() {
     return icosphereSoup(3);
 }
 
+void damage(TriangleSoup& soup, std::mt19937& random, int count) {
+    const auto any = [&](std::size_t size) { return static_cast<int>(random() % size); };
+    for (int i = 0; i < count; ++i) {
+        Triangle& t = soup.triangles[any(soup.triangles.size())];
+        switch (random() % 5) {
+            case 0:
+                std::swap(t[0], t[1]);
+                break;
+            case 1:
+                t[any(3)] = any(soup.positions.size());
+                break;
+            case 2:
+                soup.triangles.push_back(Triangle(t));
+                break;
+            case 3:
+                soup.positions[any(soup.positions.size())] = soup.positions[t[0]];
+                break;
+            default:
+                t = soup.triangles.back();
+                soup.triangles.pop_back();
+                break;
+        }
+    }
+}
+
 }  // namespace kerf::test

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <random>
 #include <string>
 
 #include "sim/mesh/triangle_soup.h"
@@ -14,5 +15,8 @@ const std::map<std::string, std::function<void(TriangleSoup&)>>& modelDefects();
 
 /// The ball that they are made for.
 TriangleSoup soundBall();
+
+/// Does something to so many triangles that no name is for.
+void damage(TriangleSoup& soup, std::mt19937& random, int count);
 
 }  // namespace kerf::test

@@ -100,7 +100,6 @@ class Replay {
           folder_(folder),
           player_(session_),
           files_(folder, options.hashes, options.pieces),
-          simulation_(running.simulation()),
           path_(cameraPathOf(session_)) {
         summary_.model = session_.model.name();
         std::ranges::for_each(remarks, [&](const std::string& sentence) { remark(sentence); });
@@ -109,7 +108,7 @@ class Replay {
         summary_.driver = device.version;
         summary_.before = countBody();
         beginPictures();
-        simulation_.feelBlade(options_.forces);
+        simulation().feelBlade(options_.forces);
     }
 
     void run(const ReplayListener& listener) {
@@ -154,7 +153,7 @@ class Replay {
     void take(const ExportEvent& event) {
         outside_.measure([&] {
             const ExportTarget target{event.file, event.filePerPiece,
-                                      coordinatesOf(event, simulation_.placement()),
+                                      coordinatesOf(event, simulation().placement()),
                                       folder_.pathOf(event.file).parent_path()};
             for (const ExportedFile& file : running_.encode(target)) {
                 folder_.write(file.file.generic_string(), file.bytes);
@@ -186,7 +185,7 @@ class Replay {
             return running_.draw(camera, size.width, size.height);
         };
         outside_.measure([&] {
-            const double time = simulation_.report().time;
+            const double time = simulation().report().time;
             if (film_) {
                 film_->show(step_, time, running_.camera(), draws);
             }
@@ -202,8 +201,8 @@ class Replay {
         const bool ends = stopped_ || step_ == steps_;
         if (sequence_ && sequence_->wants(step_, ends ? step_ : steps_)) {
             outside_.measure([&] {
-                sequence_->write(step_, simulation_.report().time, simulation_.mesh(),
-                                 simulation_.pieces(), {{}, lookOf(session_)}, session_.origin);
+                sequence_->write(step_, simulation().report().time, simulation().mesh(),
+                                 simulation().pieces(), {{}, lookOf(session_)}, session_.origin);
             });
         }
     }
@@ -230,14 +229,14 @@ class Replay {
         if (stopped_) {
             return;
         }
-        iterations_.add(step_, simulation_.bodyModel(), simulation_.params());
+        iterations_.add(step_, simulation().bodyModel(), simulation().params());
         const StepReport& report = running_.step();
         if (film_) {
-            film_->pass(simulation_.params().timeStep, simulation_.timeRuns());
+            film_->pass(simulation().params().timeStep, simulation().timeRuns());
         }
         const double outsideMs = outside_.take();
         const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,
-                             namesToughness(session_, simulation_.params())};
+                             namesToughness(session_, simulation().params())};
         publish(row, listener);
     }
 
@@ -246,14 +245,14 @@ class Replay {
         files_.write(row);
         summary_.statistics.add(row);
         if (!row.report.open) {
-            volumes_.add(step_, simulation_.measuredPieces());
+            volumes_.add(step_, simulation().measuredPieces());
         }
         if (files_.wantsPieces()) {
-            files_.write(step_, simulation_.measuredPieces(), simulation_.pieceBounds(),
+            files_.write(step_, simulation().measuredPieces(), simulation().pieceBounds(),
                          session_.origin);
         }
         if (files_.wantsHashes() || expected_ != nullptr) {
-            publish(simulation_.stateHashes());
+            publish(simulation().stateHashes());
         }
         for (const std::string& problem : running_.runner().newlyBroken(row.report)) {
             fail(problem);
@@ -330,29 +329,31 @@ class Replay {
     }
 
     void logMessages() {
-        for (const std::string& message : simulation_.takeMessages()) {
+        for (const std::string& message : simulation().takeMessages()) {
             spdlog::warn(message);
             summary_.messages.push_back(message);
         }
     }
 
     Counts countBody() {
-        const StepReport& report = simulation_.report();
+        const StepReport& report = simulation().report();
         return {report.vertices, report.triangles, report.ispcs};
     }
 
     void writeResults() {
-        folder_.write(kMeshFile, encodeMesh(simulation_.mesh(), simulation_.pieces(),
+        folder_.write(kMeshFile, encodeMesh(simulation().mesh(), simulation().pieces(),
                                             MeshFormat::ply, {}, session_.origin));
         files_.commit();
         finishFilms();
         summary_.after = countBody();
-        summary_.pieces = simulation_.pieces().pieces;
-        summary_.stateHash = simulation_.stateHash();
-        summary_.cuts = reportOnCuts(simulation_);
-        remark(remarkOnCrossings(simulation_));
+        summary_.pieces = simulation().pieces().pieces;
+        summary_.stateHash = simulation().stateHash();
+        summary_.cuts = reportOnCuts(simulation());
+        remark(remarkOnCrossings(simulation()));
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
+
+    Simulation& simulation() { return running_.simulation(); }
 
     RunningSession& running_;
     const Session& session_;
@@ -366,7 +367,6 @@ class Replay {
     std::optional<FilmReport> filmReport_;
     std::optional<FilmStrip> strip_;
     std::optional<MeshSequence> sequence_;
-    Simulation& simulation_;
     IterationWatch iterations_;
     VolumeWatch volumes_;
     const render::CameraPath path_;  ///< of films and strips

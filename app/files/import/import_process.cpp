@@ -130,15 +130,8 @@ bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const Follower
 }
 
 void waitFor(pid_t child, ImportOutcome& outcome) {
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFEXITED(status)) {
-        outcome.exitCode = WEXITSTATUS(status);
-    } else if (WIFSIGNALED(status)) {
-        outcome.signal = WTERMSIG(status);
-        outcome.tooSlow = outcome.tooSlow || outcome.signal == SIGXCPU;
-    }
+    static_cast<ChildEnd&>(outcome) = waitForChild(child);
+    outcome.tooSlow = outcome.tooSlow || outcome.signal == SIGXCPU;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/jobs/child_runs.h"
 #include "app/files/jobs/work_progress.h"
 
 namespace kerf::app {
@@ -20,11 +21,9 @@ struct ImportLimits {
 };
 
 /// The end of a reader process. Its answer is complete only where it exited with 0.
-struct ImportOutcome {
-    std::string answer;  ///< what it wrote to standard output
-    std::string log;     ///< the beginning of what it wrote to standard error
-    int exitCode = -1;   ///< -1 where a signal ended it
-    int signal = 0;
+struct ImportOutcome : ChildEnd {
+    std::string answer;    ///< what it wrote to standard output
+    std::string log;       ///< the beginning of what it wrote to standard error
     bool tooSlow = false;  ///< it ran into the CPU or the wall limit
     bool tooLong = false;  ///< the answer ran past kMaxImportAnswer
 };

@@ -83,20 +83,9 @@ Reader keepEnd(std::string& log) {
     };
 }
 
-void waitFor(pid_t child, ChildOutcome& outcome) {
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    if (WIFEXITED(status)) {
-        outcome.exitCode = WEXITSTATUS(status);
-    } else if (WIFSIGNALED(status)) {
-        outcome.signal = WTERMSIG(status);
-    }
-}
-
 /// Starts this program, which writes to `log`, and to `output` unless that is -1.
 pid_t startChild(const std::vector<std::string>& arguments, int output, int log) {
-    const std::string program = kerfProgram().string();
+    const std::string program = importProgram().string();
     std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const ArgumentList list(std::move(words));
@@ -120,13 +109,12 @@ class Child {
     ~Child() {
         if (id_ != 0) {
             ::kill(id_, SIGKILL);
-            ChildOutcome unheard;
-            waitFor(id_, unheard);
+            waitForChild(id_);
         }
     }
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
-    void wait(ChildOutcome& outcome) { waitFor(std::exchange(id_, 0), outcome); }
+    ChildEnd wait() { return waitForChild(std::exchange(id_, 0)); }
 
   private:
     pid_t id_;
@@ -141,7 +129,7 @@ ChildOutcome runChild(const std::vector<std::string>& arguments) {
     while (log.read.get() >= 0) {
         readSome(log.read, keepEnd(outcome.log));
     }
-    child.wait(outcome);
+    static_cast<ChildEnd&>(outcome) = child.wait();
     outcome.seconds = watch.seconds();
     return outcome;
 }
@@ -213,8 +201,12 @@ std::string lastLine(std::string text) {
 
 }  // namespace
 
-std::filesystem::path kerfProgram() {
-    return importProgram();
+ChildEnd waitForChild(int process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
 void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
@@ -256,7 +248,7 @@ ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgr
         lines(count);
     };
     readUnlessCancelled(output, countLines, log, keepEnd(outcome.log), progress);
-    child.wait(outcome);
+    static_cast<ChildEnd&>(outcome) = child.wait();
     outcome.seconds = watch.seconds();
     return outcome;
 }

@@ -9,10 +9,16 @@
 
 namespace kerf::app {
 
+/// How a child of this program ended.
+struct ChildEnd {
+    int exitCode = -1;  ///< -1 where a signal ended it
+    int signal = 0;     ///< that signal, else 0
+};
+/// Waits for the child of that number to end.
+ChildEnd waitForChild(int process);
+
 /// The end of a program that ran as a child of this one.
-struct ChildOutcome {
-    int exitCode = -1;   ///< -1 where a signal ended it
-    int signal = 0;      ///< that signal, else 0
+struct ChildOutcome : ChildEnd {
     std::string log;     ///< the end of what it wrote to standard error
     double seconds = 0;  ///< wall clock
 };
@@ -33,9 +39,6 @@ ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgr
 
 /// A path as an argument, which none takes for an option.
 std::string asArgument(const std::filesystem::path& path);
-
-/// The program that these start: $KERF_EXECUTABLE where it is set, else this one.
-std::filesystem::path kerfProgram();
 
 /// The last line that a child said, without the program's name before it; "" where it said nothing.
 std::string lastWords(const ChildOutcome& outcome);

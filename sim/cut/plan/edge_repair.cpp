@@ -10,6 +10,41 @@ namespace kerf::cut {
 
 namespace {
 
+/// Splits the edge of half-edge h at its middle, both triangles into two. Returns the new vertex.
+int splitEdgeAtMiddle(SurfaceMesh& mesh, int h) {
+    const int g = mesh.twin(h);
+    const int t = h / 3, o = g / 3;
+    const int a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
+    const std::array<int, 4> before{SurfaceMesh::next(h), SurfaceMesh::previous(h),
+                                    SurfaceMesh::next(g), SurfaceMesh::previous(g)};
+    std::array<int, 4> outer{};
+    for (int i = 0; i < 4; ++i) {
+        outer[i] = mesh.twin(before[i]);
+    }
+    const int m = mesh.addVertex(0.5 * (mesh.position(a) + mesh.position(b)),
+                                 0.5 * (mesh.restPosition(a) + mesh.restPosition(b)),
+                                 0.5 * (mesh.velocity(a) + mesh.velocity(b)));
+    mesh.setCorners(t, {a, m, c});
+    mesh.setCorners(o, {b, m, d});
+    const int t1 = mesh.addTriangle({m, b, c}, mesh.kind(t), mesh.wallLabel(t));
+    const int o1 = mesh.addTriangle({m, a, d}, mesh.kind(o), mesh.wallLabel(o));
+    mesh.link(3 * t, 3 * o1);
+    mesh.link(3 * t + 1, 3 * t1 + 2);
+    mesh.link(3 * t1, 3 * o);
+    mesh.link(3 * o + 1, 3 * o1 + 2);
+    const std::array<int, 4> after{3 * t1 + 1, 3 * t + 2, 3 * o1 + 1, 3 * o + 2};
+    for (int i = 0; i < 4; ++i) {  // a partner may be one of the four itself
+        const auto moved = std::find(before.begin(), before.end(), outer[i]);
+        mesh.link(after[i], moved == before.end() ? outer[i] : after[moved - before.begin()]);
+    }
+    mesh.setOutgoing(m, 3 * t1);
+    mesh.setOutgoing(a, 3 * t);
+    mesh.setOutgoing(b, 3 * o);
+    mesh.setOutgoing(c, 3 * t + 2);
+    mesh.setOutgoing(d, 3 * o + 2);
+    return m;
+}
+
 bool intersects(const std::vector<int>& p, const std::vector<int>& q) {
     return std::any_of(p.begin(), p.end(),
                        [&](int x) { return std::find(q.begin(), q.end(), x) != q.end(); });
@@ -195,40 +230,6 @@ class DuplicateEdges {
 //   a---b     ->      a-m-b       t = amc, t1 = mbc, o = bmd, o1 = mad
 //    \ /               \|/
 //     d                 d
-int splitEdgeAtMiddle(SurfaceMesh& mesh, int h) {
-    const int g = mesh.twin(h);
-    const int t = h / 3, o = g / 3;
-    const int a = mesh.origin(h), b = mesh.target(h), c = mesh.apex(h), d = mesh.apex(g);
-    const std::array<int, 4> before{SurfaceMesh::next(h), SurfaceMesh::previous(h),
-                                    SurfaceMesh::next(g), SurfaceMesh::previous(g)};
-    std::array<int, 4> outer{};
-    for (int i = 0; i < 4; ++i) {
-        outer[i] = mesh.twin(before[i]);
-    }
-    const int m = mesh.addVertex(0.5 * (mesh.position(a) + mesh.position(b)),
-                                 0.5 * (mesh.restPosition(a) + mesh.restPosition(b)),
-                                 0.5 * (mesh.velocity(a) + mesh.velocity(b)));
-    mesh.setCorners(t, {a, m, c});
-    mesh.setCorners(o, {b, m, d});
-    const int t1 = mesh.addTriangle({m, b, c}, mesh.kind(t), mesh.wallLabel(t));
-    const int o1 = mesh.addTriangle({m, a, d}, mesh.kind(o), mesh.wallLabel(o));
-    mesh.link(3 * t, 3 * o1);
-    mesh.link(3 * t + 1, 3 * t1 + 2);
-    mesh.link(3 * t1, 3 * o);
-    mesh.link(3 * o + 1, 3 * o1 + 2);
-    const std::array<int, 4> after{3 * t1 + 1, 3 * t + 2, 3 * o1 + 1, 3 * o + 2};
-    for (int i = 0; i < 4; ++i) {  // a partner may be one of the four itself
-        const auto moved = std::find(before.begin(), before.end(), outer[i]);
-        mesh.link(after[i], moved == before.end() ? outer[i] : after[moved - before.begin()]);
-    }
-    mesh.setOutgoing(m, 3 * t1);
-    mesh.setOutgoing(a, 3 * t);
-    mesh.setOutgoing(b, 3 * o);
-    mesh.setOutgoing(c, 3 * t + 2);
-    mesh.setOutgoing(d, 3 * o + 2);
-    return m;
-}
-
 bool hasDuplicateEdges(const SurfaceMesh& mesh, const Umbrellas& umbrellas) {
     const std::span<const int> spokes = umbrellas.spokes;
     int first = 0;

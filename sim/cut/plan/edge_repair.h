@@ -23,7 +23,4 @@ bool hasDuplicateEdges(const SurfaceMesh& mesh, const Umbrellas& umbrellas);
 std::vector<int> splitDuplicateEdges(SurfaceMesh& mesh, int firstTriangle, int stroke,
                                      const std::set<Edge>& frontEdges);
 
-/// Splits the edge of half-edge h at its middle, both triangles into two. Returns the new vertex.
-int splitEdgeAtMiddle(SurfaceMesh& mesh, int h);
-
 }  // namespace kerf::cut

@@ -54,8 +54,6 @@ struct Strip {
     bool isOld(int node) const { return node < oldCount; }
     /// Whether a front edge joins an old node to the one before it.
     bool attachedBefore(int node) const { return node > 0 && nodes[node - 1].attached; }
-    /// Whether a front edge joins an old node to the one after it.
-    bool attachedAfter(int node) const { return isOld(node) && nodes[node].attached; }
     /// Whether the edge lies on R1; rails, which join the ends of R0 and R1, do not.
     bool onNewRung(int edge) const;
     /// The strip as one piece of the body sees it: without the vertices and fronts of others.

@@ -13,6 +13,7 @@
 #include "tests/support/png_head.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
@@ -41,7 +42,7 @@ class CompareVerb : public testing::Test {
         for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
             image.pixels[i] = 255;
         }
-        render::writePng(image, folder_ / name);
+        test::writePng(image, folder_ / name);
         return folder_ / name;
     }
     int run() {

@@ -13,6 +13,7 @@
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/written_png.h"
 
 namespace kerf {
 namespace {
@@ -95,7 +96,7 @@ TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
 
 /// Two boxes with a material and an image each, of which one is missing.
 std::string writePainted(const std::filesystem::path& folder, bool open) {
-    render::writePng({3, 2, std::vector<std::uint8_t>(24, 255)}, folder / "tile.png");
+    test::writePng({3, 2, std::vector<std::uint8_t>(24, 255)}, folder / "tile.png");
     test::writeText(folder / "paint.mtl",
                     "newmtl wood\nmap_Kd tile.png\nnewmtl stone\nmap_Kd gone.png\n");
     TriangleSoup second = test::boxSoup(Vec3(1, 1, 2));

@@ -10,9 +10,11 @@
 #include <regex>
 #include <set>
 
-#include "app/doctor/every_program.h"
 #include "gpu/data_path.h"
 #include "gpu/limits.h"
+#include "gpu/program_record.h"
+#include "render/renderer.h"
+#include "sim/run/start/every_kernel.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/program_output.h"
 #include "tests/support/temporary_folder.h"
@@ -25,6 +27,16 @@ namespace fs = std::filesystem;
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+/// Links every program that Kerf can come to need, of both tiers of quality.
+std::vector<gpu::LinkedProgram> everyProgram() {
+    const gpu::ProgramRecord record;
+    linkEveryKernel();
+    for (const render::Quality quality : {render::Quality::light, render::Quality::full}) {
+        render::Renderer(quality).linkEveryProgram();
+    }
+    return record.programs();
+}
 
 /// Texts of shaders, each once, with the file that it comes from.
 using Texts = std::map<std::string, std::string>;

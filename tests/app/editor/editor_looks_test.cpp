@@ -10,6 +10,7 @@
 #include "app/scene/scene_recorder.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
@@ -24,7 +25,7 @@ class EditorLooksTest : public EditorTest {
         for (int i = 0; i < 16; ++i) {
             pixels.insert(pixels.end(), {20, 220, 40, 255});
         }
-        render::writePng({4, 4, pixels}, folder / "green.png");
+        test::writePng({4, 4, pixels}, folder / "green.png");
         std::string text = "mtllib ball.mtl\nusemtl paint\nvt 0.5 0.5\n";
         std::istringstream lines(test::objText(test::cubeSphereSoup(8, 0.5)));
         for (std::string line; std::getline(lines, line);) {

@@ -13,6 +13,7 @@
 #include "tests/support/run_kerf.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
@@ -167,7 +168,7 @@ TEST_F(TestVerb, SeesAPictureAloneAndLeavesOutWhatIsMasked) {
             picture.pixels[std::size_t(4) * (std::size_t(y) * 96 + std::size_t(x))] ^= 0x80;
         }
     }
-    render::writePng(picture, expected("end.png"));
+    test::writePng(picture, expected("end.png"));
     expectFailure("The picture end.png differs in ");
     const std::string text = readBytes(expected("expected.json"));
     writeText(expected("expected.json"),
@@ -240,7 +241,7 @@ TEST_F(TestVerb, HowFarPicturesOfAnotherDriverMayBeOffCanBeSet) {
     for (std::size_t i = 0; i < picture.pixels.size() / 4; i += 4) {
         picture.pixels[i] ^= 0x80;
     }
-    render::writePng(picture, expected("end.png"));
+    test::writePng(picture, expected("end.png"));
     const std::string text =
         replaced(readBytes(expected("expected.json")), "\"driver\": \"", "\"driver\": \"Other ");
     writeText(expected("expected.json"), text);

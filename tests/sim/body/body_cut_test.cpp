@@ -7,11 +7,11 @@
 #include "sim/body/body_updater.h"
 #include "sim/body/ispc_builder.h"
 #include "sim/body/ray_tree.h"
-#include "sim/body/shape_error.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/reference/reference_solver.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -160,7 +160,7 @@ void expectHalvesToFallSoftly(const SurfaceMesh& whole) {
         const std::vector<double> volumes = solver.volumes(state);
         for (int p = 0; p < 2; ++p) {
             mean[p] += volumes[p] / body.model.pieces[p].restVolume / steps;
-            peak[p] = std::max(peak[p], rmsShapeError(rest, state.positions, vertices[p]));
+            peak[p] = std::max(peak[p], test::rmsShapeError(rest, state.positions, vertices[p]));
         }
     }
     for (int p = 0; p < 2; ++p) {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/body/shape_error.h"
 #include "sim/contact/box_obstacles.h"
 #include "sim/run/simulation.h"
 #include "sim/run/state_hash.h"
@@ -11,6 +10,7 @@
 #include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -198,7 +198,7 @@ TEST_F(BoxContactTest, ABoxInTheBodyPushesItOutGently) {
 double shapeErrorOf(const SurfaceMesh& mesh) {
     std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
-    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+    return test::rmsShapeError(mesh.restPositions(), mesh.positions(), all);
 }
 
 /// A sphere of 1 m in a box of 1.4 m that it is a little off the middle of.

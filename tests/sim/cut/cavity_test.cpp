@@ -80,27 +80,26 @@ TEST(CavityCut, ThroughTheMiddleGivesTwoBowlsWithRingsForWalls) {
     }
 }
 
-TEST(CavityCut, CapThatComesOffLeavesTheCavityToTheRest) {
-    const Vec3 at = kMiddle + Vec3(0, 0, 0.33);
+/// The hollow ball, cut straight through at that height over its middle.
+SurfaceMesh cutAt(double height) {
+    const Vec3 at = kMiddle + Vec3(0, 0, height);
     const SurfaceMesh before = hollowBall();
     SurfaceMesh mesh = before;
     expectSound(
         test::runStroke(mesh, test::exactSettings(),
                         test::straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
     expectParts(before, mesh, at, Vec3::UnitZ());
+    return mesh;
+}
+
+TEST(CavityCut, CapThatComesOffLeavesTheCavityToTheRest) {
+    const SurfaceMesh mesh = cutAt(0.33);
     EXPECT_EQ(characteristicOfWall(mesh, 0), 1);
     EXPECT_TRUE(PieceLabels(mesh).hasCavities());
 }
 
 TEST(CavityCut, CapOfTheOtherSideToo) {
-    // The shell that keeps the lowest vertex is now the one that comes off.
-    const Vec3 at = kMiddle - Vec3(0, 0, 0.33);
-    const SurfaceMesh before = hollowBall();
-    SurfaceMesh mesh = before;
-    expectSound(
-        test::runStroke(mesh, test::exactSettings(),
-                        test::straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
-    expectParts(before, mesh, at, Vec3::UnitZ());
+    cutAt(-0.33);  // the shell that keeps the lowest vertex is now the one that comes off
 }
 
 TEST(CavityCut, TwiceCrosswiseGivesFourQuarters) {

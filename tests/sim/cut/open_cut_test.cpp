@@ -8,6 +8,7 @@
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/open_manifold.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -29,7 +30,7 @@ Stroke through(const Vec3& center, const Vec3& along, const Vec3& travel) {
 
 /// What a body is made of while its stroke is open.
 void expectOpen(const SurfaceMesh& mesh, const BodyModel& model) {
-    EXPECT_EQ(checkOpenManifold(mesh), "");
+    EXPECT_EQ(test::checkOpenManifold(mesh), "");
     const std::size_t absent = absentTriangles(mesh).size();
     EXPECT_EQ(model.triangles.size() + absent, static_cast<std::size_t>(mesh.aliveTriangles()));
     const std::size_t border = borderHalfEdges(mesh).size();

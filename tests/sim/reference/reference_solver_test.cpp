@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/body/shape_error.h"
 #include "sim/body/solver_uniforms.h"
 #include "tests/support/shaken_state.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -162,7 +162,8 @@ DropResult drop(const SurfaceMesh& mesh, const Params& params, int steps) {
         solver.step(state);
         result.finalVolume = solver.volumes(state)[0] / model.uncutRestVolume;
         result.meanVolume += result.finalVolume / steps;
-        result.peakError = std::max(result.peakError, rmsShapeError(rest, state.positions, all));
+        result.peakError =
+            std::max(result.peakError, test::rmsShapeError(rest, state.positions, all));
     }
     result.peakError /= bounds.diagonal();
     result.lowest = 1e9;

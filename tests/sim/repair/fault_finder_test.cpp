@@ -168,25 +168,7 @@ TEST(FaultFinder, FindsWhatAPlainCountFindsInWhateverComes) {
     for (int run = 0; run < kRuns; ++run) {
         SCOPED_TRACE(run);
         TriangleSoup soup = test::icosphereSoup(1);
-        const auto any = [&](std::size_t size) { return static_cast<int>(random() % size); };
-        for (int i = 0; i < 8; ++i) {
-            Triangle& t = soup.triangles[any(soup.triangles.size())];
-            switch (random() % 4) {
-                case 0:
-                    std::swap(t[0], t[1]);
-                    break;
-                case 1:
-                    t[any(3)] = any(soup.positions.size());
-                    break;
-                case 2:
-                    soup.triangles.push_back(Triangle(t));
-                    break;
-                default:
-                    t = soup.triangles.back();
-                    soup.triangles.pop_back();
-                    break;
-            }
-        }
+        test::damage(soup, random, 8);
         expectAsReported(soup);
         std::erase_if(soup.triangles, [](const Triangle& t) {
             return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

@@ -104,32 +104,6 @@ TEST(Repair, FillsHolesWithTrianglesLikeThoseAround) {
     EXPECT_EQ(inspectTriangles(soup).problem, "");
 }
 
-/// Does something to some triangles that no name is for.
-void damage(TriangleSoup& soup, std::mt19937& random) {
-    const auto any = [&](std::size_t size) { return static_cast<int>(random() % size); };
-    for (int i = 0; i < 12; ++i) {
-        Triangle& t = soup.triangles[any(soup.triangles.size())];
-        switch (random() % 5) {
-            case 0:
-                std::swap(t[0], t[1]);
-                break;
-            case 1:
-                t[any(3)] = any(soup.positions.size());
-                break;
-            case 2:
-                soup.triangles.push_back(t);
-                break;
-            case 3:
-                soup.positions[any(soup.positions.size())] = soup.positions[t[0]];
-                break;
-            default:
-                t = soup.triangles.back();
-                soup.triangles.pop_back();
-                break;
-        }
-    }
-}
-
 TEST(Repair, WhateverComesIsMendedOrRefused) {
     int mended = 0;
     constexpr int kRuns = 150;
@@ -137,7 +111,7 @@ TEST(Repair, WhateverComesIsMendedOrRefused) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         TriangleSoup soup = seed % 2 == 0 ? test::icosphereSoup(2) : test::torusSoup(16, 8);
-        damage(soup, random);
+        test::damage(soup, random, 12);
         soup = weldExactly(soup);
         repair::repairSoup(soup);
         const MeshReport report = inspectTriangles(soup);

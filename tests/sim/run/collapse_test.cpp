@@ -10,9 +10,9 @@
 
 #include "sim/body/body_model.h"
 #include "sim/body/inside_out.h"
-#include "sim/body/shape_error.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/nightly.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 
@@ -41,7 +41,8 @@ std::vector<PieceShape> shapesOf(const SurfaceMesh& mesh) {
         if (model.pieces[p].holdsVolume) {
             const Piece& piece = map.pieces[map.ofVertex[members[p].front()]];
             shapes.push_back(
-                {rmsShapeError(mesh.restPositions(), mesh.positions(), members[p]) / model.diagonal,
+                {test::rmsShapeError(mesh.restPositions(), mesh.positions(), members[p]) /
+                     model.diagonal,
                  piece.volume / piece.restVolume, insideOut[p]});
         }
     }

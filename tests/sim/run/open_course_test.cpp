@@ -7,6 +7,7 @@
 #include "sim/run/simulation.h"
 #include "sim/solve/body_view.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/open_manifold.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -69,7 +70,7 @@ TEST_F(OpenCourseTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     EXPECT_TRUE(cutting.open);
     EXPECT_FALSE(cutting.closed);
     const SurfaceMesh& mesh = simulation->mesh();
-    EXPECT_EQ(checkOpenManifold(mesh), "");
+    EXPECT_EQ(test::checkOpenManifold(mesh), "");
     EXPECT_GT(borderHalfEdges(mesh).size(), 10u);
     const auto absent = static_cast<int>(absentTriangles(mesh).size());
     EXPECT_GT(absent, 20);

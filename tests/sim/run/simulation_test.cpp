@@ -11,10 +11,10 @@
 #include <random>
 #include <set>
 
-#include "sim/body/shape_error.h"
 #include "sim/mesh/invariants.h"
 #include "sim/solve/body_view.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -78,7 +78,7 @@ double shapeError(Simulation& simulation) {
     const SurfaceMesh& mesh = simulation.mesh();
     std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
-    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+    return test::rmsShapeError(mesh.restPositions(), mesh.positions(), all);
 }
 
 TEST_F(SimulationTest, ReportsTheBodyBeforeTheFirstStep) {

@@ -7,7 +7,6 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/body/shape_error.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/reference/reference_solver.h"
 #include "sim/run/simulation.h"
@@ -15,6 +14,7 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/folds.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -81,7 +81,7 @@ struct Crumpled {
     double shapeError() const {
         std::vector<int> all(mesh.positions().size());
         std::iota(all.begin(), all.end(), 0);
-        return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+        return test::rmsShapeError(mesh.restPositions(), mesh.positions(), all);
     }
 
     SurfaceMesh mesh;

@@ -14,6 +14,7 @@
 #include "tests/support/run_kerf.h"
 #include "tests/support/small_sessions.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
@@ -325,7 +326,7 @@ TEST_F(ReplayVerbOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
 
     render::Image spoiled = render::readPng(folder_ / "ref/end.png");
     std::fill_n(spoiled.pixels.begin(), 96 * 4 * 32, 0);
-    render::writePng(spoiled, folder_ / "ref/end.png");
+    test::writePng(spoiled, folder_ / "ref/end.png");
     const ProgramRun other = replay("out", options);
     EXPECT_EQ(other.exitCode, 1);
     EXPECT_THAT(other.errors, HasSubstr("end.png differs in "));

@@ -3,11 +3,11 @@
 
 #include "app/cli/replay/replay.h"
 #include "app/session/session_runner.h"
-#include "sim/body/shape_error.h"
 #include "sim/run/simulation.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
+#include "tests/support/shape_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -86,8 +86,8 @@ double largestDeformation(Simulation& simulation) {
         for (int v = 0; v < mesh.vertexCount(); ++v) {
             if (pieces.ofVertex[v] == piece) vertices.push_back(v);
         }
-        largest =
-            std::max(largest, rmsShapeError(mesh.restPositions(), mesh.positions(), vertices));
+        largest = std::max(largest,
+                           test::rmsShapeError(mesh.restPositions(), mesh.positions(), vertices));
     }
     return largest;
 }

@@ -14,6 +14,7 @@
 #include "tests/support/png_head.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
@@ -144,7 +145,7 @@ TEST_F(LeftOutImage, IsNamedWhereItIsMissing) {
 TEST_F(LeftOutImage, IsNamedWhereItLiesOutsideTheFolder) {
     const fs::path below = folder / "models";
     fs::create_directories(below);
-    render::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
+    test::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
     const ModelMesh model = readModel(writeBox(below, "../secret.png"), {});
     ASSERT_EQ(model.remarks.size(), 1U);
     EXPECT_THAT(model.remarks.front(), HasSubstr("in the model's folder or below"));
@@ -153,7 +154,7 @@ TEST_F(LeftOutImage, IsNamedWhereItLiesOutsideTheFolder) {
 TEST_F(LeftOutImage, IsNamedWhereALinkOrAWholePathLeadsOutside) {
     const fs::path below = folder / "models";
     fs::create_directories(below);
-    render::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
+    test::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
     fs::create_symlink(folder / "secret.png", below / "link.png");
     fs::create_directory_symlink(folder.path(), below / "up");
     fs::create_symlink("/dev/zero", below / "zero.png");
@@ -189,7 +190,7 @@ TEST_F(LeftOutImage, IsNamedWhereItIsNoPictureOrDamaged) {
         remarkOf("text.png"),
         "The image \"text.png\" was left out: it is neither PNG nor JPEG; save it anew as PNG "
         "and open the model again.");
-    render::writePng({64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 7)}, folder / "half.png");
+    test::writePng({64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 7)}, folder / "half.png");
     const std::string whole = test::readBytes(folder / "half.png");
     test::writeText(folder / "half.png", whole.substr(0, whole.size() / 2));
     EXPECT_THAT(remarkOf("half.png"), HasSubstr("it is damaged or cut off"));
@@ -241,7 +242,7 @@ class Beside : public ::testing::Test {
     void SetUp() override {
         fs::create_directories(folder / "in");
         fs::create_directories(folder / "out");
-        render::writePng({1, 1, {200, 100, 50, 255}}, folder / "in" / "tile.png");
+        test::writePng({1, 1, {200, 100, 50, 255}}, folder / "in" / "tile.png");
     }
 
     test::TemporaryFolder folder;

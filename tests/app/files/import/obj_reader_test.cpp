@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "app/files/import/obj_materials.h"
-#include "app/files/io/errors.h"
-#include "sim/repair/soup_inspection.h"
+#include "tests/app/files/import/box_reader_test.h"
 #include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -20,30 +19,12 @@ const std::string kObjVertices =
     "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 3\nv 1 0 3\nv 0 2 3\nv 1 2 3\n";
 const std::string kObjFaces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
-class ObjReader : public ::testing::Test {
+class ObjReader : public BoxReaderTest<readObj> {
   protected:
-    ImportedModel read(const std::string& text) {
-        test::writeText(folder_ / "a.obj", text);
-        return readObj(folder_ / "a.obj");
-    }
-    std::string sentence(const std::string& text) {
-        try {
-            read(text);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    }
-    /// Of a closed box of 1 x 2 x 3, read without a remark.
+    /// Of the box, read without a remark.
     void expectBox(const std::string& text) {
-        const ImportedModel model = read(text);
-        const MeshReport report = inspectTriangles(model.soup);
-        EXPECT_TRUE(report.cuttable) << report.problem << "\n" << text;
-        EXPECT_EQ(report.triangles, 12) << text;
-        EXPECT_NEAR(report.volume, 6, 1e-12) << text;
-        EXPECT_THAT(model.remarks, IsEmpty()) << text;
+        EXPECT_THAT(BoxReaderTest::expectBox(text).remarks, IsEmpty()) << text;
     }
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(ObjReader, ABoxIsTheSameHoweverItIsWritten) {

@@ -8,8 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "app/files/io/errors.h"
-#include "sim/repair/soup_inspection.h"
+#include "tests/app/files/import/box_reader_test.h"
 #include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,30 +28,7 @@ const std::string kEnd = "end_header\n";
 const std::string kVertices = "0 0 0\n1 0 0\n0 2 0\n1 2 0\n0 0 3\n1 0 3\n0 2 3\n1 2 3\n";
 const std::string kFaces = "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
 
-class PlyReader : public ::testing::Test {
-  protected:
-    ImportedModel read(const std::string& bytes) {
-        test::writeText(folder_ / "a.ply", bytes);
-        return readPly(folder_ / "a.ply");
-    }
-    std::string sentence(const std::string& bytes) {
-        try {
-            read(bytes);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    }
-    /// Of a closed box of 1 x 2 x 3.
-    void expectBox(const std::string& bytes) {
-        const ImportedModel model = read(bytes);
-        const MeshReport report = inspectTriangles(model.soup);
-        EXPECT_TRUE(report.cuttable) << report.problem;
-        EXPECT_EQ(report.triangles, 12);
-        EXPECT_NEAR(report.volume, 6, 1e-12);
-    }
-    test::TemporaryFolder folder_;
-};
+using PlyReader = BoxReaderTest<readPly>;
 
 /// The box in binary, with a property of one byte before each position.
 std::string binaryBox(bool bigEndian, const std::string& lineEnd, char before) {

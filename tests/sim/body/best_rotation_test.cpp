@@ -1,9 +1,8 @@
-#include "sim/body/shape_error.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 
+#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -23,7 +22,7 @@ TEST(ShapeError, IsZeroForARigidMotion) {
     for (const Vec3& p : rest) {
         moved.push_back(turn * p + Vec3(3, -7, 11));
     }
-    EXPECT_NEAR(rmsShapeError(rest, moved, everyVertex(rest)), 0, 1e-12);
+    EXPECT_NEAR(test::rmsShapeError(rest, moved, everyVertex(rest)), 0, 1e-12);
 }
 
 TEST(ShapeError, SeesStretchAndAMirrorImage) {
@@ -33,13 +32,13 @@ TEST(ShapeError, SeesStretchAndAMirrorImage) {
     for (Vec3& p : stretched) {
         p.y() *= 1.2;
     }
-    EXPECT_NEAR(rmsShapeError(rest, stretched, everyVertex(rest)), 0.1, 1e-12);
+    EXPECT_NEAR(test::rmsShapeError(rest, stretched, everyVertex(rest)), 0.1, 1e-12);
     const std::vector<Vec3> tube = mirrored;
     for (Vec3& p : mirrored) {
         p.y() *= -1;
     }
     mirrored[0].z() += 0.3;
-    EXPECT_GT(rmsShapeError(tube, mirrored, everyVertex(tube)), 1e-3);
+    EXPECT_GT(test::rmsShapeError(tube, mirrored, everyVertex(tube)), 1e-3);
 }
 
 TEST(ShapeError, LooksAtTheSubsetOnly) {
@@ -47,8 +46,8 @@ TEST(ShapeError, LooksAtTheSubsetOnly) {
     std::vector<Vec3> moved = rest;
     moved[3] += Vec3(9, 9, 9);
     const std::vector<int> others = {0, 1, 2, 4, 5, 6, 7};
-    EXPECT_NEAR(rmsShapeError(rest, moved, others), 0, 1e-12);
-    EXPECT_EQ(rmsShapeError(rest, moved, {}), 0);
+    EXPECT_NEAR(test::rmsShapeError(rest, moved, others), 0, 1e-12);
+    EXPECT_EQ(test::rmsShapeError(rest, moved, {}), 0);
 }
 
 }  // namespace

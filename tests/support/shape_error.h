@@ -5,11 +5,7 @@
 
 #include "sim/base/math.h"
 
-namespace kerf {
-
-/// The rotation that brings points with this covariance (sum of current rest^T) closest together
-/// (Kabsch 1976).
-Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance);
+namespace kerf::test {
 
 /// Root mean square distance between the current positions and the rest positions after the best
 /// rotation and translation, over the vertices of `subset` [m]; 0 for an empty one.
@@ -17,4 +13,4 @@ Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance);
 double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& current,
                      std::span<const int> subset);
 
-}  // namespace kerf
+}  // namespace kerf::test

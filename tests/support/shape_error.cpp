@@ -1,9 +1,10 @@
-#include "sim/body/shape_error.h"
+#include "tests/support/shape_error.h"
 
-#include <Eigen/SVD>
 #include <cmath>
 
-namespace kerf {
+#include "sim/body/best_rotation.h"
+
+namespace kerf::test {
 
 namespace {
 
@@ -16,14 +17,6 @@ Vec3 mean(const std::vector<Vec3>& points, std::span<const int> subset) {
 }
 
 }  // namespace
-
-Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance) {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::Matrix3d product = svd.matrixU() * svd.matrixV().transpose();
-    const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
-    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-}
 
 double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& current,
                      std::span<const int> subset) {
@@ -44,4 +37,4 @@ double rmsShapeError(const std::vector<Vec3>& rest, const std::vector<Vec3>& cur
     return std::sqrt(sum / static_cast<double>(subset.size()));
 }
 
-}  // namespace kerf
+}  // namespace kerf::test
