@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/body_state.h"
+#include "ui/state/body_state.h"
 
 namespace kerf::ui {
 

@@ -1,19 +1,8 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "sim/cut/subdivision_pattern.h"
-#include "ui/cut_rows.h"
+#include "ui/state/cuts_state.h"
 
 namespace kerf::ui {
-
-/// How the cuts came out.
-struct CutsState {
-    std::vector<CutRow> rows;
-    std::string note;                  ///< what is to be said of them; may be empty
-    SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
-};
 
 /// Draws how well the cuts came out: the figures of all of them beside those of the last stroke.
 void drawCuts(const CutsState& cuts);

@@ -1,26 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/history.h"
+#include "ui/state/experiment_card.h"
 
 namespace kerf::ui {
-
-/// One of the paper's experiments: its figures beside ours.
-struct ExperimentCard {
-    std::string name;     ///< "sphere768": what OpenExperiment asks for
-    std::string label;    ///< "Sphere 768"
-    double timeStep = 0;  ///< the paper's [s]
-    int iterations = 0;   ///< the paper's
-    int triangles = 0;    ///< the paper's, before the cut; 0 where it is not known
-    RunFigures paper;
-    std::optional<RunFigures> ours;  ///< of the run that is open, or of the last one; none without
-    int ourTriangles = 0;            ///< of that run, as it stands
-    bool open = false;
-};
 
 /// Draws a card for each of the paper's experiments, its figures beside ours; a click opens it.
 void drawExperiments(const std::vector<ExperimentCard>& experiments, std::vector<Action>& actions);

@@ -1,31 +1,14 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "ui/action.h"
 #include "ui/layout.h"
+#include "ui/state/help_state.h"
 
 namespace kerf::ui {
 
 struct PanelModel;
-
-/// An action that a hint offers, with its label there.
-struct HintChoice {
-    ActionId id{};
-    std::string label;
-};
-/// A sentence that says what to do first or next.
-struct Hint {
-    std::string text;  ///< empty for no hint
-    std::vector<HintChoice> choices;
-};
-
-/// Help that is offered.
-struct HelpState {
-    Hint hint;
-    bool open = false;  ///< the page of keys
-};
 
 /// Draws what to do first or next into the view: at its lower edge, or in its middle while nothing
 /// is open. It takes no input but on the buttons of its choices.

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-namespace kerf::ui {
+#include "ui/state/log_line.h"
 
-/// One line of the log.
-struct LogLine {
-    std::string text;
-    bool isError = false;
-};
+namespace kerf::ui {
 
 /// Draws the sentences that were shown so far, the newest at the bottom and in sight.
 void drawLog(const std::vector<LogLine>& log);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/panel_model.h"
+#include "ui/state/help_state.h"
 #include "ui/widgets.h"
 
 namespace kerf::ui {

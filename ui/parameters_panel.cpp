@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/solve/sweep_strength.h"
 #include "ui/action_table.h"
 #include "ui/item_rects.h"
 #include "ui/unit_text.h"

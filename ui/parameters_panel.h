@@ -4,17 +4,10 @@
 #include <vector>
 
 #include "sim/base/params.h"
-#include "sim/solve/sweep_strength.h"
 #include "ui/action.h"
+#include "ui/state/parameters_state.h"
 
 namespace kerf::ui {
-
-/// What the panel of parameters shows.
-struct ParametersState {
-    Params now;
-    Params start;  ///< as they were when it was opened: what the reset mark returns to
-    const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
-};
 
 /// Draws a row per parameter of paramTable(): the four that people turn first on top, the rest
 /// under "More". Each answers with a SetParam command.

@@ -4,15 +4,9 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/piece_row.h"
+#include "ui/state/pieces_state.h"
 
 namespace kerf::ui {
-
-/// What the list of pieces shows.
-struct PiecesState {
-    std::vector<PieceRow> rows;
-    int hovered = -1;  ///< of rows; -1 for none
-};
 
 /// Draws a row per piece: an eye that hides it, its colour, triangles, volume and share of its rest
 /// volume. Hovered rows answer, clicked ones bring their piece into view.

@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "ui/action.h"
 #include "ui/layout.h"
-#include "ui/session_panel.h"
+#include "ui/state/session_state.h"
 
 namespace kerf::ui {
 

@@ -3,19 +3,10 @@
 #include <vector>
 
 #include "ui/action.h"
-#include "ui/session_panel.h"
+#include "ui/state/session_state.h"
+#include "ui/state/transport_state.h"
 
 namespace kerf::ui {
-
-/// How time runs.
-struct TransportState {
-    bool playing = false;
-    bool recording = false;
-    bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
-    double speed = 1;       ///< of simulated time against the clock
-    int step = 0;
-    double time = 0;  ///< simulated [s]
-};
 
 /// Draws the buttons that play, pause, step, reset and record, and the simulated time.
 void drawTransport(const TransportState& transport, const PlaybackState& playback,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cut/subdivision_pattern.h"
+#include "ui/cut_rows.h"
+
+namespace kerf::ui {
+
+/// How the cuts came out.
+struct CutsState {
+    std::vector<CutRow> rows;
+    std::string note;                  ///< what is to be said of them; may be empty
+    SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
+};
+
+}  // namespace kerf::ui

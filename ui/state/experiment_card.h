@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/history.h"
+
+namespace kerf::ui {
+
+/// One of the paper's experiments: its figures beside ours.
+struct ExperimentCard {
+    std::string name;     ///< "sphere768": what OpenExperiment asks for
+    std::string label;    ///< "Sphere 768"
+    double timeStep = 0;  ///< the paper's [s]
+    int iterations = 0;   ///< the paper's
+    int triangles = 0;    ///< the paper's, before the cut; 0 where it is not known
+    RunFigures paper;
+    std::optional<RunFigures> ours;  ///< of the run that is open, or of the last one; none without
+    int ourTriangles = 0;            ///< of that run, as it stands
+    bool open = false;
+};
+
+}  // namespace kerf::ui

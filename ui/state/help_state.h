@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/action.h"
+
+namespace kerf::ui {
+
+/// An action that a hint offers, with its label there.
+struct HintChoice {
+    ActionId id{};
+    std::string label;
+};
+
+/// A sentence that says what to do first or next.
+struct Hint {
+    std::string text;  ///< empty for no hint
+    std::vector<HintChoice> choices;
+};
+
+/// Help that is offered.
+struct HelpState {
+    Hint hint;
+    bool open = false;  ///< the page of keys
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/base/math.h"
+#include "ui/fault_legend.h"
+#include "ui/field_legend.h"
+
+namespace kerf::ui {
+
+/// What the looks of the body and the legend are drawn from.
+struct LooksState {
+    FieldLegend field;
+    std::vector<FaultRow> faults;  ///< that are marked in the view
+    /// A model that can't be cut stands in the view, with its faults, instead of the body.
+    bool showsFaulty = false;
+    Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
+    Vec3 ownFlesh = Vec3::Zero();
+    bool hasOwnColors = false;  ///< the model's file has colours or images
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/base/params.h"
+
+namespace kerf {
+class SweepStrength;
+}
+
+namespace kerf::ui {
+
+/// What the panel of parameters shows.
+struct ParametersState {
+    Params now;
+    Params start;  ///< as they were when it was opened: what the reset mark returns to
+    const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
+};
+
+}  // namespace kerf::ui
