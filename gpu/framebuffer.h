@@ -40,7 +40,7 @@ class Framebuffer {
     void bind() const;
     /// Resolves (or copies) the colour into `target` of the same size.
     void blitColorTo(const Framebuffer& target) const;
-    /// The same for the depth; both must have the same format of it.
+    /// Copies the depth into `target` of the same size and depth format.
     void blitDepthTo(const Framebuffer& target) const;
     /// RGBA8, width * height * 4 bytes, top row first.
     std::vector<std::uint8_t> readColor() const;

@@ -23,7 +23,7 @@ class ProgramBinaries {
     /// Saves a linked program; where that fails nothing is saved.
     void save(std::uint32_t program, const std::string& sources) const;
 
-    /// Those that Program uses: none at first.
+    /// The cache that Program uses: none at first.
     static ProgramBinaries& ours();
 
   private:

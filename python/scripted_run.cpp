@@ -9,7 +9,7 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/memory_means.h"
 #include "app/files/io/output_folder.h"
-#include "app/scene/saved_session.h"
+#include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session_action.h"
 #include "sim/base/stopwatch.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene/session_journal.h"
+#include "app/scene/timeline/session_journal.h"
 #include "app/session/metrics.h"
 #include "app/session/running_session.h"
 #include "gpu/context.h"

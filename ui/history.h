@@ -10,8 +10,8 @@
 
 namespace kerf::ui {
 
-/// A value that is remembered against simulated time. The tables of app/scene/editor_readings.cpp
-/// have its source, in the same order.
+/// A value that is remembered against simulated time. The tables of
+/// app/scene/readout/editor_readings.cpp have its source, in the same order.
 enum class Reading : std::uint8_t {
     deformMs,
     collideMs,

@@ -9,7 +9,7 @@
 namespace kerf::ui {
 
 /// A person's preferences for the window: kept in a file by the editor
-/// (app/editor/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
+/// (app/editor/storage/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
 struct Settings {
     static constexpr double kLeastWidth = 230;  ///< of a side panel [px]
     static constexpr double kMostWidth = 640;

@@ -16,7 +16,7 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
 /// false it closes. False where nothing is to be drawn.
 bool beginModal(const std::string& title, float width, float height, bool wanted);
 
-/// The same at the lower edge of `view` [px], which is not dimmed.
+/// beginModal() at the lower edge of `view` [px], which is not dimmed.
 bool beginModalAside(const std::string& title, const Rect& view, bool wanted);
 
 /// The look of a banner.

@@ -1,6 +1,6 @@
 #include "app/cli/fault_picture.h"
 
-#include "app/scene/faulty_scene.h"
+#include "app/scene/document/faulty_scene.h"
 #include "render/renderer.h"
 #include "render/scene/paste.h"
 #include "ui/fault_legend.h"

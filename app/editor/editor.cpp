@@ -9,8 +9,8 @@
 
 #include "app/editor/editor_state.h"
 #include "app/scene/held_hands.h"
-#include "app/scene/scene_readout.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/readout/scene_readout.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/move_tool.h"
 #include "gpu/buffer.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/editor/editor_options.h"
-#include "app/scene/editor_document.h"
+#include "app/editor/storage/editor_options.h"
+#include "app/scene/document/editor_document.h"
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
 #include "ui/cursor.h"

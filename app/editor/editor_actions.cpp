@@ -1,12 +1,12 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/editor/plot_export.h"
+#include "app/editor/storage/plot_export.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/free_file.h"
 #include "app/scene/editor_stroke.h"
-#include "app/scene/scene_readout.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/readout/scene_readout.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
 #include "app/tools/measure_tool.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
-#include "app/scene/scene_readout.h"
+#include "app/scene/readout/scene_readout.h"
 #include "app/scene/section_pick.h"
 #include "app/tools/measure_tool.h"
 #include "sim/base/text.h"

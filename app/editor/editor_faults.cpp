@@ -9,8 +9,8 @@
 
 #include "app/editor/editor_state.h"
 #include "app/files/import/model_units.h"
-#include "app/scene/scene_timeline.h"
-#include "app/scene/triangle_text.h"
+#include "app/scene/document/triangle_text.h"
+#include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/repair/soup_editing.h"

@@ -6,7 +6,7 @@
 
 #include "app/editor/editor_state.h"
 #include "app/files/io/file_io.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/scene/editor_document.h"
+#include "app/scene/document/editor_document.h"
 
 namespace kerf::app {
 namespace {

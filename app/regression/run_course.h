@@ -16,7 +16,7 @@ struct CourseRow {
     int vertices = 0;
     int triangles = 0;
 };
-/// Those of each step of a run.
+/// The counts of each step of a run.
 using Course = std::vector<CourseRow>;
 
 /// A piece after a step.

@@ -5,8 +5,8 @@
 
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
-#include "app/scene/scene_readout.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/readout/scene_readout.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "sim/run/start/body_upload.h"
 
 namespace kerf::app {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/scene/scene_timeline.h"
+#include "app/scene/timeline/scene_timeline.h"
 
 namespace kerf::app {
 namespace {

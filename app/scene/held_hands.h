@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/scene/hooks.h"
 #include "app/scene/incision.h"
+#include "app/scene/timeline/hooks.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 
 namespace kerf::app {
 

@@ -1,6 +1,6 @@
 #include "app/scene/section_pick.h"
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 

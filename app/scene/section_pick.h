@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/scene/cut_preview.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/readout/cut_preview.h"
 #include "render/scene/camera.h"
 #include "render/scene/section_plane.h"
 

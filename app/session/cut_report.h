@@ -57,7 +57,7 @@ struct CutBodyView {
 /// Measures what the strokes made of a body; none where none of them met it. Reads the rest shape
 /// alone. O(n log n).
 std::optional<CutReport> reportOn(const CutBodyView& body);
-/// That of the body of a simulation as it is.
+/// Measures the cuts of the body of a simulation as it is.
 std::optional<CutReport> reportOnCuts(const Simulation& simulation);
 
 /// Pairs of triangles of the model that pass through each other as the body lies now, deeper than

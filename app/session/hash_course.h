@@ -30,7 +30,7 @@ class HashCourse {
     /// Compares the state after a step. Returns the names of the parts that are not as the file has
     /// them; none where all that it holds agrees. `step` is below steps().
     std::vector<std::string> differingParts(int step, const StateHashes& hashes) const;
-    /// The same for a step of another file.
+    /// Compares a step with that of another file.
     std::vector<std::string> differingParts(int step, const HashCourse& other) const;
 
   private:

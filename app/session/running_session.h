@@ -33,8 +33,8 @@ class RunningSession {
 
     /// Applies a command before the coming step. Returns "" or one sentence; nothing changed then.
     std::string execute(const Command& command);
-    /// The same for a command that the session says, under SessionEvent::number. Throws InputError
-    /// with the place in its file where it can't be performed.
+    /// Applies a command of the session, of the event with that SessionEvent::number. Throws
+    /// InputError with its position in the file where it can't be performed.
     void perform(const Command& command, int event);
     /// Runs one step.
     const StepReport& step() { return runner_.step(); }

@@ -8,8 +8,7 @@ namespace kerf::app {
 // them from a point beside its models (see originOf()), so that floats hold them. Both ways are
 // exact for what lies no farther from the models than these from the origin.
 
-/// The same with its places counted from a point that lies `by` of where they were counted from
-/// [m]; heights of the floor too.
+/// Moves the origin of all positions by `by` [m], of heights of the floor too.
 SessionAction countedFrom(SessionAction action, const Vec3& by);
 Command countedFrom(Command command, const Vec3& by);
 render::Camera countedFrom(render::Camera camera, const Vec3& by);

@@ -28,7 +28,7 @@ inline constexpr double kMaxSessionCoordinate = 1e8;  ///< [m]
 inline constexpr const char* kMetricsFile = "metrics.csv";
 inline constexpr const char* kSummaryFile = "summary.json";
 inline constexpr const char* kMeshFile = "final.ply";
-/// Those that it writes where it is asked for them.
+/// Files that a replay writes only on request.
 inline constexpr const char* kHashesFile = "hashes.csv";
 inline constexpr const char* kPiecesFile = "pieces.csv";
 /// All of them.
@@ -197,7 +197,7 @@ class SessionPlayer {
     /// Everything that happens before step `step`, in order; where the blade is between two key
     /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
     std::vector<PlayedAction> actionsAt(int step) const;
-    /// Of these the poses between two key poses alone, the blade's before those of hands.
+    /// The poses among them that lie between two key poses: first the blade's, then those of hands.
     std::vector<PlayedAction> posesBetweenKeys(int step) const;
 
   private:

@@ -47,8 +47,7 @@ struct Study {
 /// Reads and checks a study with all its sessions. Throws InputError naming the file and the place
 /// in it ("study.json: grid.time_step[1]: ...").
 Study readStudy(const std::filesystem::path& file);
-/// The same for one run of it: of the other sessions nothing but the name is read. Where the study
-/// has no such run, none is read.
+/// readStudy() for one run: reads that run's session alone, or none where there is no such run.
 Study readStudyForRun(const std::filesystem::path& file, std::size_t number);
 
 /// A value as a session writes it: 0.5, [0, -9.81, 0], null, "pbd".

@@ -1,7 +1,7 @@
 #include "app/tools/blade_preview.h"
 
-#include "app/scene/cut_preview.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"

@@ -36,7 +36,7 @@ class Guillotine {
     const Vec3& center() const { return center_; }
     /// Columns, unit: from A to B, upwards, and across both.
     Eigen::Matrix3d axes() const;
-    /// The same blade, turned about its middle and moved.
+    /// This blade, turned about its middle and moved.
     Guillotine moved(const Vec3& by, const Eigen::Matrix3d& turn) const;
 
   private:

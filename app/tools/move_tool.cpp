@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "app/scene/cut_preview.h"
-#include "app/scene/rest_of_body.h"
+#include "app/scene/document/rest_of_body.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
 #include "sim/base/turn.h"
 #include "sim/mesh/ray_box.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/scene/cut_preview.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/box_placement.h"
 #include "app/tools/tool_marks.h"
 #include "app/tools/tool_table.h"

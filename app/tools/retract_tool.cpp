@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"
-#include "app/scene/rest_of_body.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
 #include "sim/base/quantity_text.h"
 #include "sim/run/simulation.h"

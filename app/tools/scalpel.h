@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 #include "sim/cut/blade.h"
 
 namespace kerf::app {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::app {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/scene/cut_preview.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/readout/cut_preview.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

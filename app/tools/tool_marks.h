@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/view_frame.h"
 
 namespace kerf::app {

@@ -4,12 +4,12 @@
 #include <string>
 #include <utility>
 
-#include "app/editor/driver_check.h"
 #include "app/editor/editor.h"
-#include "app/editor/recent_files.h"
-#include "app/editor/settings_file.h"
+#include "app/editor/storage/driver_check.h"
+#include "app/editor/storage/recent_files.h"
+#include "app/editor/storage/settings_file.h"
 #include "app/journal/journal_folder.h"
-#include "app/scene/document_loading.h"
+#include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
 #include "app/window/window.h"
 #include "gpu/context.h"

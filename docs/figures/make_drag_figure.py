@@ -12,12 +12,12 @@ COLUMNS = [
     ("1  The pointer moves", ORANGE, [
         ("the system tells of a move", "Window::State::onMove", "app/window"),
         ("it waits for the next picture", "Editor::post", "app/editor"),
-        ("the editor takes all that waits", "EditorView::move", "app/editor"),
+        ("the editor takes all that waits", "EditorView::move", "app/editor/view"),
         ("pixels become poses of the blade", "StrokeSpace::bladeAt", "app/scene"),
         ("poses queue up, close together", "BladeStroke::moveTo", "app/scene"),
     ]),
     ("2  A step", BLUE, [
-        ("one pose, as a recorded command", "SceneTimeline::perform", "app/scene"),
+        ("one pose, as a recorded command", "SceneTimeline::perform", "app/scene/timeline"),
         ("the blade is told", "Simulation::execute", "sim/run"),
         ("what must come back is asked for", "MeshSync::prefetch", "sim/run/parts"),
         ("the soft body moves, on the GPU", "GpuSolver::step", "sim/solve"),
@@ -28,7 +28,7 @@ COLUMNS = [
         ("counts and volumes are there", "Simulation::State::publish", "sim/run"),
     ]),
     ("3  The picture", GREEN, [
-        ("series of the plots grow", "EditorReadings::addStep", "app/scene"),
+        ("series of the plots grow", "EditorReadings::addStep", "app/scene/readout"),
         ("passes draw the solver's buffers", "Renderer::draw", "render"),
         ("panels go over a copy of that", "Interface::draw", "ui"),
         ("the window shows it", "Window::show", "app/window"),

@@ -41,7 +41,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
 
 /// Buffer and uniform of piece_looks.glsl.
 void bindLooks(const gpu::Program& program, const Frame& frame);
-/// The same for what is no piece of the body.
+/// bindLooks() for what is no piece of the body.
 void bindNoLooks(const gpu::Program& program, const Frame& frame);
 
 /// Uniforms of light.glsl.

@@ -35,7 +35,7 @@ class OverlayPass {
     gpu::Program lines_;
     gpu::Buffer pinned_;
     gpu::Buffer boxes_;
-    /// Those of one of the marks.
+    /// The buffers of one set of marks.
     struct MarkBuffers {
         gpu::Buffer lines;
         gpu::Buffer dots;

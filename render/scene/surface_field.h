@@ -47,7 +47,7 @@ using FieldValues = std::vector<float>;
 /// The quantity that a picture shows.
 struct FieldView {
     FieldChoice choice;
-    /// Those of SurfaceField::thickness; strains are worked out on the GPU.
+    /// Values of SurfaceField::thickness; strains are computed on the GPU.
     std::shared_ptr<const FieldValues> values;
 };
 

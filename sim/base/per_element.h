@@ -15,7 +15,7 @@ struct PerElement {
     friend constexpr PerElement operator*(double times, const PerElement& each) {
         return {times * each.vertex, times * each.triangle};
     }
-    /// Of a mesh with so many of both.
+    /// The total for a mesh with so many vertices and triangles.
     constexpr double of(double vertices, double triangles) const {
         return vertex * vertices + triangle * triangles;
     }

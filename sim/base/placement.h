@@ -50,9 +50,9 @@ class PlacementMap {
   public:
     explicit PlacementMap(const Placement& placement);
 
-    /// Of a point of the model: where it lies in the scene [m].
+    /// Maps a point of the model, in the unit of its file, into the scene [m].
     Vec3 toScene(const Vec3& own) const;
-    /// Of a point of the scene [m]: its coordinates in the model, as its file has them.
+    /// Maps a point of the scene [m] to the coordinates of the model's file.
     Vec3 toModel(const Vec3& placed) const;
 
   private:

@@ -43,7 +43,7 @@ class SkinNormals {
 
     int uncutVertices() const { return uncut_ ? static_cast<int>(uncut_->size()) : 0; }
     const Vec3& normal(int vertex) const;
-    /// That of a vertex as a corner of a triangle with this unit normal.
+    /// The normal of a vertex as a corner of a triangle with this unit normal.
     const Vec3& normal(int vertex, const Vec3& face) const;
     const std::vector<Side>* sidesOf(int vertex) const;
 

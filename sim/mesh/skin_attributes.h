@@ -26,13 +26,13 @@ struct SkinAttributes {
     bool operator==(const SkinAttributes&) const = default;
 };
 
-/// Those of one triangle. What there is none of is zero, white, or -1.
+/// Attributes of one triangle; zero, white or -1 where the mesh has none.
 struct TriangleAttributes {
     CornerUvs uvs;
     CornerColors colors;
     int material = -1;
 };
-/// Those of triangle t.
+/// Attributes of triangle t.
 TriangleAttributes attributesOf(const SkinAttributes& skin, int t);
 /// Gives a triangle its attributes, as far as there are lists, which must be long enough.
 void setAttributes(SkinAttributes& skin, int t, const TriangleAttributes& attributes);

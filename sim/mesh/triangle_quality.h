@@ -45,7 +45,7 @@ struct TriangleFigures {
     double meanEdge() const { return triangles > 0 ? edgeSum / (3.0 * triangles) : 0; }
 };
 
-/// Of a soup, whose indices must be in range.
+/// Figures of all triangles of a soup, whose indices must be in range.
 TriangleFigures figuresOf(const TriangleSoup& soup);
 
 /// The edge length for even triangles [m]: the mean of those that even triangles of the same areas

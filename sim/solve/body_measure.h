@@ -8,9 +8,9 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/read_back.h"
+#include "sim/base/body_measure.h"
 #include "sim/base/math.h"
 #include "sim/solve/collisions.h"
-#include "sim/solve/measured_body.h"
 #include "sim/solve/nearby_vertices.h"
 #include "sim/solve/solver_body.h"
 

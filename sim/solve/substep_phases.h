@@ -45,7 +45,7 @@ class SubstepPhases {
         gpu::Program stretch, floor, settle;
         ConstraintKernels solve;
     };
-    /// Of kernels that are compiled for any solver (0) and for plain PBD (1).
+    /// Index of the kernels for the present solver: 1 for plain PBD, else 0.
     std::size_t solverKind() const { return body_.plainPbd() ? 1 : 0; }
     /// Whether the skin is folded; how far is bound then.
     bool bindFolds() const;

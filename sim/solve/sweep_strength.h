@@ -14,9 +14,9 @@ namespace kerf {
 /// iterations buy). Bends don't count: a solid lacks them least.
 class SweepStrength {
   public:
-    /// Of no body: everything is carried.
+    /// Without a body: any number of iterations is enough.
     SweepStrength() = default;
-    /// Of `model`, whose constraints were made for `params`.
+    /// For `model`, whose constraints were made for `params`.
     SweepStrength(const BodyModel& model, const Params& params) { follow(model, params); }
 
     /// Counts anew, in O(constraints), where those made for `params` or those of a body of this

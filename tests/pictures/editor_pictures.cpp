@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/editor/editor.h"
-#include "app/editor/settings_file.h"
+#include "app/editor/storage/settings_file.h"
 #include "app/files/io/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

@@ -37,7 +37,7 @@ struct ReplayOptions {
     FilmOptions film;                    ///< where its file says so
     StripOptions strip;                  ///< where its file says so
     SequenceOptions sequence;            ///< where it names steps
-    /// Of pictures. The light tier, whose edges no driver smooths by itself, is the same on all.
+    /// Of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;
 };
 

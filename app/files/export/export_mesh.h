@@ -40,7 +40,7 @@ struct ExportMesh {
     std::vector<Eigen::Vector2f> uvs;     ///< each once, in the order of their first use
     std::vector<Eigen::Vector4f> colors;  ///< linear; each once, in the order of their first use
     std::vector<ExportFace> faces;
-    /// Those of the model, each with a name of its own; "skin" for what has none; "cut".
+    /// Each with a unique name; "skin" is of faces without a material, "cut" of walls.
     std::vector<render::Material> materials;
     std::shared_ptr<const render::Appearance> appearance;  ///< with the images; may be null
     std::vector<double> pieceVolumes;  ///< signed, by piece, in the unit of the positions

@@ -26,8 +26,7 @@ class FaceSoup {
 
     /// The faces that end from now on are of the object of that name.
     void enterObject(const std::string& name);
-    /// The same for another object than all before, whose name becomes another one where it is
-    /// taken.
+    /// Begins an object that differs from all before; a name that is taken gets a number.
     void beginObject(const std::string& name);
     /// By the numbers in the triangles; none where no object was entered.
     const std::vector<std::string>& objectNames() const { return objectNames_; }
@@ -67,10 +66,10 @@ int cornerOf(double number);
 
 /// A colour and its opacity, from what displays take to linear light.
 Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
-/// Of colours in a file that says not how: shares, of which some may be a little above 1, or bytes.
-/// kNoColor becomes white.
+/// Turns colours as displays show them into linear light: shares from 0 to 1, or bytes, as the
+/// largest one tells. kNoColor becomes white.
 void makeLinear(std::vector<Eigen::Vector4f>& display);
-/// Of a vertex or a face that has none, until makeLinear().
+/// Marks a vertex or a face without a colour, until makeLinear().
 inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);
 
 /// The triangles and objects of the faces become those of a model. Throws as triangles().

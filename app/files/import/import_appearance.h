@@ -20,7 +20,7 @@ namespace kerf::app {
 /// numbers in the model then. `file` names the model.
 void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
-/// Of formats that know no roughness, that of the exponent of a highlight, as Blender reads it.
+/// The roughness for the exponent of a highlight, as Blender converts it.
 float roughnessOfHighlight(double exponent);
 
 /// Takes materials and the bytes of their images into a model, each image once.

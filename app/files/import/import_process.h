@@ -41,8 +41,8 @@ ImportOutcome runImportProcess(const std::filesystem::path& program,
                                const WorkProgress* progress = nullptr,
                                const ImportHeadListener& onHead = nullptr);
 
-/// The same with any program that keeps to such limits (applyImportLimits) and answers on standard
-/// output; `command` is its path and its arguments.
+/// Runs any program that keeps to such limits (applyImportLimits) and answers on standard output.
+/// `command`: its path and its arguments.
 ImportOutcome runLimitedProcess(const std::vector<std::string>& command, const ImportLimits& limits,
                                 const WorkProgress* progress = nullptr,
                                 const ImportHeadListener& onHead = nullptr);

@@ -28,7 +28,7 @@ std::string labelOf(repair::FaultKind kind, int count);
 std::vector<render::Marks> marksOf(
     const repair::Faults& faults,
     const std::function<std::optional<Triangle>(int triangle)>& cornersOf);
-/// Those of a soup, as far as they have a place.
+/// Marks of the faults of a soup that have a position.
 std::vector<render::Marks> marksOf(const FoundFaults& found);
 
 }  // namespace kerf::app

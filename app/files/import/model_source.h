@@ -84,7 +84,7 @@ bool isModelFile(const std::filesystem::path& file);
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
                          WorkProgress* progress = nullptr);
-/// The same with materials and the bytes of their pictures.
+/// Reads a model with its materials and the bytes of their images.
 ImportedModel importWithLooks(const std::filesystem::path& file, const ImportLimits& limits,
                               WorkProgress* progress = nullptr);
 ImportedModel importWithLooks(const std::filesystem::path& file, const ReadOptions& options);

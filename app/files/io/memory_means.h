@@ -34,7 +34,7 @@ void requireMemory(const std::string& what, const MemoryNeed& need, const Memory
 /// Throws MemoryShortage where less than `bytes` is free. `what`: the start of the sentence, such
 /// as "a.ply: edges of 0.01 make 2 million triangles"; `help`: what to do.
 void requireFree(const std::string& what, double bytes, const std::string& help);
-/// Of a model that was asked about, for people: "about 1.2 GB, and 0.6 GB of graphics memory;
+/// The memory that a model needs, for people: "about 1.2 GB, and 0.6 GB of graphics memory;
 /// 22.6 GB are free here".
 std::string describeMemory(const MemoryNeed& need, std::uint64_t free);
 /// The sentence for memory that ran out in the midst of something, "Cutting".

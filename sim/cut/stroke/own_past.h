@@ -24,8 +24,8 @@ class OwnPast {
     void goOn(double way, int nextVertex);
     /// The vertices of walls that are past.
     const VertexRange& vertices() const { return past_; }
-    /// Those where the first of these walls end; some may be dead. None before there are such
-    /// walls.
+    /// The vertices where the first of these walls end, some of which may be dead. Empty before
+    /// there are such walls.
     std::span<const int> startVertices() const {
         return past_.first < past_.end ? std::span<const int>(start_) : std::span<const int>();
     }

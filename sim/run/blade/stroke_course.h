@@ -27,7 +27,7 @@ class StrokeCourse {
 
     /// The blade's body where it pushes: see Simulation::bladeBody().
     std::optional<BladeMotion> bladeBody() const;
-    /// The same in the coming step.
+    /// bladeBody() in the coming step.
     std::optional<BladeMotion> bladeMotion() const;
 
     /// Whether the material holds the edge back where it is in it.

@@ -33,7 +33,7 @@ class Hands {
 
     /// The hands that hold something, by number.
     const std::vector<Hand>& hands() const { return hands_; }
-    /// Those that hands hold, hand by hand.
+    /// The vertices that hands hold, hand by hand.
     std::vector<std::uint32_t> heldVertices() const;
     bool empty() const { return hands_.empty(); }
 

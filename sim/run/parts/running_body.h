@@ -44,8 +44,8 @@ struct RunningBody {
     /// step.
     void prepareStep(const Params& params);
     void bringLostPiecesBack();
-    /// Of a thin body that is folded: lets no triangles pass through each other that did not
-    /// `before` [m]. Measures it anew where some did.
+    /// Keeps triangles of a folded thin body from passing through each other, unless they did at
+    /// `before` [m]. Measures the body anew where some did.
     void stopCrossings(const std::vector<Vec3>& before, const Params& params);
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();

@@ -1,5 +1,5 @@
 // A driver that Kerf meets for the first time is examined behind the window.
-#include "app/editor/driver_check.h"
+#include "app/editor/storage/driver_check.h"
 
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/variable.h"

@@ -1,5 +1,5 @@
 // The quality of cuts in the panel.
-#include "app/scene/cut_quality.h"
+#include "app/scene/readout/cut_quality.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {

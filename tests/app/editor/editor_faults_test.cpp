@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "app/files/io/file_io.h"
-#include "app/scene/document_loading.h"
-#include "app/scene/editor_document.h"
+#include "app/scene/document/document_loading.h"
+#include "app/scene/document/editor_document.h"
+#include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/rest_of_body.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"

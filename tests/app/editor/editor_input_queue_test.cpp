@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "app/editor/input_queue.h"
+#include "app/editor/view/input_queue.h"
 
 namespace kerf::app {
 namespace {

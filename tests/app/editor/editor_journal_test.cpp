@@ -7,7 +7,7 @@
 
 #include "app/journal/journal_folder.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_readout.h"
+#include "app/scene/readout/scene_readout.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"

@@ -7,7 +7,7 @@
 
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/written_png.h"

@@ -1,9 +1,9 @@
 // Materials in the editor: chosen by name, taken back, saved and opened as files.
 #include <gmock/gmock.h>
 
+#include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/rest_of_body.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"

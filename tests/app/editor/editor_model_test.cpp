@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "app/files/io/file_io.h"
+#include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/rest_of_body.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "sim/repair/soup_inspection.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"

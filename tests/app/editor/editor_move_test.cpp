@@ -1,6 +1,6 @@
 // The gizmo on boxes, on pins, on the model and on the guillotine.
+#include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/rest_of_body.h"
 #include "app/session/session.h"
 #include "app/tools/view_frame.h"
 #include "sim/run/simulation.h"

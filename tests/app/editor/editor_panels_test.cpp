@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "app/editor/editor.h"
-#include "app/editor/settings_file.h"
+#include "app/editor/storage/settings_file.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
 #include "tests/support/gl_fixture.h"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_recorder.h"
+#include "app/scene/timeline/scene_recorder.h"
 #include "app/session/session.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -1,8 +1,8 @@
 // Steps that are done in portions, with pictures and input in their midst.
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
-#include "app/scene/scene_recorder.h"
-#include "app/scene/scene_timeline.h"
+#include "app/scene/timeline/scene_recorder.h"
+#include "app/scene/timeline/scene_timeline.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "gpu/data_path.h"

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/scene/editor_document.h"
+#include "app/scene/document/editor_document.h"
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_timeline.h"
+#include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/params.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "app/scene/editor_document.h"
-#include "app/scene/scene_recorder.h"
-#include "app/scene/scene_timeline.h"
+#include "app/scene/document/editor_document.h"
+#include "app/scene/timeline/scene_recorder.h"
+#include "app/scene/timeline/scene_timeline.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/support/nightly.h"

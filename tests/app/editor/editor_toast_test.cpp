@@ -1,4 +1,4 @@
-#include "app/editor/editor_toast.h"
+#include "app/editor/view/editor_toast.h"
 
 #include <gtest/gtest.h>
 

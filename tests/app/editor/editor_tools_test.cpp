@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "app/scene/editor_scene.h"
-#include "app/scene/scene_readout.h"
+#include "app/scene/readout/scene_readout.h"
 #include "app/tools/box_placement.h"
 #include "app/tools/ruler.h"
 #include "tests/app/editor/editor_fixture.h"

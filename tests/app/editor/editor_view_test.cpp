@@ -1,7 +1,7 @@
 // The camera, the axes in the corner, what is shown and how.
 #include <cstdlib>
 
-#include "app/editor/body_display.h"
+#include "app/editor/view/body_display.h"
 #include "app/session/session.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -1,4 +1,4 @@
-#include "app/editor/file_chooser.h"
+#include "app/editor/storage/file_chooser.h"
 
 #include <gtest/gtest.h>
 

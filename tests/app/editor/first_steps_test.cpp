@@ -1,4 +1,4 @@
-#include "app/editor/first_steps.h"
+#include "app/editor/view/first_steps.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/kernel_preparation.h"
+#include "app/editor/steps/kernel_preparation.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "app/editor/redraw.h"
+#include "app/editor/view/redraw.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/rest_depths.h"
+#include "app/editor/steps/rest_depths.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/settings_file.h"
+#include "app/editor/storage/settings_file.h"
 
 #include <gmock/gmock.h>
 

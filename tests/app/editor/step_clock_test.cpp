@@ -1,5 +1,5 @@
 // Steps that are due by the clock.
-#include "app/editor/step_clock.h"
+#include "app/editor/steps/step_clock.h"
 
 #include <gtest/gtest.h>
 

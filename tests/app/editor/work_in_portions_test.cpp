@@ -1,5 +1,5 @@
 // Work that rests between two portions, on a stack of its own.
-#include "app/editor/work_in_portions.h"
+#include "app/editor/steps/work_in_portions.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "app/scene/changed_part.h"
+#include "app/scene/timeline/changed_part.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/scene/cut_quality.h"
+#include "app/scene/readout/cut_quality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "app/scene/editor_readings.h"
+#include "app/scene/readout/editor_readings.h"
 
 #include <gmock/gmock.h>
 
-#include "app/editor/plot_export.h"
+#include "app/editor/storage/plot_export.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

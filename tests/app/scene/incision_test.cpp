@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/scene/hooks.h"
+#include "app/scene/timeline/hooks.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

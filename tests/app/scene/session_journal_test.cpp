@@ -1,9 +1,9 @@
-#include "app/scene/session_journal.h"
+#include "app/scene/timeline/session_journal.h"
 
 #include <gmock/gmock.h>
 
-#include "app/scene/saved_session.h"
-#include "app/scene/session_marks.h"
+#include "app/scene/timeline/saved_session.h"
+#include "app/scene/timeline/session_marks.h"
 
 namespace kerf::app {
 namespace {

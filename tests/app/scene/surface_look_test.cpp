@@ -1,7 +1,7 @@
 // What is under the pointer while the body moves: the same as of the whole mesh, without reading
 // it.
 
-#include "app/scene/surface_look.h"
+#include "app/scene/readout/surface_look.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/scene/triangle_text.h"
+#include "app/scene/document/triangle_text.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/io/file_io.h"
-#include "app/scene/editor_document.h"
+#include "app/scene/document/editor_document.h"
 #include "app/session/session.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/temporary_folder.h"

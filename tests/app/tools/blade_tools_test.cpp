@@ -1,7 +1,7 @@
 // What leads the blade: the scalpel, the guillotine, and the preview of a cut.
 #include <gtest/gtest.h>
 
-#include "app/scene/cut_preview.h"
+#include "app/scene/readout/cut_preview.h"
 #include "app/tools/guillotine.h"
 #include "app/tools/scalpel.h"
 #include "sim/mesh/invariants.h"

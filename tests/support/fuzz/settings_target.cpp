@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "app/editor/recent_files.h"
-#include "app/editor/settings_file.h"
+#include "app/editor/storage/recent_files.h"
+#include "app/editor/storage/settings_file.h"
 #include "app/files/io/errors.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"

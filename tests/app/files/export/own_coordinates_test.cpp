@@ -11,7 +11,7 @@
 #include "app/files/export/export.h"
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/file_io.h"
-#include "app/scene/editor_document.h"
+#include "app/scene/document/editor_document.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/mesh/invariants.h"

@@ -7,7 +7,7 @@
 
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"
-#include "app/scene/editor_document.h"
+#include "app/scene/document/editor_document.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/paths.h"

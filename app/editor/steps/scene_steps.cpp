@@ -1,0 +1,106 @@
+#include "app/editor/steps/scene_steps.h"
+
+#include <utility>
+
+#include "sim/run/simulation.h"
+#include "sim/run/undo/undo_history.h"
+#include "ui/unit_text.h"
+
+namespace kerf::app {
+namespace {
+
+const UndoHistory& historyOf(const EditorScene& scene) {
+    return scene.simulation().history();
+}
+
+std::size_t undoneOf(const EditorScene& scene) {
+    const UndoHistory& history = historyOf(scene);
+    return history.entries().size() - history.done();
+}
+
+/// All changes of a scene but the last `without`.
+void addRows(const EditorScene& scene, std::size_t without, std::vector<ui::ChangeRow>& rows) {
+    const std::vector<UndoEntry>& entries = historyOf(scene).entries();
+    for (std::size_t i = 0; i + without < entries.size(); ++i) {
+        rows.push_back({ui::withRaisedDigits(entries[i].name), entries[i].time});
+    }
+}
+
+double timeOf(const EditorScene& scene) {
+    return scene.simulation().report().time;
+}
+
+}  // namespace
+
+void SceneSteps::clear() {
+    before_.clear();
+    after_.clear();
+}
+
+void SceneSteps::add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds) {
+    after_.clear();
+    const int additions = historyOf(*before).additions();
+    const std::size_t undone = undoneOf(*before);
+    before_.push_back({std::move(name), std::move(before), savedDeeds, additions, undone});
+    if (before_.size() > kMost) {
+        before_.erase(before_.begin());
+    }
+}
+
+void SceneSteps::follow(const UndoHistory& now) {
+    if (!after_.empty() && after_.back().additions != now.additions()) {
+        after_.clear();
+    }
+}
+
+bool SceneSteps::undoes(const EditorScene& now) const {
+    return !before_.empty() && !historyOf(now).canUndo();
+}
+
+bool SceneSteps::redoes(const EditorScene& now) const {
+    return !after_.empty() && after_.back().additions == historyOf(now).additions() &&
+           after_.back().undone == undoneOf(now);
+}
+
+SceneSteps::Kept SceneSteps::undo(std::unique_ptr<EditorScene> now, int savedDeeds) {
+    Kept back = std::move(before_.back());
+    before_.pop_back();
+    after_.push_back({back.name, std::move(now), savedDeeds, back.additions, back.undone});
+    return back;
+}
+
+SceneSteps::Kept SceneSteps::redo(std::unique_ptr<EditorScene> now, int savedDeeds) {
+    Kept next = std::move(after_.back());
+    after_.pop_back();
+    before_.push_back({next.name, std::move(now), savedDeeds, next.additions, next.undone});
+    return next;
+}
+
+std::size_t SceneSteps::rowsBefore() const {
+    std::size_t rows = before_.size();
+    for (const Kept& kept : before_) {
+        rows += historyOf(*kept.scene).entries().size() - kept.undone;
+    }
+    return rows;
+}
+
+void SceneSteps::describe(const EditorScene& now, ui::ChangeList& list) const {
+    std::vector<ui::ChangeRow> rows;
+    for (const Kept& kept : before_) {
+        addRows(*kept.scene, kept.undone, rows);
+        rows.push_back({kept.name, timeOf(*kept.scene)});
+    }
+    list.done += rows.size();
+    const bool comesBack = !after_.empty() && after_.back().additions == historyOf(now).additions();
+    addRows(now, comesBack ? after_.back().undone : 0, rows);
+    for (std::size_t k = comesBack ? after_.size() : 0; k-- > 0;) {
+        rows.push_back({after_[k].name, 0});
+        addRows(*after_[k].scene, k > 0 ? after_[k - 1].undone : 0, rows);
+    }
+    list.rows = std::move(rows);
+    for (const Kept& kept : before_) {
+        list.bytes += historyOf(*kept.scene).bytes();
+    }
+}
+
+}  // namespace kerf::app

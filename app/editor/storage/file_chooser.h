@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/editor/storage/file_browser.h"
+#include "app/editor/storage/file_preview.h"
+#include "app/editor/storage/recent_files.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// What else is meant by a file that is opened or saved.
+enum class BrowseFor : std::uint8_t {
+    itself,           ///< nothing
+    addition,         ///< of one to be opened: its model is added to the scene
+    testWithPicture,  ///< of a test: it shall have a picture of its end
+};
+
+/// A file that a person chose, and what for.
+struct ChosenFile {
+    ui::FilePurpose purpose = ui::FilePurpose::none;
+    std::filesystem::path file;
+    bool filePerPiece = false;  ///< of an export
+    bool inScene = false;       ///< of an export: in metres of the scene
+    BrowseFor what = BrowseFor::itself;
+    ui::FilmLook film{};  ///< of a film
+};
+
+/// Lets a person choose files: in the dialog, which remembers where it was, or among the recent
+/// ones.
+class FileChooser {
+  public:
+    /// Looks into the folder `here` first. For `recentFiles` see RecentFiles.
+    FileChooser(std::filesystem::path here, std::filesystem::path recentFiles);
+
+    /// The folder that the editor was started in.
+    const std::filesystem::path& here() const { return here_; }
+    /// Opens the dialog. It proposes a name for the open `document`, "" while there is none.
+    void browse(ui::FilePurpose purpose, const std::string& document,
+                BrowseFor what = BrowseFor::itself);
+    /// The file of the open model, beside which it is exported until another folder is chosen. An
+    /// empty path for none; what comes with Kerf counts as none.
+    void setModel(const std::filesystem::path& file);
+    /// The folder that materials are saved in until another one is chosen.
+    void setMaterialFolder(const std::filesystem::path& folder) { materialFolder_ = folder; }
+    bool isOpen() const { return browser_.has_value(); }
+    /// Does what the person did in the dialog. Returns the file once one is chosen.
+    std::optional<ChosenFile> take(const ui::FileAction& action);
+    /// Puts a file first among the recent ones.
+    void addRecent(const std::filesystem::path& file) { recent_.add(file); }
+
+    /// Follows the preview of the selected file. Whether it has changed since the last call.
+    bool followPreview();
+    /// Whether a preview is being made.
+    bool previews() const { return preview_.working(); }
+    /// Sets what the dialog shows, and the recent files.
+    void describe(ui::PanelModel& model) const;
+
+  private:
+    void close();
+    std::filesystem::path& lastFolder(ui::FilePurpose purpose);
+    std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
+
+    std::filesystem::path here_;
+    RecentFiles recent_;
+    /// The folders in which files were looked for and written last: two, since to save beside
+    /// what was opened would put results among the models.
+    std::filesystem::path lastSource_;
+    std::filesystem::path lastTarget_;
+    std::filesystem::path modelFolder_;  ///< see setModel()
+    std::filesystem::path materialFolder_;
+    std::optional<FileBrowser> browser_;  ///< while the dialog is open
+    FilePreview preview_;
+    BrowseFor what_ = BrowseFor::itself;  ///< see ChosenFile
+};
+
+}  // namespace kerf::app

@@ -1,0 +1,101 @@
+#include "app/editor/storage/file_saving.h"
+
+#include <utility>
+
+#include "app/editor/storage/film_making.h"
+#include "app/files/io/file_io.h"
+#include "app/regression/test_maker.h"
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+/// The data that the thread works on: copies, so that the body may go on.
+struct ExportInput {
+    ExportTarget target;
+    SurfaceMesh uncut;
+    OwnLooks own;  ///< of it
+    render::BodyLook look;
+    SurfaceMesh mesh;
+    BodyPlace place;
+};
+
+std::string exportBody(const ExportInput& input, WorkProgress& progress) {
+    progress.enter("Looking for the pieces");
+    const PieceMap pieces = findPieces(input.mesh);
+    progress.enter("Carrying the texture along");
+    const ExportLooks looks{carried(input.own, input.uncut, input.mesh), input.look};
+    progress.enter("Encoding");
+    const std::vector<ExportedFile> files =
+        encodeExport(input.target, input.mesh, pieces, looks, input.place);
+    progress.enter("Writing");
+    for (const ExportedFile& file : files) {
+        writeOutputFile(file.file, file.bytes);
+    }
+    const std::string& first = files.front().file.string();
+    return files.size() == 1
+               ? "Exported " + first
+               : "Exported " + counted(files.size(), "file", "files") + ", " + first + " the first";
+}
+
+}  // namespace
+
+std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
+                                        Simulation& simulation, const render::BodyLook& look) {
+    const bool hasLooks = !document.looks.skin.empty();
+    const std::string title = "Exporting " + target.file.filename().string();
+    auto input = std::make_shared<const ExportInput>(
+        ExportInput{std::move(target),
+                    hasLooks ? simulation.uncut()->mesh : SurfaceMesh{},
+                    document.looks,
+                    look,
+                    simulation.mesh(),
+                    {simulation.placement(), document.session.origin}});
+    return std::make_unique<FileSaving>(
+        title, [input](WorkProgress& progress) { return exportBody(*input, progress); });
+}
+
+std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
+                                      SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Filming " + file.filename().string(),
+        [file, look, saved = std::move(saved)](WorkProgress& progress) {
+            filmSession(saved.session, file, look, progress);
+            return "Filmed " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
+}
+
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Saving the test " + file.filename().string(),
+        [file, saved = std::move(saved)](WorkProgress& progress) {
+            makeTest(saved.session, file, progress);
+            const std::size_t pictures = pictureFiles(saved.session).size();
+            return "Saved the test " + file.string() + " with " +
+                   (pictures == 0 ? "no picture" : counted(pictures, "picture", "pictures")) +
+                   (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
+}
+
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved) {
+    return std::make_unique<FileSaving>(
+        "Saving " + file.filename().string(),
+        [file, saved = std::move(saved)](WorkProgress& progress) {
+            progress.enter("Writing");
+            writeOutputFile(file, formatSession(saved.session, file.parent_path()));
+            return "Saved " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
+        });
+}
+
+std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
+                                                Material material) {
+    return std::make_unique<FileSaving>(
+        "Saving " + file.filename().string(),
+        [file, material = std::move(material)](WorkProgress& progress) {
+            progress.enter("Writing");
+            writeOutputFile(file, formatMaterial(material));
+            return "Saved the material " + file.string();
+        });
+}
+
+}  // namespace kerf::app

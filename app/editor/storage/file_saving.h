@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/files/export/export.h"
+#include "app/files/jobs/background_job.h"
+#include "app/scene/document/editor_document.h"
+#include "app/scene/timeline/saved_session.h"
+#include "app/session/material.h"
+#include "sim/run/simulation.h"
+#include "ui/file_dialog_state.h"
+
+namespace kerf::app {
+
+/// Something on its way into files, on a thread of its own. Nothing is written once it was
+/// cancelled.
+struct FileSaving : BackgroundJob<std::string> {
+    /// `work` ends with a sentence for the person. Throws OutputError.
+    FileSaving(std::string what, Work work)
+        : BackgroundJob(std::move(work)), title(std::move(what)) {}
+
+    std::string title;  ///< "Exporting slice.obj"
+};
+
+/// Begins to export the body as it is now. `look`: what it is shown in.
+std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
+                                        Simulation& simulation, const render::BodyLook& look);
+/// Begins to write a session.
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
+/// Begins to write a material.
+std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
+                                                Material material);
+/// Begins to film a session, by a replay in a process of its own.
+std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
+                                      SavedSession saved);
+/// Begins to write a session and what a run of it comes out like, which takes as long as that.
+std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
+
+}  // namespace kerf::app

@@ -1,0 +1,73 @@
+#include "app/editor/storage/left_work.h"
+
+#include <ctime>
+#include <iterator>
+#include <utility>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+std::string timeText(std::time_t when) {
+    std::tm local{};
+    localtime_r(&when, &local);
+    char text[64];
+    std::strftime(text, sizeof text, "%Y-%m-%d at %H:%M:%S", &local);
+    return text;
+}
+
+}  // namespace
+
+LeftWorkOffers::LeftWorkOffers(const std::filesystem::path& folder) : folder_(folder) {
+    lookAgain();
+}
+
+void LeftWorkOffers::lookAgain() {
+    works_.clear();
+    if (!folder_.empty()) {
+        looking_ = std::make_unique<Looking>(
+            [folder = folder_](WorkProgress&) { return lookForLeftWork(folder); });
+    }
+}
+
+void LeftWorkOffers::collect() {
+    if (looking_ != nullptr && looking_->done()) {
+        std::ranges::move(looking_->take(), std::back_inserter(works_));
+        looking_.reset();
+    }
+}
+
+std::optional<LeftWork> LeftWorkOffers::next() {
+    if (works_.empty()) {
+        return std::nullopt;
+    }
+    LeftWork first = std::move(works_.front());
+    works_.pop_front();
+    return first;
+}
+
+ui::Question questionAbout(const LeftWork& work) {
+    const std::string cuts =
+        work.kept.cuts == 0 ? "changes but no cut" : counted(work.kept.cuts, "cut", "cuts");
+    return {"Go on from " + work.kept.name + "?",
+            "A window ended before it was closed. Its work of " + timeText(work.when) + ", with " +
+                cuts + ", is in no file yet.",
+            {"Go on from it", "Discard it", "Not now"},
+            work.picture};
+}
+
+OpeningOrder orderOf(const LeftWork& work) {
+    const auto open = [name = work.kept.name, session = work.kept.session,
+                       journal = work.journal->file()](const ReadOptions& options) {
+        try {
+            return openScene(name, parseSession(session, {}), options);
+        } catch (const InputError& error) {
+            throw InputError(std::string(error.what()) + " The work stays in " + journal.string() +
+                             " and is offered again at the next start.");
+        }
+    };
+    return {"Going on from " + work.kept.name, {}, open};
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/files/jobs/background_job.h"
+#include "app/journal/journal_folder.h"
+#include "app/scene/document/document_loading.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// What windows left behind that ended without being closed: looked for on a thread of its own,
+/// once, and offered one after the other.
+class LeftWorkOffers {
+  public:
+    /// Begins to look into `folder`; an empty path has nothing.
+    explicit LeftWorkOffers(const std::filesystem::path& folder);
+
+    /// Looks once more: something was left behind since.
+    void lookAgain();
+    /// Whether the thread is still looking.
+    bool looking() const { return looking_ != nullptr; }
+    /// Takes what the thread has found, once it has; once a picture.
+    void collect();
+    /// The next work to be offered, each once; the last that was done comes first.
+    std::optional<LeftWork> next();
+    /// Leaves the others to the next start.
+    void putOff() { works_.clear(); }
+
+  private:
+    using Looking = BackgroundJob<std::vector<LeftWork>>;
+
+    std::filesystem::path folder_;
+    std::unique_ptr<Looking> looking_;
+    std::deque<LeftWork> works_;
+};
+
+/// The choices of questionAbout().
+enum LeftWorkChoice { kGoOn, kDiscard, kNotNow };
+/// Asks what to do with such work.
+ui::Question questionAbout(const LeftWork& work);
+/// To go on from it. A failure says where it is kept.
+OpeningOrder orderOf(const LeftWork& work);
+
+}  // namespace kerf::app

@@ -1,0 +1,183 @@
+#include "app/editor/storage/settings_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/session/session_json.h"
+
+namespace kerf::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ui::Settings;
+
+constexpr std::uintmax_t kMostSettingsBytes = 1u << 20;
+constexpr std::size_t kMostNames = 64;
+
+struct NumberRow {
+    const char* key;
+    double Settings::*member;
+    double low;
+    double high;
+};
+constexpr std::array kNumbers{
+    NumberRow{"ui_scale", &Settings::uiScale, 0.5, 4},
+    NumberRow{"controls_width", &Settings::controlsWidth, Settings::kLeastWidth,
+              Settings::kMostWidth},
+    NumberRow{"readings_width", &Settings::readingsWidth, Settings::kLeastWidth,
+              Settings::kMostWidth},
+    NumberRow{"pieces_share", &Settings::piecesShare, 0, 1},
+    NumberRow{"plots_share", &Settings::plotsShare, 0, 1},
+};
+
+struct SwitchRow {
+    const char* key;
+    bool Settings::*member;
+};
+constexpr std::array kSwitches{
+    SwitchRow{"show_controls", &Settings::showControls},
+    SwitchRow{"show_readings", &Settings::showReadings},
+    SwitchRow{"time_runs_while_cutting", &Settings::timeRunsWhileCutting},
+    SwitchRow{"keep_journal", &Settings::keepsJournal},
+    SwitchRow{"software_renderer", &Settings::softwareRenderer},
+};
+
+struct NamesRow {
+    const char* key;
+    std::vector<std::string> Settings::*member;
+};
+constexpr std::array kNames{
+    NamesRow{"plots", &Settings::plots},
+    NamesRow{"folded", &Settings::folded},
+};
+
+/// Visits the rows of all kinds.
+template <class Visit>
+void forEachRow(Visit visit) {
+    std::ranges::for_each(kNumbers, visit);
+    std::ranges::for_each(kSwitches, visit);
+    std::ranges::for_each(kNames, visit);
+}
+
+[[noreturn]] void fail(const std::string& key, const std::string& problem) {
+    throw InputError(key + ": " + problem);
+}
+
+double read(const NumberRow& row, const nlohmann::json& value) {
+    const double number = value.is_number() ? value.get<double>() : row.low - 1;
+    if (!(number >= row.low && number <= row.high)) {
+        fail(row.key, "expected a number from " + formatNumber(row.low) + " to " +
+                          formatNumber(row.high) + ".");
+    }
+    return number;
+}
+
+bool read(const SwitchRow& row, const nlohmann::json& value) {
+    if (!value.is_boolean()) {
+        fail(row.key, "expected true or false.");
+    }
+    return value.get<bool>();
+}
+
+std::vector<std::string> read(const NamesRow& row, const nlohmann::json& value) {
+    const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
+    if (!value.is_array() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
+        fail(row.key, "expected a list of names.");
+    }
+    return value.get<std::vector<std::string>>();
+}
+
+ui::Theme readTheme(const nlohmann::json& value) {
+    if (value == "dark") {
+        return ui::Theme::dark;
+    }
+    if (value == "light") {
+        return ui::Theme::light;
+    }
+    fail("theme", "expected \"dark\" or \"light\".");
+}
+
+ui::MouseScheme readMouse(const nlohmann::json& value) {
+    const auto row = std::ranges::find_if(
+        ui::kMouseTable, [&](const ui::MouseSchemeRow& r) { return value == std::string(r.id); });
+    if (row == ui::kMouseTable.end()) {
+        fail("mouse", "expected \"kerf\", \"blender\" or \"cad\".");
+    }
+    return static_cast<ui::MouseScheme>(row - ui::kMouseTable.begin());
+}
+
+}  // namespace
+
+std::string formatSettings(const Settings& settings) {
+    Json json;
+    json["theme"] = settings.theme == ui::Theme::light ? "light" : "dark";
+    json["mouse"] = std::string(rowOf(settings.mouse).id);
+    forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Settings parseSettings(const std::string& text) {
+    const nlohmann::json json = parseJson(text);
+    if (!json.is_object()) {
+        throw InputError("expected an object in braces.");
+    }
+    Settings settings;
+    if (json.contains("theme")) {
+        settings.theme = readTheme(json["theme"]);
+    }
+    if (json.contains("mouse")) {
+        settings.mouse = readMouse(json["mouse"]);
+    }
+    forEachRow([&](const auto& row) {
+        if (json.contains(row.key)) {
+            settings.*row.member = read(row, json[row.key]);
+        }
+    });
+    return settings;
+}
+
+SettingsFile::SettingsFile(std::filesystem::path file) : file_(std::move(file)) {
+    std::error_code error;
+    if (!file_.empty() && std::filesystem::exists(file_, error)) {
+        try {
+            now = parseSettings(readInputFile(file_, kMostSettingsBytes));
+        } catch (const InputError& problem) {
+            problem_ = "The settings of " + file_.string() +
+                       " are not used until they are changed here: " + problem.what();
+        }
+    }
+    saved_ = now;
+}
+
+std::string SettingsFile::save() {
+    if (file_.empty() || now == saved_) {
+        return "";
+    }
+    saved_ = now;
+    try {
+        std::filesystem::create_directories(file_.parent_path());
+        writeOutputFile(file_, formatSettings(now));
+        return "";
+    } catch (const std::exception& problem) {
+        return std::string("The settings could not be kept: ") + problem.what();
+    }
+}
+
+std::filesystem::path defaultSettingsFile() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder;
+    // A relative path there means nothing, by the XDG base directory specification.
+    if (config != nullptr && std::filesystem::path(config).is_absolute()) {
+        folder = config;
+    } else if (home != nullptr && *home != '\0') {
+        folder = std::filesystem::path(home) / ".config";
+    }
+    return folder.empty() ? folder : folder / "kerf" / "settings.json";
+}
+
+}  // namespace kerf::app

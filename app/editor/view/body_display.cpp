@@ -1,0 +1,178 @@
+#include "app/editor/view/body_display.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/scene/held_hands.h"
+#include "app/scene/readout/scene_readout.h"
+#include "ui/theme.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr float kHighlight = 0.7F;  // strength of the tint
+
+/// The colour of an IM_COL32 in linear light.
+Eigen::Vector3f linearOf(unsigned color) {
+    const auto channel = [color](int shift) {
+        return std::pow(static_cast<float>((color >> shift) & 0xffU) / 255.0F, 2.2F);
+    };
+    return {channel(0), channel(8), channel(16)};
+}
+
+/// Away from the middle of all. None goes down: there may be a floor.
+void shiftApart(const std::vector<Bounds>& bounds, double apart,
+                std::vector<render::PieceLook>& looks) {
+    Bounds all;
+    for (const Bounds& piece : bounds) {
+        all.add(piece);
+    }
+    double lowest = 0;
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+        if (!bounds[p].empty()) {
+            looks[p].shift = apart * (bounds[p].center() - all.center());
+            lowest = std::min(lowest, looks[p].shift.y());
+        }
+    }
+    for (render::PieceLook& look : looks) {
+        look.shift.y() -= lowest;
+    }
+}
+
+render::BodyLook ownLook(const Document& document) {
+    return render::lookFor(document.session.model.name());
+}
+
+Bounds shifted(Bounds bounds, const Vec3& by) {
+    if (!bounds.empty()) {
+        bounds.low += by;
+        bounds.high += by;
+    }
+    return bounds;
+}
+
+/// The bounds of the pieces as they are drawn [m].
+Bounds shownBounds(const std::vector<Bounds>& bounds, const std::vector<render::PieceLook>& looks) {
+    Bounds shown;
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+        const Bounds piece = shifted(bounds[p], looks[p].shift);
+        if (!piece.empty()) {
+            shown.add(piece.low);
+            shown.add(piece.high);
+        }
+    }
+    return shown;
+}
+
+void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
+                 render::SceneView& view) {
+    view.overlays = overlays;
+    view.constraints = simulation.constraintView();
+    if (simulation.hands().empty()) {
+        view.constraints.pullCount = 0;  // those of a step before it let go
+    }
+    view.pieceBoxes = simulation.pieceBounds();
+    view.pinned = simulation.pinnedVertices();
+}
+
+}  // namespace
+
+void BodyDisplay::begin(const Document& document) {
+    settings.colors = document.session.colors;
+    settings.apart = 0;
+    settings.section.reset();
+    hidden_.clear();
+    hovered_ = -1;
+}
+
+void BodyDisplay::show(int piece, bool visible) {
+    if (visible) {
+        hidden_.erase(piece);
+    } else {
+        hidden_.insert(piece);
+    }
+}
+
+bool BodyDisplay::join() {
+    return std::exchange(settings.apart, 0) > 0;
+}
+
+render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
+    EditorScene& scene = *busy.scene_;
+    const std::vector<Bounds>& bounds = scene.simulation().pieceBounds();
+    render::SceneView view = scene.readout().view();
+    view.wireframe = settings.wireframe;
+    view.cutLines = settings.cutLines;
+    view.field.choice = settings.field;
+    view.section = settings.section;
+    view.hardEdges = settings.hardEdges;
+    view.look = look(scene.document());
+    if (!settings.colors.showOwn()) {
+        view.paint.reset();
+    }
+    view.pieces = looksOf(bounds);
+    if (settings.apart > 0) {
+        view.focus = shownBounds(bounds, view.pieces);
+    } else {
+        addOverlays(settings.overlays, scene.simulation(), view);
+        if (settings.overlays.faults && scene.document().faults.any()) {
+            view.marks = scene.readout().faultMarks();
+        }
+    }
+    return view;
+}
+
+Bounds BodyDisplay::boundsOf(const BusyScene& scene) const {
+    const std::vector<Bounds>& pieces = scene.pieceBounds();
+    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
+}
+
+Bounds BodyDisplay::boundsOf(const BusyScene& scene, int piece) const {
+    const std::vector<Bounds>& pieces = scene.pieceBounds();
+    const auto index = static_cast<std::size_t>(piece);
+    if (piece < 0 || index >= pieces.size()) {
+        return {};
+    }
+    const std::vector<render::PieceLook> looks = looksOf(pieces);
+    return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
+}
+
+render::BodyLook BodyDisplay::look(const Document& document) const {
+    return render::colored(ownLook(document), settings.colors);
+}
+
+/// The look of each piece; empty where all look as always.
+std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& bounds) const {
+    const bool plain = hovered_ < 0 && settings.apart == 0 && hidden_.empty();
+    std::vector<render::PieceLook> looks(plain ? 0 : bounds.size());
+    if (settings.apart > 0) {
+        shiftApart(bounds, settings.apart, looks);
+    }
+    for (std::size_t p = 0; p < looks.size(); ++p) {
+        looks[p].hidden = hidden_.contains(static_cast<int>(p));
+    }
+    if (hovered_ >= 0 && hovered_ < static_cast<int>(looks.size())) {
+        looks[hovered_].tint = linearOf(ui::pieceColor(hovered_));
+        looks[hovered_].strength = kHighlight;
+    }
+    return looks;
+}
+
+void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) const {
+    model.display = settings;
+    if (!scene) {
+        return;
+    }
+    const render::BodyLook look = render::colored(
+        ownLook(scene.document()), {.look = settings.colors.look, .skin = {}, .flesh = {}});
+    model.looks.ownSkin = render::toDisplay(look.skin);
+    model.looks.ownFlesh = render::toDisplay(look.inner);
+    model.looks.hasOwnColors = scene.document().looks.colored();
+    model.pieces.hovered = hovered_;
+    for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
+        model.pieces.rows[p].hidden = hidden_.contains(static_cast<int>(p));
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,184 @@
+#include "app/editor/view/editor_view.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/scene/document/rest_of_body.h"
+#include "app/scene/editor_stroke.h"
+#include "app/tools/measure_tool.h"
+#include "app/tools/tool_marks.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kClick = 4;  // a drag is longer [px]
+
+}  // namespace
+
+bool EditorView::resize(int newWidth, int newHeight) {
+    const bool other = newWidth != width || newHeight != height;
+    if (!other || newWidth <= 0 || newHeight <= 0) {
+        return false;
+    }
+    width = newWidth;
+    height = newHeight;
+    return true;
+}
+
+void EditorView::begin(const EditorScene& scene) {
+    camera = EditorCamera(scene.rest().homeView());
+    display.begin(scene.document());
+    tools.begin(scene.simulation().bounds());
+    placement_ = scene.rest().revision();
+    restBounds_ = scene.rest().bounds();
+}
+
+void EditorView::beginAgain(const EditorScene& scene) {
+    const EditorCamera seen = camera;
+    ui::DisplaySettings shown = display.settings;
+    shown.apart = 0;
+    begin(scene);
+    camera = seen;
+    display.settings = shown;
+}
+
+bool EditorView::follow(const EditorScene& scene) {
+    if (placement_ == scene.rest().revision()) {
+        return false;
+    }
+    placement_ = scene.rest().revision();
+    const Bounds before = std::exchange(restBounds_, scene.rest().bounds());
+    tools.fitTo(scene.simulation().bounds());
+    if (tools.inHand().holds()) {
+        return true;  // The view stands while the model moves in it.
+    }
+    const double ratio = restBounds_.diagonal() / before.diagonal();
+    render::Camera moved = camera.destination();
+    for (Vec3* point : {&moved.eye, &moved.target}) {
+        *point = restBounds_.center() + ratio * (*point - before.center());
+    }
+    camera = EditorCamera(moved);
+    return true;
+}
+
+ViewFrame EditorView::frame() const {
+    ViewFrame seen{camera.shown(), width, height};
+    if (free.width > 0) {
+        seen.camera.middle = seen.toNdc({free.x + free.width / 2, free.y + free.height / 2});
+    }
+    return seen;
+}
+
+void EditorView::flyToFrame(const Bounds& bounds) {
+    const bool known = free.width > 0;
+    camera.flyToFrame(bounds, known ? std::min(free.width, free.height) / float(height) : 1);
+}
+
+// --- The pointer -------------------------------------------------------------------------------
+
+void EditorView::move(const ui::PointerMove& move, const BusyScene& scene) {
+    const Vec2 from = pointer;
+    pointer = {move.x, move.y};
+    const bool turned = camera.drag(pointer - from, height);
+    if (!scene) {
+        return;
+    }
+    if (turned) {
+        camera.keepNear(scene.bounds());
+    }
+    if (sectionTool.holds() && display.settings.section) {
+        display.settings.section =
+            sectionTool.moved(frame(), pointer, *display.settings.section, scene.bounds());
+        return;
+    }
+    tools.inHand().move(context(scene, move.modifiers));
+}
+
+std::string EditorView::press(const ui::ButtonChange& change, const BusyScene& scene) {
+    if (change.button == ui::Button::right) {
+        rightPress_ = pointer;
+    }
+    if (holds() || camera.press(change, mouse) || change.button != ui::Button::left || !scene) {
+        return "";
+    }
+    if (pressSection(scene)) {
+        return "";
+    }
+    if (display.join() && tools.inHand().aims()) {
+        return "";  // What was aimed at is elsewhere.
+    }
+    return tools.inHand().press(context(scene, change.modifiers));
+}
+
+bool EditorView::pressSection(const BusyScene& scene) {
+    const std::optional<render::SectionPlane>& section = display.settings.section;
+    return section && sectionTool.press(frame(), pointer, *section, scene.bounds());
+}
+
+std::string EditorView::release(ui::Button button, const BusyScene& scene) {
+    camera.release(button);
+    if (button == ui::Button::right && scene && rightClicks()) {
+        tools.inHand().rightClick(context(scene));
+    }
+    if (button != ui::Button::left || !scene) {
+        return "";
+    }
+    sectionTool.release();
+    return tools.inHand().release(context(scene));
+}
+
+bool EditorView::rightClicks() const {
+    return tools.inHand().takesRightClicks() && (pointer - rightPress_).norm() < kClick;
+}
+
+void EditorView::zoom(double notches, const BusyScene& scene) {
+    const ViewFrame seen = frame();
+    camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
+    if (scene) {
+        camera.keepNear(scene.bounds());
+    }
+}
+
+// --- The tools ---------------------------------------------------------------------------------
+
+ToolContext EditorView::context(const BusyScene& scene, const ui::Modifiers& modifiers) {
+    return {frame(),
+            pointer,
+            modifiers,
+            tools.settings(),
+            scene.stroke(),
+            scene.bounds(),
+            display.settings.section,
+            scene.atRest()};
+}
+
+void EditorView::setTools(const ui::ToolSettings& settings, const BusyScene& scene) {
+    if (settings.tool != tools.settings().tool) {
+        display.join();
+    }
+    tools.set(settings, context(scene));
+}
+
+void EditorView::cancelTools(const BusyScene& scene, bool takesBack) {
+    sectionTool.release();
+    tools.cancel(context(scene), takesBack);
+}
+
+ui::Cursor EditorView::cursor(const ui::Overlay& overlay) const {
+    const bool drags = camera.dragging() || tools.holdsBody() || sectionTool.holds();
+    return drags ? ui::Cursor::hand : tools.inHand().cursor(overlay);
+}
+
+ui::Overlay EditorView::overlay(bool inView, const BusyScene& scene) {
+    ToolContext seen = context(scene);
+    seen.pixel = inView ? pointer : kNowhere;
+    ui::Overlay overlay;
+    tools.get<MeasureTool>().addMeasures(overlay, seen.view, seen.pixel);
+    tools.addTo(overlay, seen);
+    if (display.settings.section) {
+        sectionTool.addTo(overlay, seen.view, seen.pixel, *display.settings.section, seen.bounds);
+    }
+    return overlay;
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,170 @@
+#include "app/editor/view/first_steps.h"
+
+#include "app/scene/editor_stroke.h"
+#include "app/scene/timeline/scene_timeline.h"
+#include "sim/base/text.h"
+#include "ui/action_table.h"
+
+namespace kerf::app {
+
+using ui::ActionId;
+using ui::actionOf;
+using ui::Hint;
+
+void CutWatch::follow(bool cutting, int pieces, int triangles) {
+    const MeshCounts now{pieces, triangles};
+    if (cutting) {
+        before_ = before_.value_or(now);
+        met_ = met_ || now != *before_;
+        outcome_ = StrokeOutcome::none;
+    } else if (before_) {
+        outcome_ = outcomeOf(now);
+        after_ = now;
+        before_.reset();
+        met_ = false;
+    } else if (!(now == after_)) {
+        outcome_ = StrokeOutcome::none;
+    }
+}
+
+/// The outcome of the stroke that has just ended.
+StrokeOutcome CutWatch::outcomeOf(const MeshCounts& now) const {
+    if (now == *before_) {
+        return met_ ? StrokeOutcome::none : StrokeOutcome::missed;
+    }
+    return now.pieces > before_->pieces ? StrokeOutcome::parted : StrokeOutcome::incised;
+}
+
+void FirstSteps::follow(const Situation& now) {
+    if (now.cutting) {
+        cutTool_ = now.tool;
+    }
+    if (now.outcome == StrokeOutcome::incised || now.outcome == StrokeOutcome::parted) {
+        used_[static_cast<std::size_t>(cutTool_)] = true;
+    }
+    used_[static_cast<std::size_t>(now.tool)] |= now.touching;
+    parted_ |= now.outcome == StrokeOutcome::parted;
+    played_ |= now.playing && now.session;
+    const bool falls = now.playing && !now.weightless;
+    weighed_ |= falls;
+    wentOn_ |= fell_ && now.cutting;
+    fell_ |= falls && now.parted();
+}
+
+Hint FirstSteps::hint(const Situation& now) const {
+    if (!now.open) {
+        return {
+            "Drop a model (OBJ, PLY, STL) or a session here to open it, or choose an experiment "
+            "at the left.",
+            {{ActionId::openFile, "Open a file"}}};
+    }
+    if (now.touching || now.cutting) {
+        return {};
+    }
+    if (now.playing) {
+        const bool still = now.weightless && !now.session && !weighed_;
+        return still ? Hint{"Time runs, but nothing has weight here.",
+                            {{ActionId::toggleGravity, "Give it weight"}}}
+                     : Hint{};
+    }
+    if (now.past) {
+        return {"This is past. Play it again, or cut: what came after is left out then.",
+                {{ActionId::playPause, "Play"}}};
+    }
+    const bool chosenSince = now.tool != cutTool_ && !hasUsed(now.tool);
+    Hint after = chosenSince ? Hint{} : afterStroke(now);
+    return after.text.empty() ? beforeStroke(now) : after;
+}
+
+Hint FirstSteps::afterStroke(const Situation& now) const {
+    if (now.outcome == StrokeOutcome::incised && !now.refusal.empty()) {
+        return {"The stroke parted nothing: " + now.refusal + ".", {{ActionId::undo, "Undo"}}};
+    }
+    if (now.parted() && !fell_) {
+        return {counted(now.pieces, "piece", "pieces") + " now. What next?",
+                {{ActionId::letFall, "Let them fall"},
+                 {ActionId::showApart, "Show them apart"},
+                 {actionOf(ui::Tool::grab), "Pull at one"}}};
+    }
+    if (now.parted() && !wentOn_ && now.tool == cutTool_) {
+        return {"Drag to cut again, or:",
+                {{ActionId::undo, "Undo"},
+                 {ActionId::reset, "Back to the start"},
+                 {ActionId::help, "All keys"}}};
+    }
+    const bool unsure = !parted_ && now.tool == ui::kFirstTool;
+    if (unsure && now.outcome == StrokeOutcome::missed) {
+        return {
+            "The blade met nothing. Drag right across the model, from one side of it to the "
+            "other.",
+            {}};
+    }
+    if (unsure && now.outcome == StrokeOutcome::incised) {
+        return {
+            "An incision: the blade began or ended inside. Drag from beside the model to beside "
+            "it, and it falls in two.",
+            {{ActionId::undo, "Undo"}}};
+    }
+    if (now.outcome == StrokeOutcome::incised && !hasUsed(ui::Tool::grab) &&
+        !hasUsed(ui::Tool::retract)) {
+        return {"An incision. Hold it open, or pull at a lip:",
+                {{actionOf(ui::Tool::retract), "Hold open"}, {actionOf(ui::Tool::grab), "Pull"}}};
+    }
+    return {};
+}
+
+Hint FirstSteps::beforeStroke(const Situation& now) const {
+    if (now.session && now.tool == ui::kFirstTool && !played_) {
+        return {"Press Space to play the session, or drag right across the model to cut it.",
+                {{ActionId::playPause, "Play"}}};
+    }
+    if (hasUsed(now.tool)) {
+        return {};
+    }
+    const ui::ToolRow& tool = ui::rowOf(now.tool);
+    Hint hint{std::string(tool.hint), {}};
+    if (!tool.trigger.empty()) {
+        hint.choices = {{ActionId::bringDown, std::string(tool.trigger)}};
+    }
+    return hint;
+}
+
+void NewcomerGuide::begin(const EditorScene& scene) {
+    cutWatch_ = {};
+    piecesAtFirst_ = scene.simulation().report().pieces;
+}
+
+Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
+    Situation now;
+    now.tool = view.tools.settings().tool;
+    if (scene == nullptr) {
+        return now;
+    }
+    now.open = true;
+    now.playing = scene->timeline().playing;
+    now.weightless = scene->simulation().params().gravity.norm() == 0;
+    now.past = scene->timeline().inThePast();
+    now.session = scene->timeline().playingBack() && !now.past;
+    now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
+    now.touching = view.tools.holdsBody();
+    now.pieces = scene->simulation().report().pieces;
+    now.piecesAtFirst = piecesAtFirst_;
+    now.outcome = cutWatch_.outcome();
+    now.refusal = scene->simulation().refusalOfStroke();
+    return now;
+}
+
+bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
+    const StrokeOutcome before = cutWatch_.outcome();
+    Situation now = situationOf(&scene, view);
+    cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);
+    now.outcome = cutWatch_.outcome();
+    firstSteps_.follow(now);
+    return now.outcome != before;
+}
+
+ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
+    return firstSteps_.hint(situationOf(scene, view));
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/editor/view/editor_view.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+
+/// The outcome of a stroke.
+enum class StrokeOutcome : std::uint8_t {
+    none,     ///< there was none, or the body has changed otherwise since
+    missed,   ///< the blade met nothing
+    incised,  ///< it cut, and the pieces are as many as before
+    parted,   ///< there are more pieces
+};
+
+/// Tells what came of the last stroke by what the body was before it and after.
+class CutWatch {
+  public:
+    /// Notes the state of the body once a picture, before its steps. `cutting` tells whether a
+    /// stroke is drawn or still to be cut.
+    void follow(bool cutting, int pieces, int triangles);
+    StrokeOutcome outcome() const { return outcome_; }
+
+  private:
+    struct MeshCounts {
+        int pieces = 0;
+        int triangles = 0;
+        bool operator==(const MeshCounts&) const = default;
+    };
+    StrokeOutcome outcomeOf(const MeshCounts& now) const;
+
+    std::optional<MeshCounts> before_;  ///< of the stroke that is under way
+    bool met_ = false;                  ///< it changed the body, whatever became of that
+    MeshCounts after_;                  ///< of the last one
+    StrokeOutcome outcome_ = StrokeOutcome::none;
+};
+
+/// The situation in the editor that a hint goes by.
+struct Situation {
+    bool open = false;        ///< whether anything is
+    bool playing = false;     ///< time runs
+    bool weightless = false;  ///< there is no gravity
+    bool session = false;     ///< events of a session are still to come
+    bool past = false;        ///< the person went back in time
+    bool cutting = false;     ///< a stroke is drawn or still to be cut
+    bool touching = false;    ///< a tool pulls or pins
+    ui::Tool tool = ui::kFirstTool;
+    int pieces = 1;
+    int piecesAtFirst = 1;  ///< as it was opened: a file may hold several shells
+    StrokeOutcome outcome = StrokeOutcome::none;
+    std::string refusal{};  ///< what the log says of a refused step of the last stroke
+
+    bool parted() const { return pieces > piecesAtFirst; }
+};
+
+/// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good
+/// once what it says was done.
+class FirstSteps {
+  public:
+    /// Notes the situation once a picture.
+    void follow(const Situation& now);
+    /// The hint for a situation; empty for none.
+    ui::Hint hint(const Situation& now) const;
+
+  private:
+    bool hasUsed(ui::Tool tool) const { return used_[static_cast<std::size_t>(tool)]; }
+    ui::Hint afterStroke(const Situation& now) const;
+    ui::Hint beforeStroke(const Situation& now) const;
+
+    std::array<bool, ui::kTools> used_{};
+    ui::Tool cutTool_ = ui::kFirstTool;  ///< of the last stroke
+    bool played_ = false;                ///< a session
+    bool parted_ = false;                ///< something was cut right through
+    bool weighed_ = false;               ///< time ran with gravity
+    bool fell_ = false;                  ///< and did so with pieces
+    bool wentOn_ = false;                ///< a stroke was drawn after that
+};
+
+/// Watches what a newcomer does, and says what to do first or next.
+class NewcomerGuide {
+  public:
+    /// Looks at the open document once a picture. Whether another outcome of the last stroke is
+    /// known since.
+    bool follow(const EditorScene& scene, const EditorView& view);
+    /// Forgets the last stroke: this document was just opened.
+    void begin(const EditorScene& scene);
+    /// The hint of now; `scene` is null while nothing is open.
+    ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
+
+  private:
+    Situation situationOf(const EditorScene* scene, const EditorView& view) const;
+
+    CutWatch cutWatch_;
+    FirstSteps firstSteps_;
+    int piecesAtFirst_ = 1;
+};
+
+}  // namespace kerf::app

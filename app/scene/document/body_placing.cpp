@@ -1,0 +1,34 @@
+#include "app/scene/document/body_placing.h"
+
+#include <utility>
+
+namespace kerf::app {
+namespace {
+
+PlacedBody placedBody(const UncutBody& first, std::vector<PlacedModel> models,
+                      WorkProgress& progress) {
+    progress.enter("Putting it elsewhere");
+    SurfaceMesh mesh = placedMesh(first, models);
+    PlacedBody placed;
+    placed.body = makeUncutBody(std::move(mesh), std::move(models),
+                                [&](const char* stage) { progress.enter(stage); });
+    progress.enter("Measuring the depth below the skin");
+    placed.depth = render::measureSkinDepth(placed.body->mesh);
+    progress.enter("Bringing it to the GPU");
+    return placed;
+}
+
+std::vector<PlacedModel> modelsAfter(const UncutBody& now, const Place& place) {
+    std::vector<PlacedModel> models = now.models;
+    models.at(place.model).placement = place.placement;
+    return models;
+}
+
+}  // namespace
+
+BodyPlacing::BodyPlacing(const Simulation& simulation, const Place& place)
+    : place_(place),
+      job_([first = simulation.firstUncut(), models = modelsAfter(*simulation.uncut(), place)](
+               WorkProgress& progress) { return placedBody(*first, models, progress); }) {}
+
+}  // namespace kerf::app

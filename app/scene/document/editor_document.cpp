@@ -1,0 +1,185 @@
+#include "app/scene/document/editor_document.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/scene/timeline/keyframes.h"
+#include "app/session/scene_origin.h"
+#include "app/session/session.h"
+#include "gpu/data_path.h"
+#include "sim/base/size_params.h"
+#include "sim/base/text.h"
+#include "sim/mesh/invariants.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal
+bool isJson(const std::filesystem::path& file) {
+    return lowerCase(file.extension().string()) == ".json";
+}
+
+std::string shortName(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    if (name.ends_with(kSessionEnding)) {
+        return name.substr(0, name.size() - kSessionEnding.size());
+    }
+    return file.stem().string();
+}
+
+std::string modelNote(const MeshReport& report, const UnitGuess& guess) {
+    const std::string repairs = joined(report.repairs, "; ");
+    return repairs.empty() ? guess.sentence : guess.sentence + " Repaired: " + repairs + ".";
+}
+
+Document finish(std::string name, Session session, ModelMesh model, std::string note) {
+    const Bounds bounds = meshBounds(model.mesh);
+    const render::Camera camera = sessionCamera(session, bounds);
+    for (const std::string& remark : model.remarks) {
+        note += (note.empty() ? "" : " ") + remark;
+    }
+    return {std::move(name),
+            std::move(session),
+            std::move(model.mesh),
+            bounds,
+            camera,
+            std::move(model.looks),
+            std::move(note),
+            std::nullopt,
+            std::move(model.placed),
+            std::move(model.faults),
+            std::move(model.facts.objects)};
+}
+
+Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
+    MeshReport report;
+    ReadOptions ours = options;
+    ours.report = &report;
+    ModelMesh model = readModel(file, ours);
+    Session session;
+    session.model.path = std::filesystem::absolute(file);
+    session.model.add(options);
+    const UnitGuess guess = guessUnits(file, meshBounds(model.mesh), model.facts.units);
+    session.placement = standing(guess, model.mesh.restPositions());
+    place(model.mesh, session.placement);
+    model.placed = {{session.placement, 0}};
+    const Bounds placed = meshBounds(model.mesh);
+    if (const std::string problem = checkRoom(placed); !problem.empty()) {
+        throw InputError(file.string() + ": " + problem);
+    }
+    session.params = suitedTo(placed.diagonal(), session.params);
+    session.params.sleeps = 1;  // a new scene has no bits to keep
+    Document document =
+        finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
+    document.guess = guess;
+    return document;
+}
+
+Document openSession(const std::filesystem::path& file, const ReadOptions& options) {
+    Session session = readSession(file);
+    session.model.add(options);
+    for (FurtherModel& further : session.moreModels) {
+        further.model.add(options);
+    }
+    ModelMesh model = loadSessionModel(session, options);
+    session = withOrigin(std::move(session), model.origin);
+    std::string note = joined(session.warnings, "; ");
+    return finish(shortName(file), std::move(session), std::move(model), std::move(note));
+}
+
+/// On the floor, at the right of the others.
+Placement beside(const Bounds& others, const Placement& placement, const std::vector<Vec3>& own) {
+    const Bounds placed = placedBounds(own, placement);
+    const double half = 0.5 * (placed.high - placed.low).x();
+    const double gap = kGapBeside * std::max(placed.diagonal(), others.diagonal());
+    return standing(placement, own,
+                    {others.high.x() + gap + half, others.low.y(), others.center().z()});
+}
+
+/// With a colour of its own, so that models that bring none can be told apart.
+FurtherModel furtherModel(std::size_t number) {
+    static const std::array<Vec3, 5> kColors{{{0.36, 0.62, 0.80},
+                                              {0.55, 0.72, 0.38},
+                                              {0.86, 0.60, 0.28},
+                                              {0.66, 0.48, 0.74},
+                                              {0.80, 0.44, 0.46}}};
+    FurtherModel further;
+    further.color = kColors[(number - 1) % kColors.size()];
+    return further;
+}
+
+}  // namespace
+
+Session parted(Session scene, int objects) {
+    scene.model.object = 1;
+    for (int object = 2; object <= objects; ++object) {
+        FurtherModel further = furtherModel(scene.moreModels.size() + 1);
+        further.model = scene.model;
+        further.model.object = object;
+        further.placement = scene.placement;
+        scene.moreModels.push_back(std::move(further));
+    }
+    return scene;
+}
+
+MemoryNeed memoryNeedOf(const Document& document) {
+    const Session& session = document.session;
+    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
+    settings.undoBudget = kUndoBudget;
+    settings.courseBudget = Keyframes::kBudget;
+    return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
+}
+
+Document openScene(const std::string& name, Session scene, const ReadOptions& options) {
+    ModelMesh models = loadSessionModel(scene, options);
+    scene = withOrigin(std::move(scene), models.origin);
+    Document document = finish(name, std::move(scene), std::move(models), "");
+    document.inFile = false;
+    return document;
+}
+
+Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
+                       const ReadOptions& options) {
+    const std::size_t others = scene.moreModels.size() + 1;
+    if (isJson(file)) {
+        throw InputError(file.filename().string() +
+                         ": a session has a scene of its own; add its model's file instead.");
+    }
+    if (others >= kMostModels) {
+        throw InputError("A scene holds " + std::to_string(kMostModels) +
+                         " models at most; take one out before you add another.");
+    }
+    MeshReport report;
+    ReadOptions ours = options;
+    ours.report = &report;
+    const ModelMesh read = readModel(file, ours);
+    const SurfaceMesh& own = read.mesh;
+    const UnitGuess guess = guessUnits(file, meshBounds(own), read.facts.units);
+    FurtherModel added = furtherModel(others);
+    added.model.path = std::filesystem::absolute(file);
+    added.model.add(options);
+    const Placement stands = standing(guess, own.restPositions());
+    const ModelMesh there = loadSessionModel(scene, {});
+    scene = withOrigin(std::move(scene), there.origin);
+    const Bounds before = meshBounds(there.mesh);
+    added.placement = beside(before, stands, own.restPositions());
+    scene.moreModels.push_back(std::move(added));
+    ReadOptions all;
+    all.findFaults = options.findFaults;
+    all.findCrossingsUpTo = options.findCrossingsUpTo;
+    Document document = openScene(name, std::move(scene), all);
+    document.note =
+        "Model " + std::to_string(others) + " of the scene. " + modelNote(report, guess);
+    return document;
+}
+
+Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
+    return isJson(file) ? openSession(file, options) : openModel(file, options);
+}
+
+Document openDefaultDocument() {
+    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/scene/document/editor_document.h"
+#include "sim/mesh/triangle_quality.h"
+#include "sim/run/simulation.h"
+
+namespace kerf::app {
+
+/// Figures of one model of an uncut body at rest.
+struct ModelFigures {
+    Bounds bounds;      ///< [m]
+    double volume = 0;  ///< [m^3]
+    TriangleFigures triangles;
+};
+
+/// The uncut body of a scene at rest, and what is told of it. A placement, or its undo, makes it
+/// another one.
+class RestOfBody {
+  public:
+    /// `simulation` is that of `document` at its start.
+    RestOfBody(const Simulation& simulation, const Document& document);
+
+    /// Takes the uncut body that there is now, if it is another one.
+    void follow(const Simulation& simulation, const Document& document);
+
+    const UncutBody& uncut() const { return *uncut_; }
+    const Bounds& bounds() const { return bounds_; }  ///< [m]
+    /// By the number of the model.
+    const std::vector<ModelFigures>& models() const { return models_; }
+    /// The view that shows it: the first one, or one like it after a placement.
+    const render::Camera& homeView() const { return homeView_; }
+    /// Grows when it became another one.
+    int revision() const { return revision_; }
+
+  private:
+    std::shared_ptr<const UncutBody> uncut_;
+    Bounds bounds_;
+    std::vector<ModelFigures> models_;
+    render::Camera homeView_;
+    int revision_ = 0;
+};
+
+}  // namespace kerf::app

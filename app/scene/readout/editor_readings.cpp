@@ -1,0 +1,154 @@
+#include "app/scene/readout/editor_readings.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace kerf::app {
+namespace {
+
+// Shares of the body's size: what counts as clear of the floor, and as back on it.
+constexpr double kClear = 0.02;
+constexpr double kTouching = 0.002;
+
+/// When a reading takes its value from the report.
+enum class When {
+    always,    ///< after a step and after a jump
+    step,      ///< after a step
+    addingUp,  ///< after a step where it is not 0, added to what was before
+};
+
+using ui::Reading;
+using Report = const StepReport&;
+
+/// A reading that comes from the report. Its series leaves out NaN.
+struct FromReport {
+    Reading reading;
+    When when;
+    double (*value)(Report);
+};
+
+double strainEnergyOf(Report r) {
+    return r.strainEnergy.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+double bladeForceOf(Report r) {
+    return r.bladeLoad ? r.bladeLoad->force.norm() : std::numeric_limits<double>::quiet_NaN();
+}
+double energyOf(Report r) {
+    return r.kineticEnergy + r.potentialEnergy + r.strainEnergy.value_or(0.0);
+}
+
+constexpr std::array kFromReport{
+    FromReport{Reading::deformMs, When::step, [](Report r) { return r.deformMs; }},
+    FromReport{Reading::collideMs, When::step, [](Report r) { return r.collideMs; }},
+    FromReport{Reading::cutMs, When::step, [](Report r) { return r.cutMs; }},
+    FromReport{Reading::volumePercent, When::always, [](Report r) { return 100 * r.volumeRatio; }},
+    FromReport{Reading::kineticEnergy, When::always, [](Report r) { return r.kineticEnergy; }},
+    FromReport{Reading::potentialEnergy, When::always, [](Report r) { return r.potentialEnergy; }},
+    FromReport{Reading::strainEnergy, When::always, strainEnergyOf},
+    FromReport{Reading::totalEnergy, When::always, energyOf},
+    FromReport{Reading::touchedTriangles, When::step,
+               [](Report r) { return 1.0 * r.touchedTriangles; }},
+    FromReport{Reading::bladeForce, When::step, bladeForceOf},
+    FromReport{Reading::bladeWork, When::addingUp, [](Report r) { return r.heldEdge.work; }},
+    FromReport{Reading::fractureEnergy, When::addingUp, [](Report r) { return r.fractureEnergy; }},
+    FromReport{Reading::lostPieces, When::addingUp, [](Report r) { return 1.0 * r.lostPieces; }},
+};
+
+/// A reading that comes from the pictures.
+struct FromPicture {
+    Reading reading;
+    double (*value)(double elapsedSeconds, double renderMs);
+};
+constexpr std::array kFromPicture{
+    FromPicture{Reading::framesPerSecond, [](double seconds, double) { return 1 / seconds; }},
+    FromPicture{Reading::frameMs, [](double seconds, double) { return 1000 * seconds; }},
+    FromPicture{Reading::renderMs, [](double, double renderMs) { return renderMs; }},
+};
+
+/// Whether each reading comes from somewhere, in the order of ui::Reading.
+constexpr bool coversReadings() {
+    std::size_t next = 0;
+    const auto isNext = [&next](const auto& row) {
+        return row.reading == Reading{static_cast<std::uint8_t>(next++)};
+    };
+    return std::ranges::all_of(kFromReport, isNext) && std::ranges::all_of(kFromPicture, isNext) &&
+           next == static_cast<std::size_t>(Reading::count);
+}
+static_assert(coversReadings(), "a Reading comes from nowhere, or not at its place");
+
+}  // namespace
+
+bool ImpactWatch::see(const std::vector<Bounds>& boxes, std::optional<double> floor, double size) {
+    clear_.resize(boxes.size(), false);
+    bool impact = false;
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+        const double height = floor && !boxes[p].empty() ? boxes[p].low.y() - *floor : 0;
+        if (height > kClear * size) {
+            clear_[p] = true;
+        } else if (height < kTouching * size && clear_[p]) {
+            clear_[p] = false;
+            impact = impact || floor.has_value();
+        }
+    }
+    return impact;
+}
+
+void EditorReadings::addStep(double time, const Simulation& simulation) {
+    addReport(time, simulation, true);
+    if (impacts_.see(simulation.pieceBounds(), simulation.params().floor,
+                     simulation.bounds().diagonal())) {
+        mark(time, "impact");
+    }
+}
+
+void EditorReadings::addJump(double time, const Simulation& simulation) {
+    addReport(time, simulation, false);
+}
+
+void EditorReadings::addReport(double time, const Simulation& simulation, bool stepped) {
+    for (const auto& [reading, when, valueIn] : kFromReport) {
+        const double value = valueIn(simulation.report());
+        if (when == When::always || (when == When::step && stepped)) {
+            history_[reading].add(time, value);
+        } else if (stepped && value != 0) {
+            history_[reading].add(time, history_[reading].last() + value);
+        }
+    }
+    addPieces(time, simulation.measuredPieces());
+}
+
+void EditorReadings::addPieces(double time, const std::vector<Piece>& pieces) {
+    const std::size_t shown = std::min<std::size_t>(pieces.size(), ui::kPlottedPieces);
+    std::vector<ui::Series>& series = history_.piecePercent;
+    series.resize(std::max(series.size(), shown));
+    for (std::size_t p = 0; p < shown; ++p) {
+        if (pieces[p].restVolume > 0) {
+            series[p].add(time, 100 * pieces[p].volume / pieces[p].restVolume);
+        }
+    }
+}
+
+void EditorReadings::addPicture(double time, double elapsedSeconds, double renderMs) {
+    for (const auto& [reading, valueIn] : kFromPicture) {
+        history_[reading].add(time, valueIn(elapsedSeconds, renderMs));
+    }
+}
+
+void EditorReadings::forgetAfter(double time) {
+    const auto forget = [time](ui::Series& series) { series.forgetAfter(time); };
+    std::ranges::for_each(history_.readings, forget);
+    std::ranges::for_each(history_.piecePercent, forget);
+    std::erase_if(history_.marks, [time](const ui::PlotMark& mark) { return mark.x > time; });
+    impacts_ = {};
+}
+
+std::optional<ui::RunFigures> EditorReadings::figures() const {
+    const double frameMs = history_[Reading::frameMs].mean();
+    if (history_[Reading::volumePercent].empty() || frameMs <= 0) {
+        return std::nullopt;
+    }
+    return ui::RunFigures{1000 / frameMs, history_[Reading::volumePercent].mean()};
+}
+
+}  // namespace kerf::app

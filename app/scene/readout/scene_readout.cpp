@@ -1,0 +1,195 @@
+#include "app/scene/readout/scene_readout.h"
+
+#include <utility>
+
+#include "app/scene/document/size_effect.h"
+#include "app/scene/document/triangle_text.h"
+#include "app/scene/timeline/hooks.h"
+#include "app/scene/timeline/session_marks.h"
+#include "app/session/scene_origin.h"
+#include "app/session/scene_view.h"
+#include "sim/run/undo/undo_history.h"
+#include "ui/unit_text.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kMostLiveTriangles = 20'000;  // of a body that follows a drag of its placement
+
+/// The parameters as they are for one model.
+Params paramsOf(Params params, int model) {
+    for (const char* name : {"youngs_modulus", "density"}) {
+        const ParamValue own = getParam(params, ownName(name, model));
+        if (!std::holds_alternative<std::monostate>(own)) {
+            setParam(params, name, own);
+        }
+    }
+    return params;
+}
+
+}  // namespace
+
+void MarkTable::follow(const SessionJournal& journal) {
+    const std::size_t entries = journal.entries().size();
+    if (revision_ != journal.revision() || entries_ != entries) {
+        marks_ = marksOf(journal);
+        course_ = courseOf(journal);
+        revision_ = journal.revision();
+        entries_ = entries;
+    }
+}
+
+// --- What is read as it goes -------------------------------------------------------------------
+
+void SceneReadout::startAnew() {
+    readings_.clear();
+    volumes_ = {};
+    pieces_.refresh(body_.simulation);
+}
+
+void SceneReadout::addStep(const StepReport& report, int piecesBefore) {
+    if (report.pieces != piecesBefore) {
+        readings_.mark(timeline_.time(), "cut");
+    }
+    readings_.addStep(timeline_.time(), body_.simulation);
+    if (!report.open && volumes_.add(report.step, body_.simulation.measuredPieces())) {
+        body_.messages.push_back(volumes_.sentence());
+    }
+}
+
+void SceneReadout::addJump(const char* name) {
+    volumes_ = {};
+    readings_.addJump(timeline_.time(), body_.simulation);
+    readings_.mark(timeline_.time(), name);
+    pieces_.refresh(body_.simulation);
+}
+
+void SceneReadout::goBack(bool countsAnew) {
+    if (countsAnew) {
+        readings_.clear();
+    }
+    readings_.forgetAfter(timeline_.time());
+    pieces_.refresh(body_.simulation);
+}
+
+void SceneReadout::addPicture(double elapsedSeconds, double renderMs) {
+    readings_.addPicture(timeline_.time(), elapsedSeconds, renderMs);
+}
+
+// --- What is shown -----------------------------------------------------------------------------
+
+bool SceneReadout::followPieceSums(bool wanted) {
+    const bool due = wanted && !pieces_.isAddedUp(body_.simulation);
+    if (due) {
+        pieces_.addUp(body_.simulation);
+    }
+    return due;
+}
+
+const std::vector<ui::PieceRow>& SceneReadout::measurePieces() {
+    pieces_.addUp(body_.simulation);
+    return pieces_.rows();
+}
+
+const std::shared_ptr<const std::vector<render::Marks>>& SceneReadout::faultMarks() {
+    const int triangles = body_.simulation.report().triangles;
+    if (std::exchange(marksTriangles_, triangles) != triangles) {
+        const SurfaceMesh& now = body_.simulation.meshAsRead();
+        const SurfaceMesh& opened = body_.rest.uncut().mesh;
+        const auto cornersOf = [&](int t) {
+            const bool whole = now.alive(t) && now.triangle(t) == opened.triangle(t);
+            return whole ? std::optional(opened.triangle(t)) : std::nullopt;
+        };
+        faultMarks_ = std::make_shared<const std::vector<render::Marks>>(
+            marksOf(body_.document.faults, cornersOf));
+    }
+    return faultMarks_;
+}
+
+render::SceneView SceneReadout::view() {
+    render::SceneView view = sceneOf(body_.simulation, lookOf(body_.document.session),
+                                     body_.rest.bounds(), body_.runner.strokePoses());
+    view.paint = skin_.paintOf(body_.simulation);
+    view.field.values = thickness_.values();
+    return view;
+}
+
+void SceneReadout::describe(ui::PanelModel& model) {
+    const Simulation& simulation = body_.simulation;
+    pieces_.follow(simulation, timeline_.playing);
+    if (simulation.isWhole()) {
+        sweeps_.follow(simulation.bodyModel(), simulation.params());
+    }
+    const StepReport& report = simulation.report();
+    model.name = body_.document.name;
+    describeModels(model);
+    const Vec3 toScene = -body_.document.session.origin;
+    model.parameters.now = countedFrom(simulation.params(), toScene);
+    model.parameters.start = countedFrom(body_.document.session.params, toScene);
+    model.body.boxes = countedFrom(simulation.boxes(), toScene);
+    model.body.pinned = simulation.pinnedVertices().size();
+    model.body.hooks = hooksOf(simulation.hands()).size();
+    model.body.size = body_.rest.bounds().diagonal();
+    model.body.bounds = simulation.bounds();
+    model.parameters.sweeps = &sweeps_;
+    model.transport.playing = timeline_.playing;
+    model.transport.step = simulation.stepCount() - timeline_.start().step;
+    model.transport.time = timeline_.time();
+    describeChanges(model.changes);
+    model.body.vertices = report.vertices;
+    model.body.triangles = report.triangles;
+    model.cuts.subdivisions = simulation.subdivisions();
+    model.cuts.rows = cuts_.rows();
+    model.cuts.note = cuts_.note();
+    model.pieces.rows = pieces_.rows();
+    model.plots.history = &readings_.history();
+    timeline_.describe(model.session.playback);
+    marks_.follow(timeline_.journal());
+    model.session.marks = marks_.marks();
+    model.session.course = marks_.course();
+}
+
+void SceneReadout::describeChanges(ui::ChangeList& list) const {
+    const UndoHistory& history = body_.simulation.history();
+    for (const UndoEntry& entry : history.entries()) {
+        list.rows.push_back({ui::withRaisedDigits(entry.name), entry.time});
+    }
+    list.done = history.done();
+    list.forgotten = history.forgotten();
+    list.bytes = history.bytes();
+    list.budget = history.budget();
+}
+
+void SceneReadout::describeModels(ui::PanelModel& model) const {
+    const Simulation& simulation = body_.simulation;
+    const Session& session = body_.document.session;
+    const repair::Faults& faults = body_.document.faults;
+    for (int m = 0; m < simulation.modelCount(); ++m) {
+        const ModelFigures& figures = body_.rest.models()[m];
+        ui::ModelState state;
+        state.name = m == 0 ? session.model.name() : session.moreModels[m - 1].model.name();
+        state.placement = simulation.placement(m);
+        state.size = figures.bounds.high - figures.bounds.low;
+        state.physics =
+            sizeEffect(state.size.y(), figures.volume, paramsOf(simulation.params(), m));
+        state.triangles = trianglesText(figures.triangles);
+        const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
+        state.edge = body_.proposedEdge(m);
+        state.remeshed = trianglesOf(figures.triangles,
+                                     proposedEdge(figures.triangles, figures.bounds.diagonal()));
+        state.crosses =
+            !reference.repair && faults.of(repair::FaultKind::crossingTriangle).count() > 0;
+        model.model.models.push_back(std::move(state));
+    }
+    model.model.models.front().guess = body_.document.guess ? body_.document.guess->sentence : "";
+    model.model.objects = static_cast<int>(body_.document.objects.size());
+    model.model.faultCount = 0;
+    for (const repair::FaultPlaces& places : faults.places) {
+        model.model.faultCount += places.count();
+    }
+    model.model.untouched =
+        simulation.report().triangles == body_.rest.uncut().mesh.aliveTriangles();
+    model.model.live = simulation.report().triangles <= kMostLiveTriangles;
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,121 @@
+#include "app/scene/timeline/saved_session.h"
+
+#include <utility>
+#include <vector>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+namespace {
+
+/// The numbers of events that are not saved as they were.
+struct Losses {
+    int renewed = 0;      ///< checks that say what was found
+    int withoutHash = 0;  ///< checks
+    int dropped = 0;      ///< checks
+    int impossible = 0;   ///< commands
+    std::size_t leftOut = 0;
+};
+
+bool operator==(const CheckEvent& a, const CheckEvent& b) {
+    return a.hash == b.hash && a.pieces == b.pieces;
+}
+
+/// A check as it can hold; none where nothing is left of it.
+std::optional<CheckEvent> asItHolds(const JournalEntry& entry, const CheckEvent& check,
+                                    Losses& losses) {
+    if (entry.found) {
+        losses.renewed += *entry.found == check ? 0 : 1;
+        return entry.found;
+    }
+    if (!entry.doubtful || !check.hash) {
+        return check;
+    }
+    ++(check.pieces ? losses.withoutHash : losses.dropped);
+    return check.pieces ? std::optional(CheckEvent{std::nullopt, check.pieces}) : std::nullopt;
+}
+
+/// An event as it is saved; none where it is not.
+std::optional<SessionEvent> asSaved(const JournalEntry& entry, bool changed, Losses& losses) {
+    if (entry.failed && changed) {
+        ++losses.impossible;
+        return std::nullopt;
+    }
+    SessionEvent event = entry.event;
+    if (const auto* check = std::get_if<CheckEvent>(&entry.event.action)) {
+        const std::optional<CheckEvent> now = asItHolds(entry, *check, losses);
+        if (!now) {
+            return std::nullopt;
+        }
+        event.action = *now;
+    }
+    return event;
+}
+
+bool isOwnCheck(const JournalEntry& entry) {
+    return entry.origin == JournalEntry::Origin::editor &&
+           std::holds_alternative<CheckEvent>(entry.event.action);
+}
+
+/// "2 checks were renewed", and so on.
+std::vector<std::string> partsOf(const Losses& losses) {
+    std::vector<std::string> parts;
+    const auto add = [&](auto count, const char* one, const char* many) {
+        if (count > 0) {
+            parts.push_back(counted(count, one, many));
+        }
+    };
+    add(losses.leftOut, "later event was left out", "later events were left out");
+    add(losses.renewed, "check was renewed", "checks were renewed");
+    add(losses.withoutHash, "check lost its state hash", "checks lost their state hash");
+    add(losses.dropped, "check was dropped", "checks were dropped");
+    add(losses.impossible, "event that had become impossible was left out",
+        "events that had become impossible were left out");
+    return parts;
+}
+
+std::string remarkOn(const Losses& losses, const SessionJournal& journal) {
+    const std::vector<std::string> parts = partsOf(losses);
+    if (parts.empty() || !journal.firstChange()) {
+        return "";
+    }
+    return "Since you " + std::string(journal.leftOut() > 0 ? "went on alone" : "changed it") +
+           " at step " + std::to_string(*journal.firstChange()) + ", " + joined(parts, ", ") + ".";
+}
+
+}  // namespace
+
+CheckEvent corrected(CheckEvent check, const CheckDifference& difference) {
+    if (difference.hash) {
+        check.hash = difference.hash;
+    }
+    if (difference.pieces) {
+        check.pieces = difference.pieces;
+    }
+    return check;
+}
+
+std::optional<SessionEvent> eventAsSaved(const JournalEntry& entry, bool changed) {
+    Losses untold;
+    return asSaved(entry, changed, untold);
+}
+
+SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal, SavedAs purpose) {
+    SavedSession saved{opened, ""};
+    saved.session.warnings.clear();
+    saved.session.events.clear();
+    Losses losses;
+    losses.leftOut = journal.leftOut();
+    for (const JournalEntry& entry : journal.entries()) {
+        if (purpose == SavedAs::test && isOwnCheck(entry)) {
+            continue;
+        }
+        if (auto event = asSaved(entry, journal.firstChange().has_value(), losses)) {
+            saved.session.events.push_back(std::move(*event));
+        }
+    }
+    saved.remark = remarkOn(losses, journal);
+    return saved;
+}
+
+}  // namespace kerf::app

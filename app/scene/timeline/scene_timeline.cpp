@@ -1,0 +1,285 @@
+#include "app/scene/timeline/scene_timeline.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/scene/timeline/hooks.h"
+#include "app/scene/timeline/saved_session.h"
+#include "app/session/scene_origin.h"
+#include "sim/run/undo/undo_history.h"
+#include "ui/panel_model.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr int kKeyframes = 48;  // over a session that was opened
+
+}  // namespace
+
+SceneTimeline::SceneTimeline(SceneBody& body) : body_(body) {
+    journal_.open(body_.document.session.events);
+}
+
+void SceneTimeline::startAnew() {
+    playing = false;
+    start_ = {};
+    seekTarget_.reset();
+    body_.followPlacement();
+    beginPlayback();
+}
+
+void SceneTimeline::beginPlayback() {
+    const bool loop = playback_ && playback_->loop;
+    playback_.reset();
+    keyframes_ = Keyframes();
+    journal_.restart();
+    const Session& session = body_.document.session;
+    if (!session.events.empty()) {
+        playback_.emplace(session, SessionPlayback::Of::session).loop = loop;
+        playback_->extendTo(journal_.lastStep());
+        keyframes_ = Keyframes(std::max(1, session.steps / kKeyframes));
+    }
+}
+
+void SceneTimeline::forgetSession() {
+    playback_.reset();
+    body_.document.session.events.clear();
+    journal_.clear();
+}
+
+void SceneTimeline::countFromHere() {
+    start_ = {body_.simulation.stepCount(), body_.simulation.report().time};
+}
+
+std::string SceneTimeline::perform(const Command& wanted) {
+    const Command command = asReplayed(wanted, body_.document.session.origin);
+    std::string problem = body_.simulation.execute(command);
+    if (problem.empty()) {
+        const int step = body_.simulation.stepCount();
+        if (playback_) {
+            keyframes_.changedAt(step, journal_.commandsDone(step));
+            playback_->extendTo(step);
+        }
+        journal_.note(step, command);
+        body_.followPlacement();
+    }
+    return problem;
+}
+
+void SceneTimeline::extendTo(int step) {
+    if (playback_) {
+        playback_->extendTo(step);
+    }
+}
+
+// --- The session that is played ----------------------------------------------------------------
+
+bool SceneTimeline::playingBack() const {
+    return playback_.has_value() && body_.simulation.stepCount() < playback_->steps();
+}
+
+bool SceneTimeline::playsOnAfter(const Command& command) const {
+    const Simulation& simulation = body_.simulation;
+    const UndoHistory& history = simulation.history();
+    const bool undo = std::holds_alternative<Undo>(command);
+    const bool redo = std::holds_alternative<Redo>(command);
+    if (simulation.blade() || !simulation.hands().empty() || (!undo && !redo)) {
+        return false;
+    }
+    if (undo ? !history.canUndo() : !history.canRedo()) {
+        return true;  // nothing happens
+    }
+    const UndoEntry& entry = undo ? history.lastDone() : history.firstUndone();
+    return !std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
+}
+
+void SceneTimeline::takeOver() {
+    if (!playback_) {
+        return;
+    }
+    const int step = body_.simulation.stepCount();
+    if (journal_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
+        tell("What was done after step " + std::to_string(step) +
+             " is left out: another way goes on from here.");
+    }
+    keyframes_.changedAt(step, journal_.commandsDone(step));
+    playback_.reset();
+    seekTarget_.reset();
+    releaseHandsButHooks();
+    if (body_.simulation.blade()) {
+        perform(LiftBlade{});
+    }
+}
+
+void SceneTimeline::releaseHandsButHooks() {
+    std::vector<int> numbers;
+    for (const Hands::Hand& hand : body_.simulation.hands()) {
+        numbers.push_back(hand.number);
+    }
+    std::erase_if(numbers, isHook);
+    for (const int number : numbers) {
+        perform(Release{number});
+    }
+}
+
+/// The poses before the last step of the moves of a played session that have not come to their end.
+std::vector<PlayedAction> SceneTimeline::movesOnTheirWay() const {
+    if (!playingBack()) {
+        return {};
+    }
+    const Simulation& simulation = body_.simulation;
+    std::vector<PlayedAction> poses =
+        playback_->player().posesBetweenKeys(simulation.stepCount() - 1);
+    const auto isGone = [&](const PlayedAction& pose) {
+        const auto* drag = std::get_if<Drag>(&pose.action);
+        return drag != nullptr
+                   ? std::ranges::count(simulation.hands(), drag->hand, &Hands::Hand::number) == 0
+                   : !simulation.blade();
+    };
+    std::erase_if(poses, isGone);
+    return poses;
+}
+
+void SceneTimeline::tell(std::string message) {
+    if (!message.empty()) {
+        body_.messages.push_back(std::move(message));
+    }
+}
+
+/// What goes wrong is a message, and the session goes on.
+bool SceneTimeline::playEvents() {
+    const int step = body_.simulation.stepCount();
+    bool countsAnew = false;
+    while (JournalEntry* entry = journal_.takeDue(step)) {
+        countsAnew |= play(*entry);
+    }
+    for (const PlayedAction& pose : playback_->player().posesBetweenKeys(step)) {
+        tell(body_.simulation.execute(*commandOf(pose.action)));
+    }
+    return countsAnew;
+}
+
+/// Pictures and exports are a replay's: a person only watches.
+bool SceneTimeline::play(JournalEntry& entry) {
+    const SessionAction& action = entry.event.action;
+    bool countsAnew = false;
+    if (const std::optional<Command> command = commandOf(action)) {
+        std::string problem = body_.simulation.execute(*command);
+        journal_.noteFailure(entry, !problem.empty());
+        tell(std::move(problem));
+        countsAnew = std::holds_alternative<Restart>(*command) && playback_->isPast();
+        if (countsAnew) {
+            countFromHere();
+        }
+    } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
+        const CheckDifference difference = body_.runner.compare(*check);
+        if (entry.doubtful) {
+            journal_.noteFound(entry, corrected(*check, difference));
+        } else {
+            tell(playback_->compare(*check, difference, body_.simulation.stepCount()));
+        }
+    }
+    return countsAnew;
+}
+
+// --- Seeking -----------------------------------------------------------------------------------
+
+void SceneTimeline::keepKeyframe() {
+    Simulation& simulation = body_.simulation;
+    const int step = simulation.stepCount();
+    const std::size_t bytes = snapshotBytes(simulation.mesh());
+    if (keyframes_.wants(step, bytes)) {
+        keyframes_.keep(
+            step,
+            {simulation.moment(), journal_.commandsDone(step), body_.runner.strokePoses(), start_},
+            bytes);
+    }
+}
+
+std::optional<SceneTimeline::Jump> SceneTimeline::seek(int step) {
+    if (!playback_) {
+        return std::nullopt;
+    }
+    step = std::clamp(step, 0, playback_->steps());
+    const int from = keyframes_.stepBefore(step);
+    const int now = body_.simulation.stepCount();
+    std::optional<Jump> jump;
+    if (from >= 0 && (step < now || from > now)) {
+        jump = goTo(from, *keyframes_.before(step));
+    }
+    seekTarget_ = step;
+    return jump;
+}
+
+bool SceneTimeline::goesBack(int step) const {
+    return step < body_.simulation.stepCount() && keyframes_.stepBefore(step) >= 0;
+}
+
+void SceneTimeline::playPast() {
+    Session past = sessionAsSaved(body_.document.session, journal_).session;
+    past.steps = body_.simulation.stepCount();
+    playback_.emplace(std::move(past), SessionPlayback::Of::past);
+}
+
+SceneTimeline::Jump SceneTimeline::goTo(int step, const Keyframe& keyframe) {
+    const int before = std::exchange(start_, keyframe.start).step;
+    body_.simulation.goTo(keyframe.moment);
+    body_.followPlacement();
+    journal_.goTo(step, keyframe.commandsDone);
+    body_.runner.setStrokePoses(keyframe.strokePoses);
+    return {before != keyframe.start.step};
+}
+
+int SceneTimeline::seekSteps() const {
+    return seekTarget_ ? std::max(0, *seekTarget_ - body_.simulation.stepCount()) : 0;
+}
+
+void SceneTimeline::toggleLoop() {
+    if (playback_) {
+        playback_->loop = !playback_->loop;
+    }
+}
+
+SceneTimeline::StepEnd SceneTimeline::endStep() {
+    if (seekSteps() == 0) {
+        seekTarget_.reset();
+    }
+    const int step = body_.simulation.stepCount();
+    if (playback_ && step > playback_->steps() && hasChanged()) {
+        playback_->extendTo(step);
+    } else if (playback_ && step == playback_->steps()) {
+        return endSession();
+    }
+    return {};
+}
+
+SceneTimeline::StepEnd SceneTimeline::endSession() {
+    const StepEnd end{playEvents(), playing && playback_->loop};
+    if (!end.loops) {
+        playing = false;
+        endPast();
+    }
+    return end;
+}
+
+/// The present is reached again.
+void SceneTimeline::endPast() {
+    if (playback_->isPast()) {
+        playback_.reset();
+        seekTarget_.reset();
+    }
+}
+
+void SceneTimeline::describe(ui::PlaybackState& state) const {
+    state.step = body_.simulation.stepCount();
+    state.steps = state.step;
+    state.goesBack = playback_ || goesBack(state.step - 1);
+    if (playback_) {
+        state.steps = playback_->steps();
+        state.played = true;
+        state.loop = playback_->loop;
+        state.divergedAt = playback_->divergedAt();
+    }
+}
+
+}  // namespace kerf::app

@@ -1,0 +1,25 @@
+#include "app/scene/timeline/session_playback.h"
+
+#include <utility>
+
+#include "sim/base/text.h"
+
+namespace kerf::app {
+
+SessionPlayback::SessionPlayback(Session session, Of what)
+    : session_(std::move(session)), what_(what), steps_(session_.steps) {}
+
+std::string SessionPlayback::compare(const CheckEvent& check, const CheckDifference& difference,
+                                     int step) {
+    const bool asExpected = !difference.hash && !difference.pieces;
+    if ((divergedAt_ && *divergedAt_ <= step) || asExpected) {
+        return "";
+    }
+    divergedAt_ = step;
+    const std::string what = difference.pieces ? counted(*difference.pieces, "piece", "pieces") +
+                                                     " instead of " + std::to_string(*check.pieces)
+                                               : "the state hash is not the recorded one";
+    return "At step " + std::to_string(step) + " the session came out differently: " + what + ".";
+}
+
+}  // namespace kerf::app
