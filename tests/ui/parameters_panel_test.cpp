@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "sim/body/body_model.h"
+#include "sim/solve/sweep_strength.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::ui {
