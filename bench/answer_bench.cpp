@@ -195,7 +195,7 @@ class AnswerBench {
     }
     double untilPieces(int pieces) {
         return person_.moveUntil(
-            [&] { return editor_.panels().pieces.size() == std::size_t(pieces) && idle(); },
+            [&] { return editor_.panels().pieces.rows.size() == std::size_t(pieces) && idle(); },
             [&] { return wander(); });
     }
     /// Without waiting for what the scene does, as asking it would.

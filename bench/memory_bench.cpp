@@ -70,7 +70,7 @@ class MemoryBench {
         Json line = {{"name", "memory"}};
         const double opened = seconds([this] { open(); });
         if (editor_.scene() == nullptr) {
-            line["refused"] = editor_.panels().toast;
+            line["refused"] = editor_.panels().toast.text;
             return line;
         }
         app::EditorScene& scene = *editor_.scene();
@@ -81,7 +81,7 @@ class MemoryBench {
         line["opened_gb"] = peakOfProcess() / kGiga;
         line["first_cut_s"] = seconds([this] { cut(); });
         if (editor_.scene() == nullptr) {
-            line["given_up"] = editor_.panels().toast;
+            line["given_up"] = editor_.panels().toast.text;
             return line;
         }
         line["pieces"] = scene.simulation().report().pieces;
@@ -93,7 +93,7 @@ class MemoryBench {
         line["buffers_gb"] = static_cast<double>(buffers_.most()) / kGiga;
         line["largest_buffer_gb"] = static_cast<double>(buffers_.largest()) / kGiga;
         line["ratio"] = line["needed_gb"].get<double>() / line["peak_gb"].get<double>();
-        line["told"] = editor_.panels().toast;
+        line["told"] = editor_.panels().toast.text;
         return line;
     }
 

@@ -27,9 +27,9 @@
 #include "app/files/import/shell_union.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
+#include "app/scene/document/editor_budgets.h"
 #include "app/scene/document/editor_document.h"
 #include "app/scene/document/triangle_text.h"
-#include "app/scene/timeline/keyframes.h"
 #include "gpu/context.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
@@ -222,7 +222,7 @@ Json toJson(const UnitGuess& guess) {
 MemoryNeed memoryNeedOf(const MeshReport& report) {
     MemorySettings settings = memorySettings(Params{}, false);
     settings.undoBudget = kUndoBudget;
-    settings.courseBudget = Keyframes::kBudget;
+    settings.courseBudget = kKeyframeBudget;
     return memoryNeedOf(
         BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
         settings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/scene/document/editor_budgets.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"

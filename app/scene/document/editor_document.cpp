@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/scene/timeline/keyframes.h"
+#include "app/scene/document/editor_budgets.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session.h"
 #include "gpu/data_path.h"
@@ -127,7 +127,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
     const Session& session = document.session;
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = kUndoBudget;
-    settings.courseBudget = Keyframes::kBudget;
+    settings.courseBudget = kKeyframeBudget;
     return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
 }
 

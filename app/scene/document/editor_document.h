@@ -28,8 +28,6 @@ struct Document {
     bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
 };
 
-/// The memory that undo may take in the editor [bytes].
-inline constexpr std::uint64_t kUndoBudget = 512'000'000;
 /// What it needs to be open in the editor and cut.
 MemoryNeed memoryNeedOf(const Document& document);
 

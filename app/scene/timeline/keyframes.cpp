@@ -3,16 +3,18 @@
 #include <iterator>
 #include <utility>
 
+#include "app/scene/document/editor_budgets.h"
+
 namespace kerf::app {
 
 bool Keyframes::wants(int step, std::size_t bytes) const {
-    const bool fits = byStep_.empty() || 2 * bytes <= kBudget;
+    const bool fits = byStep_.empty() || 2 * bytes <= kKeyframeBudget;
     return step % spacing_ == 0 && !byStep_.contains(step) && fits;
 }
 
 void Keyframes::keep(int step, Keyframe keyframe, std::size_t bytes) {
     byStep_.emplace(step, std::move(keyframe));
-    if (bytes * byStep_.size() > kBudget && byStep_.size() > 2) {
+    if (bytes * byStep_.size() > kKeyframeBudget && byStep_.size() > 2) {
         thinOut();
     }
 }

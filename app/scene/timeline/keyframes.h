@@ -27,8 +27,6 @@ struct Keyframe {
 /// budget is used up, every other one goes.
 class Keyframes {
   public:
-    static constexpr std::size_t kBudget = 256'000'000;  ///< [bytes]
-
     /// `spacing`: steps between two of them, at first.
     explicit Keyframes(int spacing = kSpacing) : spacing_(spacing) {}
 
