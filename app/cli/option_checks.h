@@ -7,7 +7,7 @@
 
 #include "app/cli/replay/picture_size.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
 class App;
 class Option;
 }  // namespace CLI

@@ -10,7 +10,7 @@
 #include "app/cli/replay/mesh_sequence.h"
 #include "app/session/session.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
 class App;
 }
 
