@@ -45,6 +45,7 @@ std::uint32_t allocate(std::size_t bytes) {
 void writeZeros(std::uint32_t id, std::size_t first, std::size_t last) {
     constexpr std::size_t kMostAtOnce = std::size_t{1} << 20;
     static const std::vector<std::byte> zeros(kMostAtOnce);
+    traffic().bytesUp += first < last ? last - first : 0;
     for (; first < last; first += kMostAtOnce) {
         glNamedBufferSubData(id, static_cast<GLintptr>(first),
                              static_cast<GLsizeiptr>(std::min(last - first, kMostAtOnce)),
