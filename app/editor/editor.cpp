@@ -49,7 +49,7 @@ bool followPlacement(State& s, EditorScene& now) {
     if (!s.view.follow(now)) {
         return false;
     }
-    s.picture.setRestDepth(s.depths.of(now.simulation().uncut()));
+    s.picture.setBody(now.simulation().uncut());
     return true;
 }
 
@@ -89,6 +89,92 @@ constexpr std::array kFollowers{
     Follower{followThickness, &Redraw::scene},  Follower{followMeasures, &Redraw::panels},
     Follower{followPieceSums, &Redraw::panels}, Follower{followCuts, &Redraw::panels},
 };
+
+void showMessages(State& s) {
+    for (const std::string& message : s.scene->takeMessages()) {
+        spdlog::warn("{}", message);
+        s.toast.show(message, false);
+    }
+}
+
+/// Begins the steps that are due, if any.
+void beginSteps(State& s) {
+    EditorScene& scene = *s.scene;
+    if (!scene.running()) {
+        s.clock.stop();
+        return;
+    }
+    s.view.display.join();
+    scene.timeRunsWhileCutting = s.panels.settings.now.timeRunsWhileCutting;
+    const int passed = s.clock.takeDue(scene.simulation().params().timeStep);
+    const int due = scene.timeline().playing || scene.hands().pulling() ? passed : 0;
+    const int needed = scene.strokeSteps();
+    const int most = std::max(due, std::min(scene.timeline().seekSteps(), kMostSeekSteps));
+    s.scene.begin(SceneWork::steps,
+                  [&s, needed, most](EditorScene& now) { s.clock.run(now, needed, most); });
+}
+
+/// Compiles on where nobody waits.
+void prepareKernels(State& s, double elapsedSeconds) {
+    if (s.scene == nullptr || s.scene.underWay() || s.scene->running() || !s.queue.empty() ||
+        s.view.camera.dragging() || s.work.opening() != nullptr ||
+        s.panels.interface.isDragging()) {
+        s.kernels.interrupt();
+    } else {
+        s.kernels.advance(*s.scene, elapsedSeconds);
+    }
+}
+
+/// Writes the settings where they have changed, once a drag is over and not at each of its
+/// moves.
+void keepSettings(State& s) {
+    const std::string problem = s.panels.interface.isDragging() ? "" : s.panels.settings.save();
+    if (!problem.empty()) {
+        spdlog::error("{}", problem);
+        s.toast.show(problem, true);
+    }
+}
+
+void saveScreenshot(State& s) {
+    if (std::exchange(s.redraw.screenshotWanted, false)) {
+        const int number = s.savePicture(s.picture.read(), "kerf");
+        if (s.scene != nullptr && s.scene.meanwhile().recording()) {
+            s.toast.offerOnceSaved(s.scene->recorder().here(), number);
+        }
+    }
+}
+
+void drawScene(State& s) {
+    if (s.view.faulty) {
+        render::SceneView model = s.view.faulty->scene.view();
+        model.bright = s.view.bright;
+        model.covered = s.panels.covered(s.view.width, s.view.height);
+        s.picture.drawModel(model, s.view, s.redraw.takeScene());
+        return;
+    }
+    const BusyScene now = s.scene.meanwhile();
+    const render::FieldRange range = s.picture.fieldRange();
+    if (!now || now.isWhole()) {
+        const bool rests = now && now.running() && s.clock.byTheClock() && s.picture.rests();
+        s.picture.draw(now, s.view, s.panels.covered(s.view.width, s.view.height),
+                       s.redraw.takeScene(!rests));
+    } else {
+        s.picture.keep(s.view);
+    }
+    if (s.picture.fieldRange() != range) {
+        s.redraw.panels();  // The legend was drawn before.
+    }
+}
+
+void advance(State& s, double elapsedSeconds) {
+    s.clock.elapse(elapsedSeconds);
+    s.picture.measure();
+    s.workOff();
+    if (s.scene != nullptr && !s.scene.underWay()) {
+        beginSteps(s);
+    }
+    s.goOn();
+}
 
 }  // namespace
 
@@ -153,7 +239,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
         s.redraw.panels();
     }
-    s.advance(elapsedSeconds);
+    advance(s, elapsedSeconds);
     s.keepWork(elapsedSeconds);
     s.offerLeftWork();
     s.tellOfDriver();
@@ -162,21 +248,21 @@ void Editor::State::makePicture(double elapsedSeconds) {
             (s.redraw.*row.shows)();
         }
     }
-    s.sincePicture.restart();
-    if (s.drawsAll || s.screenshotWanted || s.keeping.pictureDue() == 0.0) {
+    s.redraw.sincePicture.restart();
+    if (s.redraw.drawsAll || s.redraw.screenshotWanted || s.keeping.pictureDue() == 0.0) {
         s.draw();
     } else {
         s.redraw.putOff();
     }
-    s.saveScreenshot();
-    s.keepSettings();
-    s.prepareKernels(elapsedSeconds);
+    saveScreenshot(s);
+    keepSettings(s);
+    prepareKernels(s, elapsedSeconds);
 }
 
 bool Editor::workOn() {
     State& s = *state_;
     const bool picturesWait = !s.queue.empty() || s.redraw.pending() || s.view.camera.flying();
-    if (!s.scene.underWay() || picturesWait || s.sincePicture.seconds() > kWorkPictures) {
+    if (!s.scene.underWay() || picturesWait || s.redraw.sincePicture.seconds() > kWorkPictures) {
         return false;
     }
     s.sparingly([&] { s.goOn(); });
@@ -186,7 +272,7 @@ bool Editor::workOn() {
 double Editor::idleSeconds() const {
     const State& s = *state_;
     const BusyScene scene = s.scene.meanwhile();
-    const bool runs = s.scene.underWay() || !s.waiting.empty() || (scene && scene.running());
+    const bool runs = s.scene.underWay() || !s.scene.waiting.empty() || (scene && scene.running());
     if (!s.queue.empty() || runs || s.redraw.pending() || s.redraw.stepsPending() ||
         s.view.camera.flying()) {
         return 0;
@@ -223,7 +309,7 @@ const gpu::Framebuffer& Editor::picture() const {
 }
 
 render::Image Editor::readPicture() const {
-    if (!state_->drawsAll) {
+    if (!state_->redraw.drawsAll) {
         state_->draw();
     }
     return state_->picture.read();
@@ -259,40 +345,15 @@ void Editor::open(const std::filesystem::path& file) {
 
 // --- A picture ---------------------------------------------------------------------------------
 
-void Editor::State::advance(double elapsedSeconds) {
-    clock.elapse(elapsedSeconds);
-    renderMs = picture.takeSceneMilliseconds();
-    workOff();
-    if (scene != nullptr && !scene.underWay()) {
-        beginSteps();
-    }
-    goOn();
-}
-
-void Editor::State::beginSteps() {
-    EditorScene& s = *scene;
-    if (!s.running()) {
-        clock.stop();
-        return;
-    }
-    view.display.join();
-    s.timeRunsWhileCutting = panels.settings.now.timeRunsWhileCutting;
-    const int passed = clock.takeDue(s.simulation().params().timeStep);
-    const int due = s.timeline().playing || s.hands().pulling() ? passed : 0;
-    const int needed = s.strokeSteps();
-    const int most = std::max(due, std::min(s.timeline().seekSteps(), kMostSeekSteps));
-    scene.begin(SceneWork::steps,
-                [this, needed, most](EditorScene& now) { clock.run(now, needed, most); });
-}
-
 void Editor::State::workOff() {
-    while (!scene.underWay() && (exchangeWanted != Exchange::none || !waiting.empty())) {
-        if (exchangeWanted != Exchange::none) {
+    while (!scene.underWay() &&
+           (sceneSteps.wanted != SceneSteps::Exchange::none || !scene.waiting.empty())) {
+        if (sceneSteps.wanted != SceneSteps::Exchange::none) {
             followExchange();
             continue;
         }
-        const ui::Action action = std::move(waiting.front());
-        waiting.pop_front();
+        const ui::Action action = std::move(scene.waiting.front());
+        scene.waiting.pop_front();
         scene.begin(SceneWork::change, [this, action](EditorScene&) { answer(action); });
         goOn();
     }
@@ -307,18 +368,11 @@ void Editor::State::goOn() {
     if (scene.underWay()) {
         return;
     }
-    showMessages();
+    showMessages(*this);
     redraw.steps();
     if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
-        scene->readout().addPicture(*seconds, renderMs);
-        experiments.note(*scene);
-    }
-}
-
-void Editor::State::showMessages() {
-    for (const std::string& message : scene->takeMessages()) {
-        spdlog::warn("{}", message);
-        toast.show(message, false);
+        scene->readout().addPicture(*seconds, picture.sceneMilliseconds());
+        panels.experiments.note(*scene);
     }
 }
 
@@ -329,56 +383,9 @@ void Editor::State::complain(const std::string& sentence) {
 }
 
 void Editor::State::draw() {
-    drawScene();
+    drawScene(*this);
     keepPicture();
     panels.interface.draw(picture.target());
-}
-
-void Editor::State::drawScene() {
-    if (faulty) {
-        render::SceneView model = faulty->scene.view();
-        model.bright = view.bright;
-        model.covered = panels.covered(view.width, view.height);
-        picture.drawModel(model, view, redraw.takeScene());
-        return;
-    }
-    const BusyScene now = scene.meanwhile();
-    const render::FieldRange range = picture.fieldRange();
-    if (!now || now.isWhole()) {
-        const bool rests = now && now.running() && clock.byTheClock() && picture.rests();
-        picture.draw(now, view, panels.covered(view.width, view.height), redraw.takeScene(!rests));
-    } else {
-        picture.keep(view);
-    }
-    if (picture.fieldRange() != range) {
-        redraw.panels();  // The legend was drawn before.
-    }
-}
-
-void Editor::State::saveScreenshot() {
-    if (std::exchange(screenshotWanted, false)) {
-        const int number = savePicture(picture.read(), "kerf");
-        if (scene != nullptr && scene.meanwhile().recording()) {
-            toast.offerOnceSaved(scene->recorder().here(), number);
-        }
-    }
-}
-
-void Editor::State::prepareKernels(double elapsedSeconds) {
-    if (scene == nullptr || scene.underWay() || scene->running() || !queue.empty() ||
-        view.camera.dragging() || work.opening() != nullptr || panels.interface.isDragging()) {
-        kernels.interrupt();
-    } else {
-        kernels.advance(*scene, elapsedSeconds);
-    }
-}
-
-void Editor::State::keepSettings() {
-    const std::string problem = panels.interface.isDragging() ? "" : panels.settings.save();
-    if (!problem.empty()) {
-        spdlog::error("{}", problem);
-        toast.show(problem, true);
-    }
 }
 
 }  // namespace kerf::app

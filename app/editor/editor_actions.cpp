@@ -37,7 +37,7 @@ void stopTools(State& s) {
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
-    } else if (s.faulty) {
+    } else if (s.view.faulty) {
         s.hideFaulty();
     } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
         s.redraw.panels();
@@ -269,7 +269,8 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::exportBody, Needs::scene,
             [](State& s) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::makeFilm, Needs::scene, [](State& s) { s.browse(FilePurpose::makeFilm); }},
-    Handler{ActionId::screenshot, Needs::nothing, [](State& s) { s.screenshotWanted = true; }},
+    Handler{ActionId::screenshot, Needs::nothing,
+            [](State& s) { s.redraw.screenshotWanted = true; }},
     Handler{ActionId::sceneScreenshot, Needs::body,
             [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},
     Handler{ActionId::quit, Needs::nothing, [](State& s) { s.leave(); }},
@@ -406,19 +407,25 @@ void placeBox(State& s) {
     }
 }
 
+void perform(State& s, ActionId id) {
+    const Needs needs = handlerOf(id).needs;
+    if (needs == Needs::nothing || s.scene != nullptr) {
+        handlerOf(id).perform(s);
+    }
+    if (needs != Needs::nothing && s.scene != nullptr) {
+        s.redraw.scene();
+    }
+}
+
 /// Answers to each kind of ui::Action.
 struct Answer {
     State& s;
 
-    void operator()(ActionId id) const { s.perform(id); }
+    void operator()(ActionId id) const { perform(s, id); }
     void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
     void operator()(const ui::SetDisplay& to) const { s.view.display.settings = to.settings; }
     void operator()(const ui::CancelWork&) const { cancelWork(s); }
-    void operator()(const ui::AnswerQuestion& answer) const {
-        if (s.asked) {
-            std::exchange(s.asked, std::nullopt)->answer(answer.choice);
-        }
-    }
+    void operator()(const ui::AnswerQuestion& given) const { s.panels.answer(given.choice); }
     void operator()(const ui::FileAction& action) const {
         if (const std::optional<ChosenFile> chosen = s.chooser.take(action)) {
             s.take(*chosen);
@@ -477,13 +484,13 @@ struct Answer {
 }  // namespace
 
 void Editor::State::apply(const ui::Action& action) {
-    if (faulty && !asked && needsBody(action)) {
+    if (view.faulty && !panels.asked && needsBody(action)) {
         hideFaulty();
     }
     if (scene != nullptr && needsBody(action) && comesBack()) {
         toast.show("Wait a moment: your work is still coming back.", false);
     } else if (scene != nullptr && needsBody(action)) {
-        waiting.push_back(action);
+        scene.waiting.push_back(action);
         workOff();
     } else {
         answer(action);
@@ -492,16 +499,6 @@ void Editor::State::apply(const ui::Action& action) {
 
 void Editor::State::answer(const ui::Action& action) {
     std::visit(Answer{*this}, action);
-}
-
-void Editor::State::perform(ui::ActionId id) {
-    const Needs needs = handlerOf(id).needs;
-    if (needs == Needs::nothing || scene != nullptr) {
-        handlerOf(id).perform(*this);
-    }
-    if (needs != Needs::nothing && scene != nullptr) {
-        redraw.scene();
-    }
 }
 
 bool Editor::State::execute(const Command& command) {

@@ -20,6 +20,8 @@
 namespace kerf::app {
 namespace {
 
+using State = Editor::State;
+
 constexpr const char* kRemesh = "Remesh";
 constexpr const char* kUnite = "Unite pieces";
 constexpr const char* kPart = "Part into models";
@@ -96,35 +98,73 @@ std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
     return helps;
 }
 
+/// Nothing is open then, and nothing is kept.
+void closeScene(State& s) {
+    s.leaveScene();
+    s.keeping.discard();
+    s.describeScene();
+    s.redraw.scene();
+}
+
+/// Undoes the repair of the model as it was opened: it stands there with its faults again.
+void askAboutRepair(State& s) {
+    const Mended& mended = *s.sceneSteps.mended;
+    s.view.showFaulty(mended.fault, mended.order);
+    s.panels.asked = {
+        {.title = "Taken back: " + mended.change,
+         .text = shortSentence(mended.fault, mended.order) + ". Without that it can't be cut.",
+         .choices = {"Do it again", "Close the model"},
+         .aside = s.view.faulty.has_value()},
+        [&s](int choice) {
+            s.hideFaulty();
+            if (choice == 0) {
+                s.toast.show("Done again: " + s.sceneSteps.mended->change + ".", false);
+            } else {
+                s.askBefore("Close the model", [&s] { closeScene(s); });
+            }
+        }};
+    s.redraw.scene();
+}
+
+/// Opens the scene anew with `model` of `start`, as a change that undo takes back.
+void exchangeModel(State& s, const Session& start, const ModelReference& model,
+                   const std::string& doing, const std::string& change) {
+    const OpeningOrder order{doing, model.file(),
+                             [name = s.scene->document().name, start](const ReadOptions& options) {
+                                 return openScene(name, start, options);
+                             },
+                             nullptr, change};
+    if (s.panels.told.model.untouched && s.scene->document().session.events.empty()) {
+        s.open(order);
+        return;
+    }
+    s.panels.asked = {
+        {.title = "The scene begins anew: " + change,
+         .text =
+             "What was cut, and what a session does, goes with the old triangles. Undo brings all "
+             "of it back.",
+         .choices = {"Go on", "Cancel"}},
+        [&s, order](int choice) {
+            if (choice == 0) {
+                s.open(order);
+            }
+        }};
+}
+
 }  // namespace
 
 // --- A model that can't be cut -----------------------------------------------------------------
 
-void Editor::State::showFaulty(const ModelFault& fault, const OpeningOrder& order) {
-    hideFaulty();
-    if (fault.found() == nullptr || fault.found()->soup.triangles.empty()) {
-        return;
-    }
-    faulty.emplace(
-        Faulty{fault, order, FaultyScene(*fault.found(), order.file), EditorCamera(view.camera)});
-    constexpr double kShare = 0.62;  // of the view's height; the question stands below
-    view.camera = EditorCamera(faulty->scene.camera());
-    view.camera.flyToFrame(faulty->scene.bounds(), kShare);
-    view.camera.advance(EditorCamera::kFlightSeconds);
-    redraw.scene();
-}
-
 void Editor::State::hideFaulty() {
-    if (faulty) {
-        view.camera = faulty->before;
-        faulty.reset();
+    if (view.hideFaulty()) {
         redraw.scene();
     }
 }
 
 /// Only what would really help is offered.
 void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
-    showFaulty(fault, order);
+    view.showFaulty(fault, order);
+    redraw.scene();
     const std::vector<Help> helps = helpFor(fault, order);
     if (helps.empty()) {
         toast.show(fault.what(), true);
@@ -133,43 +173,19 @@ void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder&
     std::vector<std::string> choices;
     std::ranges::transform(helps, std::back_inserter(choices), &Help::button);
     choices.emplace_back("Cancel");
-    asked = {{.title = "This model can't be cut as it is",
-              .text = shortSentence(fault, order) + ". " +
-                      kerf::joined(helps, ". ", &Help::sentence) + "; the file stays as it is.",
-              .choices = std::move(choices),
-              .aside = faulty.has_value()},
-             [this, fault, order, helps](int choice) {
-                 hideFaulty();
-                 if (choice < static_cast<int>(helps.size())) {
-                     open(order, helps[choice].mending);
-                     beingMended = Mended{fault, order, helps[choice].button};
-                 }
-             }};
-}
-
-void Editor::State::askAboutRepair() {
-    showFaulty(mended->fault, mended->order);
-    asked = {
-        {.title = "Taken back: " + mended->change,
-         .text = shortSentence(mended->fault, mended->order) + ". Without that it can't be cut.",
-         .choices = {"Do it again", "Close the model"},
-         .aside = faulty.has_value()},
-        [this](int choice) {
+    panels.asked = {
+        {.title = "This model can't be cut as it is",
+         .text = shortSentence(fault, order) + ". " + kerf::joined(helps, ". ", &Help::sentence) +
+                 "; the file stays as it is.",
+         .choices = std::move(choices),
+         .aside = view.faulty.has_value()},
+        [this, fault, order, helps](int choice) {
             hideFaulty();
-            if (choice == 0) {
-                toast.show("Done again: " + mended->change + ".", false);
-            } else {
-                askBefore("Close the model", [this] { closeScene(); });
+            if (choice < static_cast<int>(helps.size())) {
+                open(order, helps[choice].mending);
+                sceneSteps.beingMended = Mended{fault, order, helps[choice].button};
             }
         }};
-    redraw.panels();
-}
-
-void Editor::State::closeScene() {
-    leaveScene();
-    keeping.discard();
-    describeScene();
-    redraw.scene();
 }
 
 // --- Remeshing, pieces that cross --------------------------------------------------------------
@@ -180,7 +196,7 @@ void Editor::State::remesh(const ui::Remesh& wanted) {
     reference.remesh = true;
     const double edge = wanted.edge > 0 ? wanted.edge : scene->body().proposedEdge(wanted.model);
     reference.edge = std::stod(fmt::format("{:.3g}", edge));  // as it is shown
-    exchangeModel(start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
+    exchangeModel(*this, start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
 }
 
 /// A session was made on the triangles that its model has: only models are told to be coarse.
@@ -209,8 +225,8 @@ void Editor::State::unitePieces(int model) {
     Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, model);
     reference.repair = true;
-    exchangeModel(start, reference, fmt::format("Uniting the pieces of {}", reference.name()),
-                  kUnite);
+    exchangeModel(*this, start, reference,
+                  fmt::format("Uniting the pieces of {}", reference.name()), kUnite);
 }
 
 void Editor::State::partModel() {
@@ -222,31 +238,7 @@ void Editor::State::partModel() {
         return;
     }
     const Session start = parted(scene->body().start(), objects);
-    exchangeModel(start, start.model, "Parting into models", kPart);
-}
-
-void Editor::State::exchangeModel(const Session& start, const ModelReference& model,
-                                  const std::string& doing, const std::string& change) {
-    const OpeningOrder order{doing, model.file(),
-                             [name = scene->document().name, start](const ReadOptions& options) {
-                                 return kerf::app::openScene(name, start, options);
-                             },
-                             nullptr, change};
-    if (told.model.untouched && scene->document().session.events.empty()) {
-        open(order);
-        return;
-    }
-    asked = {
-        {.title = "The scene begins anew: " + change,
-         .text =
-             "What was cut, and what a session does, goes with the old triangles. Undo brings all "
-             "of it back.",
-         .choices = {"Go on", "Cancel"}},
-        [this, order](int choice) {
-            if (choice == 0) {
-                open(order);
-            }
-        }};
+    exchangeModel(*this, start, start.model, "Parting into models", kPart);
 }
 
 void Editor::State::exchange(UploadedDocument uploaded, const std::string& change) {
@@ -258,9 +250,9 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     view.cancelTools(restingScene());
     scene->timeline().playing = false;
     scene->timeline().stopSeeking();
-    picture.setRestDepth(uploaded.depth);
+    picture.depths.note(next->simulation().uncut(), std::move(uploaded.depth));
+    picture.setBody(next->simulation().uncut());
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
-    depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
     const int saved = keeping.savedDeeds();
     sceneSteps.add(change, std::move(old), saved);
     keeping.begin();
@@ -274,10 +266,11 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
 }
 
 bool Editor::State::undoesScene() {
-    if (!sceneSteps.undoes(*scene) && !(mended && !scene->simulation().history().canUndo())) {
+    if (!sceneSteps.undoes(*scene) &&
+        !(sceneSteps.mended && !scene->simulation().history().canUndo())) {
         return false;
     }
-    exchangeWanted = Exchange::back;
+    sceneSteps.wanted = SceneSteps::Exchange::back;
     return true;
 }
 
@@ -285,19 +278,20 @@ bool Editor::State::redoesScene() {
     if (!sceneSteps.redoes(*scene)) {
         return false;
     }
-    exchangeWanted = Exchange::forth;
+    sceneSteps.wanted = SceneSteps::Exchange::forth;
     return true;
 }
 
 void Editor::State::followExchange() {
-    const Exchange wanted = std::exchange(exchangeWanted, Exchange::none);
-    if (wanted == Exchange::none || scene == nullptr) {
+    const SceneSteps::Exchange wanted =
+        std::exchange(sceneSteps.wanted, SceneSteps::Exchange::none);
+    if (wanted == SceneSteps::Exchange::none || scene == nullptr) {
         return;
     }
-    const bool back = wanted == Exchange::back;
+    const bool back = wanted == SceneSteps::Exchange::back;
     if (back && !sceneSteps.undoes(*scene)) {
-        waiting.clear();
-        askAboutRepair();
+        scene.waiting.clear();
+        askAboutRepair(*this);
         return;
     }
     view.cancelTools(restingScene());
@@ -308,7 +302,7 @@ void Editor::State::followExchange() {
     SceneSteps::Kept kept =
         back ? sceneSteps.undo(std::move(now), saved) : sceneSteps.redo(std::move(now), saved);
     scene.exchange(std::move(kept.scene));
-    picture.setRestDepth(depths.of(scene->simulation().uncut()));
+    picture.setBody(scene->simulation().uncut());
     keeping.begin();
     keeping.noteSaved(kept.savedDeeds);
     view.beginAgain(*scene);
@@ -320,7 +314,7 @@ void Editor::State::followExchange() {
 
 void Editor::State::goToChange(std::size_t done) {
     const UndoHistory& history = scene->simulation().history();
-    const std::size_t first = rowsBefore();
+    const std::size_t first = sceneSteps.rowsBefore();
     const std::size_t own = std::max(done, first) - first;
     while (history.done() > own && history.canUndo()) {
         execute(Undo{});
@@ -330,7 +324,7 @@ void Editor::State::goToChange(std::size_t done) {
     }
     const bool further = done < first ? undoesScene() : history.done() < own && redoesScene();
     if (further) {
-        waiting.emplace_front(ui::GoToChange{done});
+        scene.waiting.emplace_front(ui::GoToChange{done});
         return;
     }
     toast.show(history.canUndo() ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
@@ -340,24 +334,18 @@ void Editor::State::goToChange(std::size_t done) {
 
 void Editor::State::describeFaults() {
     ui::PanelModel& model = panels.model;
-    if (scene != nullptr) {
-        if (mended) {
-            model.changes.rows.insert(model.changes.rows.begin(), ui::ChangeRow{mended->change, 0});
-            ++model.changes.done;
-        }
-        if (model.display.overlays.faults && !faulty) {
-            model.looks.faults = ui::faultRows(*scene.meanwhile().faultMarks());
-        }
+    if (scene != nullptr && model.display.overlays.faults && !view.faulty) {
+        model.looks.faults = ui::faultRows(*scene.meanwhile().faultMarks());
     }
-    if (faulty) {
+    if (view.faulty) {
         model.looks.showsFaulty = true;
-        model.looks.faults = ui::faultRows(faulty->scene.marks());
+        model.looks.faults = ui::faultRows(view.faulty->scene.marks());
         model.view.overlay = {};
         model.help.hint = {};
-        if (!asked) {
-            model.help.hint = {
-                faulty->order.file.filename().string() + " can't be cut: these are its faults.",
-                {{ui::ActionId::cancel, "Back"}}};
+        if (!panels.asked) {
+            model.help.hint = {view.faulty->order.file.filename().string() +
+                                   " can't be cut: these are its faults.",
+                               {{ui::ActionId::cancel, "Back"}}};
         }
     }
 }

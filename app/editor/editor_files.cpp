@@ -12,56 +12,139 @@
 namespace kerf::app {
 namespace {
 
+using State = Editor::State;
+
 /// The choices of askAboutTest().
 enum PictureChoice { kAddPicture, kNoPicture, kCancel };
+
+/// The scene begins anew: who has cut is asked.
+void openAnew(State& s, OpeningOrder order) {
+    if (!s.scene->timeline().hasChanged()) {
+        s.open(std::move(order));
+        return;
+    }
+    s.panels.asked = {
+        {order.title + " starts the scene anew",
+         "The cuts and other changes of the models so far go, and undo does not bring them "
+         "back. Save the session first if you want them again.",
+         {"Start anew", "Cancel"}},
+        [&s, order](int choice) {
+            if (choice == 0) {
+                s.open(order);
+            }
+        }};
+}
+
+/// Opens the scene with the model of a file added, or with one of its models taken out.
+void addModel(State& s, const std::filesystem::path& file) {
+    if (s.scene == nullptr) {
+        s.open(file);
+        return;
+    }
+    openAnew(
+        s, {"Adding " + file.filename().string(), file,
+            [name = s.scene->document().name, start = s.scene->body().start(), file](
+                const ReadOptions& options) { return openWithModel(name, start, file, options); }});
+}
+
+/// The scene stays as it is until the new one stands and the hand is free.
+void followOpening(State& s) {
+    if (s.work.opening() == nullptr) {
+        return;
+    }
+    const OpeningOrder order = s.work.opening()->order();
+    s.redraw.panels();
+    try {
+        const bool rests = order.change.empty() || (!s.scene.underWay() && s.scene.waiting.empty());
+        if (auto uploaded = s.work.advanceOpening(rests && !s.view.holds())) {
+            if (order.change.empty()) {
+                s.show(std::move(*uploaded));
+            } else {
+                s.exchange(std::move(*uploaded), order.change);
+            }
+            if (!order.file.empty() && order.change.empty()) {
+                s.chooser.addRecent(order.file);
+            }
+            if (order.shown) {
+                order.shown();
+            }
+        }
+    } catch (const ModelFault& fault) {
+        spdlog::error("{}", fault.what());
+        s.askAboutMending(fault, order);
+    } catch (const std::bad_alloc&) {
+        s.complain(outOfMemory(order.title));
+    } catch (const std::exception& error) {
+        s.complain(error.what());
+    }
+}
+
+/// The scene goes on as it is until the hand is free and it rests.
+void followPlacing(State& s) {
+    if (s.work.placing() == nullptr) {
+        return;
+    }
+    s.redraw.panels();
+    if (s.view.holds() || s.scene.underWay() || !s.scene.waiting.empty()) {
+        return;
+    }
+    const std::unique_ptr<BodyPlacing> placing = s.work.takePlacing();
+    if (placing == nullptr) {
+        return;
+    }
+    try {
+        PlacedBody placed = placing->take();
+        s.picture.depths.note(placed.body, std::move(placed.depth));
+        s.scene->simulation().expectPlacement(std::move(placed.body));
+    } catch (const std::bad_alloc&) {
+        s.complain(outOfMemory("Placing the model"));
+        return;
+    } catch (const std::exception& error) {
+        s.complain(error.what());
+        return;
+    }
+    s.scene.begin(SceneWork::change, [&s, command = placing->command()](EditorScene& now) {
+        s.view.cancelTools({&now, false});
+        s.say(now.execute(command));
+    });
+    s.goOn();
+}
+
+/// Takes note of the end of a saving.
+void onSaved(State& s, const SavingQueue::Outcome& outcome) {
+    constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
+    if (outcome.number != kNoNumber || !s.work.onceSaved) {
+        return;
+    }
+    const auto then = std::exchange(s.work.onceSaved, nullptr);
+    if (outcome.failed) {
+        return;
+    }
+    then();
+    if (!s.chooser.isOpen() && s.work.afterSaving) {
+        std::exchange(s.work.afterSaving, nullptr)();
+    }
+}
 
 }  // namespace
 
 // --- Opening -----------------------------------------------------------------------------------
 
 void Editor::State::open(OpeningOrder order, const Mending& mending) {
-    asked.reset();
-    beingMended.reset();
+    panels.asked.reset();
+    sceneSteps.beingMended.reset();
     hideFaulty();
     work.open(std::move(order), mending);
-}
-
-void Editor::State::addModel(const std::filesystem::path& file) {
-    if (scene == nullptr) {
-        open(file);
-        return;
-    }
-    openScene(
-        {"Adding " + file.filename().string(), file,
-         [name = scene->document().name, start = scene->body().start(),
-          file](const ReadOptions& options) { return openWithModel(name, start, file, options); }});
 }
 
 void Editor::State::removeModel(int model) {
     Session start = scene->body().start();
     takeModelOut(start, model);
     const std::filesystem::path file = start.model.file();
-    openScene({"Taking model " + std::to_string(model) + " out", file,
-               [name = scene->document().name, start](const ReadOptions& options) {
-                   return kerf::app::openScene(name, start, options);
-               }});
-}
-
-/// The scene begins anew: who has cut is asked.
-void Editor::State::openScene(OpeningOrder order) {
-    if (!scene->timeline().hasChanged()) {
-        open(std::move(order));
-        return;
-    }
-    asked = {{order.title + " starts the scene anew",
-              "The cuts and other changes of the models so far go, and undo does not bring them "
-              "back. Save the session first if you want them again.",
-              {"Start anew", "Cancel"}},
-             [this, order](int choice) {
-                 if (choice == 0) {
-                     open(order);
-                 }
-             }};
+    openAnew(*this, {"Taking model " + std::to_string(model) + " out", file,
+                     [name = scene->document().name, start](const ReadOptions& options) {
+                         return openScene(name, start, options);
+                     }});
 }
 
 void Editor::State::show(UploadedDocument uploaded) {
@@ -69,12 +152,11 @@ void Editor::State::show(UploadedDocument uploaded) {
     // Either may fail for want of memory; what is open stays then.
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
-    picture.setRestDepth(uploaded.depth);
+    picture.depths.note(next->simulation().uncut(), std::move(uploaded.depth));
+    picture.setBody(next->simulation().uncut());
     scene.set(std::move(next));
-    depths.note(scene->simulation().uncut(), std::move(uploaded.depth));
     sceneSteps.clear();
-    mended = std::exchange(beingMended, std::nullopt);
-    waiting.clear();
+    sceneSteps.mended = std::exchange(sceneSteps.beingMended, std::nullopt);
     keeping.begin();
     view.begin(*scene);
     beginScene();
@@ -86,9 +168,9 @@ void Editor::State::show(UploadedDocument uploaded) {
 
 void Editor::State::beginScene() {
     work.stopPlacing();
-    exchangeWanted = Exchange::none;
-    comingBack = false;
-    onceSaved = nullptr;
+    sceneSteps.wanted = SceneSteps::Exchange::none;
+    offers.comingBack = false;
+    work.onceSaved = nullptr;
     guide.begin(*scene);
     kernels.begin();
     chooser.setModel(scene->document().session.model.path);
@@ -103,43 +185,12 @@ void Editor::State::place(const Place& command) {
     work.stopPlacing();
     const Simulation& simulation = scene->simulation();
     const bool known = command.model < simulation.modelCount();
-    if (known && !told.model.live) {
+    if (known && !panels.told.model.live) {
         work.place(std::make_unique<BodyPlacing>(simulation, command));
     } else {
         say(scene->execute(command));
     }
     redraw.panels();
-}
-
-/// The scene goes on as it is until the hand is free and it rests.
-void Editor::State::followPlacing() {
-    if (work.placing() == nullptr) {
-        return;
-    }
-    redraw.panels();
-    if (view.holds() || scene.underWay() || !waiting.empty()) {
-        return;
-    }
-    const std::unique_ptr<BodyPlacing> placing = work.takePlacing();
-    if (placing == nullptr) {
-        return;
-    }
-    try {
-        PlacedBody placed = placing->take();
-        depths.note(placed.body, std::move(placed.depth));
-        scene->simulation().expectPlacement(std::move(placed.body));
-    } catch (const std::bad_alloc&) {
-        complain(outOfMemory("Placing the model"));
-        return;
-    } catch (const std::exception& error) {
-        complain(error.what());
-        return;
-    }
-    scene.begin(SceneWork::change, [this, command = placing->command()](EditorScene& now) {
-        view.cancelTools({&now, false});
-        say(now.execute(command));
-    });
-    goOn();
 }
 
 // --- Choosing and saving -----------------------------------------------------------------------
@@ -154,21 +205,22 @@ void Editor::State::askAboutTest() {
         browse(ui::FilePurpose::saveTest);
         return;
     }
-    asked = {{"The session takes no picture yet",
-              "A test compares the states, counts and volumes of its session, and its pictures.",
-              {"Add a picture of the end", "Go without", "Cancel"}},
-             [this](int choice) {
-                 if (choice != kCancel) {
-                     browse(ui::FilePurpose::saveTest,
-                            choice == kAddPicture ? BrowseFor::testWithPicture : BrowseFor::itself);
-                 }
-             }};
+    panels.asked = {
+        {"The session takes no picture yet",
+         "A test compares the states, counts and volumes of its session, and its pictures.",
+         {"Add a picture of the end", "Go without", "Cancel"}},
+        [this](int choice) {
+            if (choice != kCancel) {
+                browse(ui::FilePurpose::saveTest,
+                       choice == kAddPicture ? BrowseFor::testWithPicture : BrowseFor::itself);
+            }
+        }};
 }
 
 void Editor::State::take(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::open) {
         if (chosen.what == BrowseFor::addition) {
-            addModel(chosen.file);
+            addModel(*this, chosen.file);
         } else {
             openAsked(chosen.file);
         }
@@ -238,20 +290,20 @@ void Editor::State::save(const ChosenFile& chosen) {
         return;
     }
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
-        onceSaved = nullptr;
+        work.onceSaved = nullptr;
         const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
         work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
                               scene->simulation(), view.display.look(scene->document())));
         return;
     }
     if (chosen.purpose == ui::FilePurpose::saveMaterial) {
-        onceSaved = [this] { lookForMaterials(); };
+        work.onceSaved = [this] { lookForMaterials(); };
         work.save(startSavingMaterial(
             chosen.file, materialFrom(scene->simulation().params(), view.display.settings.colors)));
         return;
     }
     if (chosen.purpose == ui::FilePurpose::makeFilm) {
-        onceSaved = nullptr;
+        work.onceSaved = nullptr;
         SavedSession filmed =
             scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors);
         filmed.session.view = view.camera.destination();  // also where the file has another
@@ -261,7 +313,7 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->recorder().addPicture(scene->recorder().end());
     }
-    onceSaved = [this, deeds = scene->recorder().deeds()] { keeping.noteSaved(deeds); };
+    work.onceSaved = [this, deeds = scene->recorder().deeds()] { keeping.noteSaved(deeds); };
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
@@ -280,68 +332,21 @@ int Editor::State::savePicture(render::Image image, const std::string& name) {
 // --- Once a picture ----------------------------------------------------------------------------
 
 void Editor::State::followFiles() {
-    followOpening();
-    followPlacing();
+    followOpening(*this);
+    followPlacing(*this);
     while (const auto outcome = work.takeOutcome()) {
         spdlog::log(outcome->failed ? spdlog::level::err : spdlog::level::info, "{}",
                     outcome->sentence);
         toast.show(*outcome);
         redraw.panels();
-        onSaved(*outcome);
+        onSaved(*this, *outcome);
         materials.look();  // It may have been one.
     }
     if (!chooser.isOpen() && work.saving() == nullptr) {
-        afterSaving = nullptr;  // The dialog was left without a name, or the file not written.
+        work.afterSaving = nullptr;  // The dialog was left without a name, or the file not written.
     }
     if (chooser.followPreview()) {
         redraw.panels();
-    }
-}
-
-void Editor::State::onSaved(const SavingQueue::Outcome& outcome) {
-    constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
-    if (outcome.number != kNoNumber || !onceSaved) {
-        return;
-    }
-    const auto then = std::exchange(onceSaved, nullptr);
-    if (outcome.failed) {
-        return;
-    }
-    then();
-    if (!chooser.isOpen() && afterSaving) {
-        std::exchange(afterSaving, nullptr)();
-    }
-}
-
-/// The scene stays as it is until the new one stands and the hand is free.
-void Editor::State::followOpening() {
-    if (work.opening() == nullptr) {
-        return;
-    }
-    const OpeningOrder order = work.opening()->order();
-    redraw.panels();
-    try {
-        const bool rests = order.change.empty() || (!scene.underWay() && waiting.empty());
-        if (auto uploaded = work.advanceOpening(rests && !view.holds())) {
-            if (order.change.empty()) {
-                show(std::move(*uploaded));
-            } else {
-                exchange(std::move(*uploaded), order.change);
-            }
-            if (!order.file.empty() && order.change.empty()) {
-                chooser.addRecent(order.file);
-            }
-            if (order.shown) {
-                order.shown();
-            }
-        }
-    } catch (const ModelFault& fault) {
-        spdlog::error("{}", fault.what());
-        askAboutMending(fault, order);
-    } catch (const std::bad_alloc&) {
-        complain(outOfMemory(order.title));
-    } catch (const std::exception& error) {
-        complain(error.what());
     }
 }
 

@@ -7,6 +7,8 @@
 namespace kerf::app {
 namespace {
 
+using State = Editor::State;
+
 constexpr int kMaxBatchesPerPicture = 16;
 
 bool pressesKey(const std::vector<ui::InputEvent>& batch) {
@@ -14,6 +16,85 @@ bool pressesKey(const std::vector<ui::InputEvent>& batch) {
         const auto* key = std::get_if<ui::KeyChange>(&event);
         return key != nullptr && key->down;
     });
+}
+
+/// Beside a question about it, the view can still be turned.
+bool pointsAtView(const State& s) {
+    return !s.panels.interface.ownsPointer() || s.panels.interface.pointsBesideQuestion();
+}
+
+/// The scene for the tool in hand: one that leads the blade doesn't wait for it.
+BusyScene sceneInHand(State& s, bool presses = false) {
+    if (s.view.faulty || (presses && s.comesBack())) {
+        return {};
+    }
+    if (ui::rowOf(s.view.tools.settings().tool).readsBody && (presses || s.view.holds())) {
+        s.scene.get();
+    }
+    return s.scene.meanwhile();
+}
+
+void onKey(State& s, ui::Key key, const ui::Modifiers& modifiers) {
+    if (s.panels.interface.ownsKeyboard()) {
+        return;
+    }
+    if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
+        s.apply(*id);
+    }
+}
+
+void onButton(State& s, const ui::ButtonChange& change) {
+    if (!change.down) {
+        const bool clicks = change.button == ui::Button::right && s.view.rightClicks();
+        s.say(s.view.release(change.button, sceneInHand(s, clicks)));
+    } else if (pointsAtView(s)) {
+        s.say(s.view.press(change, sceneInHand(s, true)));
+    }
+}
+
+void dispatch(State& s, const ui::InputEvent& event) {
+    if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
+        s.view.move(*move, sceneInHand(s));
+    } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
+        onButton(s, *change);
+    } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
+               wheel != nullptr && pointsAtView(s)) {
+        s.view.zoom(wheel->y, s.view.faulty ? BusyScene{} : s.scene.meanwhile());
+    } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
+        onKey(s, key->key, key->modifiers);
+    } else if (const auto* typed = std::get_if<ui::Character>(&event);
+               typed && typed->code == '?') {
+        onKey(s, ui::Key::questionMark, {});
+    } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
+        if (drop->files.size() > 1) {
+            s.toast.show(
+                "Of " + counted(drop->files.size(), "file", "files") + " the first is opened.",
+                false);
+        }
+        s.openAsked(drop->files.front());
+    } else if (std::holds_alternative<ui::FocusLost>(event)) {
+        s.view.camera.releaseAll();
+        onButton(s, {ui::Button::left, false, {}});
+    }
+}
+
+/// Updates the panels with a batch and does what they answer. `last` of this picture: what it
+/// shows is the panels' last word.
+void updatePanels(State& s, const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
+                  bool last) {
+    s.describe(last);
+    const std::vector<ui::Action> actions =
+        s.panels.update(batch, s.view.width, s.view.height, elapsedSeconds);
+    s.view.free = s.panels.interface.freeView();
+    s.view.bright = s.panels.settings.now.theme == ui::Theme::light;
+    s.view.mouse = s.panels.settings.now.mouse;
+    s.redraw.countUpdate(batch.empty() && actions.empty());
+    for (const ui::InputEvent& event : batch) {
+        dispatch(s, event);
+    }
+    for (const ui::Action& action : actions) {
+        s.apply(action);
+    }
 }
 
 }  // namespace
@@ -30,86 +111,11 @@ void Editor::State::takeInput(double elapsedSeconds) {
         }
         const bool last = n == kMaxBatchesPerPicture || queue.empty();
         if (panels.interface.ownsKeyboard() && pressesKey(batch)) {
-            updatePanels({}, 0, false);  // What the last key closed has the keyboard no longer.
+            updatePanels(*this, {}, 0,
+                         false);  // What the last key closed has the keyboard no longer.
         }
-        updatePanels(batch, n == 1 ? elapsedSeconds : 0, last);
+        updatePanels(*this, batch, n == 1 ? elapsedSeconds : 0, last);
     }
-}
-
-void Editor::State::updatePanels(const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
-                                 bool last) {
-    describe(last);
-    const std::vector<ui::Action> actions =
-        panels.update(batch, view.width, view.height, elapsedSeconds);
-    view.free = panels.interface.freeView();
-    view.bright = panels.settings.now.theme == ui::Theme::light;
-    view.mouse = panels.settings.now.mouse;
-    redraw.countUpdate(batch.empty() && actions.empty());
-    for (const ui::InputEvent& event : batch) {
-        dispatch(event);
-    }
-    for (const ui::Action& action : actions) {
-        apply(action);
-    }
-}
-
-void Editor::State::dispatch(const ui::InputEvent& event) {
-    if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
-        view.move(*move, sceneInHand());
-    } else if (const auto* change = std::get_if<ui::ButtonChange>(&event)) {
-        onButton(*change);
-    } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
-               wheel != nullptr && pointsAtView()) {
-        view.zoom(wheel->y, faulty ? BusyScene{} : scene.meanwhile());
-    } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
-        onKey(key->key, key->modifiers);
-    } else if (const auto* typed = std::get_if<ui::Character>(&event);
-               typed && typed->code == '?') {
-        onKey(ui::Key::questionMark, {});
-    } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
-        if (drop->files.size() > 1) {
-            toast.show(
-                "Of " + counted(drop->files.size(), "file", "files") + " the first is opened.",
-                false);
-        }
-        openAsked(drop->files.front());
-    } else if (std::holds_alternative<ui::FocusLost>(event)) {
-        view.camera.releaseAll();
-        onButton({ui::Button::left, false, {}});
-    }
-}
-
-void Editor::State::onButton(const ui::ButtonChange& change) {
-    if (!change.down) {
-        const bool clicks = change.button == ui::Button::right && view.rightClicks();
-        say(view.release(change.button, sceneInHand(clicks)));
-    } else if (pointsAtView()) {
-        say(view.press(change, sceneInHand(true)));
-    }
-}
-
-void Editor::State::onKey(ui::Key key, const ui::Modifiers& modifiers) {
-    if (panels.interface.ownsKeyboard()) {
-        return;
-    }
-    if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
-        apply(*id);
-    }
-}
-
-/// Beside a question about it, the view can still be turned.
-bool Editor::State::pointsAtView() const {
-    return !panels.interface.ownsPointer() || panels.interface.pointsBesideQuestion();
-}
-
-BusyScene Editor::State::sceneInHand(bool presses) {
-    if (faulty || (presses && comesBack())) {
-        return {};
-    }
-    if (ui::rowOf(view.tools.settings().tool).readsBody && (presses || view.holds())) {
-        scene.get();
-    }
-    return scene.meanwhile();
 }
 
 }  // namespace kerf::app

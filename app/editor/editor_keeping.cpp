@@ -9,8 +9,21 @@
 namespace kerf::app {
 namespace {
 
+using State = Editor::State;
+
 /// The choices of askBefore().
 enum UnsavedChoice { kSave, kDoNotSave, kStay };
+
+void goOnFrom(State& s, const LeftWork& left) {
+    OpeningOrder order = orderOf(left);
+    order.shown = [&s, journal = left.journal] {
+        s.keeping.begin(journal);
+        s.scene->seek(s.scene->document().session.steps);
+        s.offers.comingBack = true;
+    };
+    s.offers.putOff();
+    s.open(std::move(order));
+}
 
 }  // namespace
 
@@ -27,7 +40,7 @@ void Editor::State::keepWork(double elapsedSeconds) {
 }
 
 void Editor::State::keepPicture() {
-    if (keeping.pictureDue() == 0.0 && !closing && !faulty) {
+    if (keeping.pictureDue() == 0.0 && !closing && !view.faulty) {
         keeping.keepPicture(picture.readFree(view));
     }
 }
@@ -35,7 +48,7 @@ void Editor::State::keepPicture() {
 /// Before anything is done: afterwards it would have to be asked what becomes of that.
 void Editor::State::offerLeftWork() {
     offers.collect();
-    const bool busy = asked || chooser.isOpen() || work.opening() != nullptr || closing;
+    const bool busy = panels.asked || chooser.isOpen() || work.opening() != nullptr || closing;
     if (busy || view.holds() || hasUnsavedWork()) {
         return;
     }
@@ -43,21 +56,21 @@ void Editor::State::offerLeftWork() {
     if (!left) {
         return;
     }
-    asked = {questionAbout(*left), [this, left = *left](int choice) {
-                 if (choice == kGoOn) {
-                     goOnFrom(left);
-                 } else if (choice == kDiscard) {
-                     left.journal->remove();
-                 } else {
-                     offers.putOff();
-                 }
-             }};
+    panels.asked = {questionAbout(*left), [this, left = *left](int choice) {
+                        if (choice == kGoOn) {
+                            goOnFrom(*this, left);
+                        } else if (choice == kDiscard) {
+                            left.journal->remove();
+                        } else {
+                            offers.putOff();
+                        }
+                    }};
     redraw.panels();
 }
 
 /// As soon as nothing else is asked.
 void Editor::State::tellOfDriver() {
-    if (asked || chooser.isOpen() || closing || view.holds()) {
+    if (panels.asked || chooser.isOpen() || closing || view.holds()) {
         return;
     }
     const std::optional<DriverProblem> problem = driverCheck.takeProblem();
@@ -65,38 +78,24 @@ void Editor::State::tellOfDriver() {
         return;
     }
     spdlog::error("{}", problem->sentence);
-    asked = {questionAbout(*problem), [this](int choice) {
-                 if (choice == kUseSoftware) {
-                     panels.settings.now.softwareRenderer = true;
-                     toast.show(
-                         "Close Kerf and start it again: then the processor draws and "
-                         "computes.",
-                         false);
-                 }
-             }};
+    panels.asked = {questionAbout(*problem), [this](int choice) {
+                        if (choice == kUseSoftware) {
+                            panels.settings.now.softwareRenderer = true;
+                            toast.show(
+                                "Close Kerf and start it again: then the processor draws and "
+                                "computes.",
+                                false);
+                        }
+                    }};
     redraw.panels();
 }
 
-void Editor::State::goOnFrom(const LeftWork& left) {
-    OpeningOrder order = orderOf(left);
-    order.shown = [this, journal = left.journal] {
-        keeping.begin(journal);
-        scene->seek(scene->document().session.steps);
-        comingBack = true;
-    };
-    offers.putOff();
-    open(std::move(order));
-}
-
 void Editor::State::leaveScene() {
-    waiting.clear();
-    asked.reset();
+    panels.asked.reset();
     hideFaulty();
     sceneSteps.clear();
-    mended.reset();
-    exchangeWanted = Exchange::none;
-    onceSaved = nullptr;
-    comingBack = false;
+    work.onceSaved = nullptr;
+    offers.comingBack = false;
     work.stopPlacing();
     scene.set(nullptr);
     clock.stop();
@@ -116,8 +115,8 @@ void Editor::State::giveUpScene(const std::string& sentence) {
 }
 
 bool Editor::State::comesBack() {
-    comingBack = comingBack && scene != nullptr && scene.meanwhile().seekSteps() > 0;
-    return comingBack;
+    offers.comingBack = offers.comingBack && scene != nullptr && scene.meanwhile().seekSteps() > 0;
+    return offers.comingBack;
 }
 
 bool Editor::State::hasUnsavedWork() const {
@@ -131,23 +130,24 @@ void Editor::State::askBefore(const std::string& what, const std::function<void(
         return;
     }
     const auto askAgain = [this, what, next] { askBefore(what, next); };
-    if (onceSaved && work.saving() != nullptr) {
-        afterSaving = askAgain;
+    if (work.onceSaved && work.saving() != nullptr) {
+        work.afterSaving = askAgain;
         return;
     }
-    asked = {{what + " and lose what was done?",
-              "What was done to " + scene.meanwhile().document().name +
-                  " since it was opened or saved is in no file yet. A saved session can be gone on "
-                  "from.",
-              {"Save...", "Don't save", "Cancel"}},
-             [this, next, askAgain](int choice) {
-                 if (choice == kSave) {
-                     browse(ui::FilePurpose::saveSession);
-                     afterSaving = askAgain;
-                 } else if (choice == kDoNotSave) {
-                     next();
-                 }
-             }};
+    panels.asked = {
+        {what + " and lose what was done?",
+         "What was done to " + scene.meanwhile().document().name +
+             " since it was opened or saved is in no file yet. A saved session can be gone on "
+             "from.",
+         {"Save...", "Don't save", "Cancel"}},
+        [this, next, askAgain](int choice) {
+            if (choice == kSave) {
+                browse(ui::FilePurpose::saveSession);
+                work.afterSaving = askAgain;
+            } else if (choice == kDoNotSave) {
+                next();
+            }
+        }};
     redraw.panels();
 }
 

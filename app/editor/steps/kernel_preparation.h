@@ -3,11 +3,13 @@
 #include <memory>
 
 #include "app/scene/editor_scene.h"
+#include "gpu/program.h"
 #include "sim/run/start/kernel_warm_up.h"
 
 namespace kerf::app {
 
-/// Compiles what the open document will need while nobody does anything.
+/// Compiles what the open document will need while nobody does anything. Keeps programs from one
+/// document to the next.
 class KernelPreparation {
   public:
     /// Where it is not `wanted` it does nothing.
@@ -24,6 +26,7 @@ class KernelPreparation {
     void advance(const EditorScene& scene, double elapsedSeconds);
 
   private:
+    gpu::ProgramShelf programs_;
     bool wanted_;
     bool left_ = false;
     double quiet_ = 0;    ///< [s]

@@ -8,6 +8,7 @@ namespace kerf::app {
 
 void SceneAtWork::set(std::unique_ptr<EditorScene> scene) {
     work_.giveUp();
+    waiting.clear();
     scene_ = std::move(scene);
     giveBackFreedMemory();
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 
 #include "app/editor/steps/busy_scene.h"
 #include "app/editor/steps/work_in_portions.h"
 #include "gpu/bindings.h"
+#include "ui/action.h"
 
 namespace kerf::app {
 
@@ -18,7 +20,10 @@ enum class SceneWork { steps, change };
 /// done to its end first. meanwhile() alone doesn't wait.
 class SceneAtWork {
   public:
-    /// Instead of the one before, of which what is under way is given up; null for none.
+    std::deque<ui::Action> waiting;  ///< for the scene to be done with what it does
+
+    /// Instead of the one before, of which what is under way and what waits is given up; null
+    /// for none.
     void set(std::unique_ptr<EditorScene> scene);
 
     /// Sets a scene and hands back the one before; nothing must be under way.

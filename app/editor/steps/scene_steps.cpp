@@ -35,6 +35,8 @@ double timeOf(const EditorScene& scene) {
 void SceneSteps::clear() {
     before_.clear();
     after_.clear();
+    wanted = Exchange::none;
+    mended.reset();
 }
 
 void SceneSteps::add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds) {
@@ -77,7 +79,7 @@ SceneSteps::Kept SceneSteps::redo(std::unique_ptr<EditorScene> now, int savedDee
 }
 
 std::size_t SceneSteps::rowsBefore() const {
-    std::size_t rows = before_.size();
+    std::size_t rows = before_.size() + (mended ? 1 : 0);
     for (const Kept& kept : before_) {
         rows += historyOf(*kept.scene).entries().size() - kept.undone;
     }
@@ -86,6 +88,9 @@ std::size_t SceneSteps::rowsBefore() const {
 
 void SceneSteps::describe(const EditorScene& now, ui::ChangeList& list) const {
     std::vector<ui::ChangeRow> rows;
+    if (mended) {
+        rows.push_back({mended->change, 0});
+    }
     for (const Kept& kept : before_) {
         addRows(*kept.scene, kept.undone, rows);
         rows.push_back({kept.name, timeOf(*kept.scene)});

@@ -2,13 +2,22 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/scene/document/document_loading.h"
 #include "app/scene/editor_scene.h"
 #include "ui/panel_model.h"
 
 namespace kerf::app {
+
+/// A model that was mended as it was opened.
+struct Mended {
+    ModelFault fault;    ///< why
+    OpeningOrder order;  ///< how it is opened
+    std::string change;  ///< what was done
+};
 
 /// The changes that exchanged the whole scene for another one, as for even triangles. The scene
 /// before each is kept as it was, with its cuts and its own history, so that undo brings all of it
@@ -27,7 +36,13 @@ class SceneSteps {
         std::size_t undone = 0;  ///< so many of its changes were undone then
     };
 
-    /// Forgets all.
+    /// An exchange that undo or redo asked for, to be done between two steps.
+    enum class Exchange { none, back, forth };
+    Exchange wanted = Exchange::none;
+    std::optional<Mended> mended;       ///< the model that is open, if it was
+    std::optional<Mended> beingMended;  ///< the one that is being opened
+
+    /// Forgets all but what is being opened.
     void clear();
     /// `before` was exchanged for a new scene. What was undone is lost.
     void add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds);
@@ -44,7 +59,7 @@ class SceneSteps {
     Kept undo(std::unique_ptr<EditorScene> now, int savedDeeds);
     Kept redo(std::unique_ptr<EditorScene> now, int savedDeeds);
 
-    /// So many rows of the history stand before those of `now`.
+    /// So many rows of the history stand before those of the open scene.
     std::size_t rowsBefore() const;
     /// Puts the rows of the other scenes around those of `now`.
     void describe(const EditorScene& now, ui::ChangeList& list) const;

@@ -19,6 +19,12 @@ namespace kerf::app {
 /// and behind them pictures and plots, for which nobody waits.
 class FileWork {
   public:
+    /// What comes once the file is there that is being saved; may be null.
+    std::function<void()> onceSaved;
+    /// What comes after the session is saved that the dialog asks a name for, or that is being
+    /// saved; may be null.
+    std::function<void()> afterSaving;
+
     /// Pictures and plots go into `folder`.
     explicit FileWork(std::filesystem::path folder) : folder_(std::move(folder)) {}
     /// Waits until what was to be saved is saved.

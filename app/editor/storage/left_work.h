@@ -17,6 +17,8 @@ namespace kerf::app {
 /// once, and offered one after the other.
 class LeftWorkOffers {
   public:
+    bool comingBack = false;  ///< what was taken up is still being played, see Editor::State
+
     /// Begins to look into `folder`; an empty path has nothing.
     explicit LeftWorkOffers(const std::filesystem::path& folder);
 

@@ -29,16 +29,25 @@ float EditorPanels::scale(int width, int height) const {
                     ui::largestScale(width, height));
 }
 
-void EditorPanels::describe(const ui::PanelModel& scene) {
+void EditorPanels::describe() {
     static const ui::History kNoHistory{};
-    model = scene;
-    model.plots.history = scene.plots.history != nullptr ? scene.plots.history : &kNoHistory;
+    model = told;
+    model.plots.history = told.plots.history != nullptr ? told.plots.history : &kNoHistory;
     model.settings = settings.now;
     model.settings.showControls &= !hidden;
     model.settings.showReadings &= !hidden;
     model.plots.view = plotView;
     model.help.open = helpOpen;
     model.view.device = device;
+    if (asked) {
+        model.question = asked->question;
+    }
+}
+
+void EditorPanels::answer(int choice) {
+    if (asked) {
+        std::exchange(asked, std::nullopt)->answer(choice);
+    }
 }
 
 std::vector<ui::Action> EditorPanels::update(std::span<const ui::InputEvent> batch, int width,

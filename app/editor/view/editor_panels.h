@@ -1,16 +1,25 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/editor/storage/editor_options.h"
 #include "app/editor/storage/settings_file.h"
+#include "app/editor/view/experiment_board.h"
 #include "render/scene/image.h"
 #include "ui/interface.h"
 #include "ui/plot.h"
 
 namespace kerf::app {
+
+/// A question that waits for the person, and what is done with the choice.
+struct Asked {
+    ui::Question question;
+    std::function<void(int choice)> answer;
+};
 
 /// The panels with what they show, and what of that is the person's choice alone: the settings,
 /// the part of the time that the plots show, and the help.
@@ -22,7 +31,10 @@ struct EditorPanels {
     std::string device;  ///< what draws
     SettingsFile settings;
     ui::Interface interface;
+    ui::PanelModel told;  ///< what the scene told of itself when it last rested
     ui::PanelModel model;
+    ExperimentBoard experiments;
+    std::optional<Asked> asked;
     ui::PlotView plotView;
     bool helpOpen = false;
     bool hidden = false;  ///< both side panels, whatever the settings say
@@ -31,7 +43,9 @@ struct EditorPanels {
     /// as far as they have room.
     float scale(int width, int height) const;
     /// Begins the model anew: with what the scene told of itself, and what is known here.
-    void describe(const ui::PanelModel& scene);
+    void describe();
+    /// Does what was to be done with that choice; nothing where nothing is asked.
+    void answer(int choice);
     /// Lays the panels out anew with the input of one batch, in a picture of this size [px].
     /// Returns the answers of the person.
     std::vector<ui::Action> update(std::span<const ui::InputEvent> batch, int width, int height,

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/steps/rest_depths.h"
 #include "app/editor/view/editor_view.h"
 #include "gpu/framebuffer.h"
 #include "gpu/timer.h"
@@ -18,8 +19,12 @@ class EditorPicture {
     /// Throws gpu::ShaderError.
     explicit EditorPicture(render::Quality quality) : renderer_(quality) {}
 
-    /// Takes the depth of each point below the skin of the uncut body.
-    void setRestDepth(const render::DepthField& depth) { renderer_.setRestDepth(depth); }
+    /// The depth of each point below the skin of uncut bodies, as far as they were met.
+    RestDepths depths;
+    /// Shows that body from the next picture on. Throws gpu::OutOfMemory.
+    void setBody(const std::shared_ptr<const UncutBody>& body) {
+        renderer_.setRestDepth(depths.of(body));
+    }
     /// Draws the scene where it has `changed`, or is seen otherwise than in the last picture. What
     /// lies in `covered` need not be drawn. `scene` is null while nothing is open. Throws
     /// gpu::ShaderError.
@@ -35,8 +40,10 @@ class EditorPicture {
     bool rests() const;
     /// The picture, over which the panels go.
     const gpu::Framebuffer& target() const { return target_; }
-    /// Time that the scene took to draw since the last call [ms].
-    double takeSceneMilliseconds() { return sceneTimer_.takeMilliseconds(); }
+    /// Reads what sceneMilliseconds() tells, once a picture.
+    void measure() { sceneMilliseconds_ = sceneTimer_.takeMilliseconds(); }
+    /// Time that the scene of the last picture took to draw [ms].
+    double sceneMilliseconds() const { return sceneMilliseconds_; }
 
     /// What the colours of the last picture reach from and to, where they show a quantity.
     const render::FieldRange& fieldRange() const { return fieldRange_; }
@@ -66,6 +73,7 @@ class EditorPicture {
 
     render::Renderer renderer_;
     gpu::Timer sceneTimer_;
+    double sceneMilliseconds_ = 0;
     gpu::Framebuffer target_;
     render::FieldRange fieldRange_;
     double drawSeconds_ = 0;  ///< that the last picture of the scene took

@@ -74,6 +74,27 @@ void EditorView::flyToFrame(const Bounds& bounds) {
     camera.flyToFrame(bounds, known ? std::min(free.width, free.height) / float(height) : 1);
 }
 
+void EditorView::showFaulty(const ModelFault& fault, const OpeningOrder& order) {
+    hideFaulty();
+    if (fault.found() == nullptr || fault.found()->soup.triangles.empty()) {
+        return;
+    }
+    faulty.emplace(FaultyModel{fault, order, FaultyScene(*fault.found(), order.file), camera});
+    constexpr double kShare = 0.62;  // of the view's height; the question stands below
+    camera = EditorCamera(faulty->scene.camera());
+    camera.flyToFrame(faulty->scene.bounds(), kShare);
+    camera.advance(EditorCamera::kFlightSeconds);
+}
+
+bool EditorView::hideFaulty() {
+    if (!faulty) {
+        return false;
+    }
+    camera = faulty->before;
+    faulty.reset();
+    return true;
+}
+
 // --- The pointer -------------------------------------------------------------------------------
 
 void EditorView::move(const ui::PointerMove& move, const BusyScene& scene) {

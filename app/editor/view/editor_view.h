@@ -1,14 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/editor/view/body_display.h"
+#include "app/scene/document/document_loading.h"
+#include "app/scene/document/faulty_scene.h"
 #include "app/tools/editor_camera.h"
 #include "app/tools/section_tool.h"
 #include "app/tools/tool_box.h"
 #include "ui/layout.h"
 
 namespace kerf::app {
+
+/// A model that can't be cut as it is, in the view instead of the scene.
+struct FaultyModel {
+    ModelFault fault;
+    OpeningOrder order;
+    FaultyScene scene;
+    EditorCamera before;  ///< the camera of what is open
+};
 
 /// The view of the body: from where it is seen, how it is shown, and what the pointer does there.
 /// Where a function takes a BusyScene, null means that none is open.
@@ -23,6 +34,7 @@ struct EditorView {
     BodyDisplay display;
     ToolBox tools;
     SectionTool sectionTool;
+    std::optional<FaultyModel> faulty;
 
     /// The camera looks at the middle of what the panels leave free.
     ViewFrame frame() const;
@@ -37,6 +49,12 @@ struct EditorView {
     /// Comes along where the model was placed otherwise: what had filled the view does so again.
     /// Whether it was.
     bool follow(const EditorScene& scene);
+
+    /// Shows a model with its faults instead of the scene, as far as they are known. Throws
+    /// gpu::OutOfMemory.
+    void showFaulty(const ModelFault& fault, const OpeningOrder& order);
+    /// Shows the scene again. Returns false where nothing else was shown.
+    bool hideFaulty();
 
     // The pointer.
     void move(const ui::PointerMove& move, const BusyScene& scene);

@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/base/stopwatch.h"
+
 namespace kerf::app {
 
 /// Remembers whether the scene and the panels must be drawn again. A change of the view, of the
 /// display or of the size needs no call: EditorPicture sees it.
 class Redraw {
   public:
+    /// See EditorOptions::drawsAll.
+    explicit Redraw(bool all) : drawsAll(all) {}
+
+    const bool drawsAll;
+    bool screenshotWanted = false;  ///< of the next picture
+    Stopwatch sincePicture;
+
     /// The body, or what stands around it, has changed: the scene and the panels show that.
     void scene() {
         scene_ = true;

@@ -82,7 +82,7 @@ class EditorOutOfMemoryTest : public test::GlTest {
         frames(1);
     }
     void waitForQuestion() {
-        for (int i = 0; i < 2000 && !state->asked; ++i) {
+        for (int i = 0; i < 2000 && !state->panels.asked; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frames(1);
         }
@@ -102,7 +102,7 @@ TEST_F(EditorOutOfMemoryTest, WhatWasDoneIsKeptAndOfferedAtOnce) {
     EXPECT_THAT(state->panels.model.toast.text, HasSubstr("ran out of memory"));
     EXPECT_THAT(state->panels.model.toast.text, HasSubstr("What was done is kept."));
     waitForQuestion();
-    ASSERT_TRUE(state->asked);
+    ASSERT_TRUE(state->panels.asked);
     state->answer(ui::AnswerQuestion{kGoOn});
     for (int i = 0; i < 4000 && state->scene == nullptr; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));

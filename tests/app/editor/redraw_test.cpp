@@ -6,7 +6,7 @@ namespace kerf::app {
 namespace {
 
 Redraw drawn() {
-    Redraw redraw;
+    Redraw redraw(true);
     redraw.takeScene();
     while (redraw.pending()) {
         redraw.countUpdate(true);
@@ -15,7 +15,7 @@ Redraw drawn() {
 }
 
 TEST(Redraw, AtFirstAllIsDrawn) {
-    Redraw redraw;
+    Redraw redraw(true);
     EXPECT_TRUE(redraw.takeScene());
     EXPECT_TRUE(redraw.pending()) << "the panels";
     EXPECT_FALSE(drawn().takeScene());
