@@ -11,9 +11,6 @@
 
 namespace kerf::render {
 
-/// What the light tier leaves out: multisampling, the soft edge of the shadow, ambient occlusion.
-enum class Quality { light, full };
-
 /// Draws a scene into an off-screen target: shadow pass, floor, surface, boxes, blade, overlays.
 /// The window and a headless run use the same path, so their pictures agree to the pixel.
 class Renderer {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/action_table.h"
-#include "ui/item_rects.h"
-#include "ui/widgets.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::ui {
 namespace {
@@ -21,7 +21,7 @@ constexpr float kLine = 2.2F;
 constexpr std::array<std::array<int, 3>, 3> kColors{
     {{214, 92, 84}, {110, 176, 78}, {88, 134, 222}}};
 constexpr std::array<const char*, 3> kNames{"X", "Y", "Z"};
-constexpr std::array<std::array<ActionId, 2>, 3> kActions{
+constexpr std::array<std::array<ActionId, 2>, 3> kViewActions{
     {{ActionId::viewRight, ActionId::viewLeft},
      {ActionId::viewTop, ActionId::viewBottom},
      {ActionId::viewFront, ActionId::viewBack}}};
@@ -32,7 +32,7 @@ struct AxisEnd {
     bool positive = true;
     Vec3 at = Vec3::Zero();  ///< as in ViewAxes
 
-    ActionId action() const { return kActions[axis][positive ? 0 : 1]; }
+    ActionId action() const { return kViewActions[axis][positive ? 0 : 1]; }
     /// Fainter behind.
     ImU32 color(bool hot) const {
         const auto& c = kColors[axis];

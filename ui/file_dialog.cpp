@@ -7,14 +7,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "ui/item_rects.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/base/widgets.h"
 
 namespace kerf::ui {
 namespace {
 
-constexpr char kWindow[] = "###files";
+constexpr char kFilesWindow[] = "###files";
 constexpr std::size_t kMaxName = 4000;  // longer than any path of Linux that can be opened
 
 /// The text that the name field edits, and what it is to show instead where that changed elsewhere.
@@ -33,10 +33,6 @@ int replaceText(ImGuiInputTextCallbackData* data) {
 
 /// Keys that decide something don't repeat: a held Enter must not answer the question that it
 /// raised.
-bool pressed(ImGuiKey key, bool repeats = false) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
-}
-
 void drawDim(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextUnformatted(text.c_str());
@@ -205,15 +201,16 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
         return;
     }
     if (justOpened_) {
-        ImGui::OpenPopup(kWindow);
+        ImGui::OpenPopup(kFilesWindow);
         scrolledTo_ = -1;
         lastName_.clear();
         text_.clear();
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    if (!beginModal(std::string(titleOf(state)) + kWindow, std::min(60 * line, 0.94F * display.x),
-                    std::min(36 * line, 0.92F * display.y), wanted)) {
+    if (!beginModal(std::string(titleOf(state)) + kFilesWindow,
+                    std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y),
+                    wanted)) {
         return;
     }
     takeKeys(state, actions);
@@ -231,23 +228,23 @@ void FileDialog::takeKeys(const FileDialogState& state, std::vector<Action>& act
     if (justOpened_) {
         return;  // The key that opened it is still down.
     }
-    if (pressed(ImGuiKey_Escape)) {
+    if (keyPressed(ImGuiKey_Escape)) {
         if (state.asksToOverwrite) {
             actions.emplace_back(FileAction(KeepFile{}));
         } else {
             actions.emplace_back(FileAction(CloseFileDialog{}));
         }
-    } else if (pressed(ImGuiKey_Enter)) {
+    } else if (keyPressed(ImGuiKey_Enter)) {
         actions.emplace_back(FileAction(AcceptFile{state.asksToOverwrite}));
-    } else if (pressed(ImGuiKey_DownArrow, true)) {
+    } else if (keyPressed(ImGuiKey_DownArrow, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{1}));
-    } else if (pressed(ImGuiKey_UpArrow, true)) {
+    } else if (keyPressed(ImGuiKey_UpArrow, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{-1}));
-    } else if (pressed(ImGuiKey_PageDown, true)) {
+    } else if (keyPressed(ImGuiKey_PageDown, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{10}));
-    } else if (pressed(ImGuiKey_PageUp, true)) {
+    } else if (keyPressed(ImGuiKey_PageUp, true)) {
         actions.emplace_back(FileAction(MoveFileSelection{-10}));
-    } else if (pressed(ImGuiKey_Backspace) && text_.empty()) {
+    } else if (keyPressed(ImGuiKey_Backspace) && text_.empty()) {
         actions.emplace_back(FileAction(GoToParentFolder{}));
     }
 }

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/action.h"
-#include "ui/panel_model.h"
+#include "ui/state/action.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 

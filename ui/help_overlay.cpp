@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/action_table.h"
-#include "ui/item_rects.h"
-#include "ui/panel_model.h"
-#include "ui/theme.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/state/action_table.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {
@@ -35,7 +35,7 @@ std::vector<Group> allGroups(MouseScheme mouse) {
     for (const PointerHint& row : pointerTable(mouse)) {
         addRow(groups, "Pointer", row);
     }
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         addRow(groups, row.group, {keysOf(row.id), row.label});
     }
     return groups;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/action.h"
+#include "ui/state/action.h"
 
 namespace kerf::ui {
 

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "ui/action_table.h"
-#include "ui/item_rects.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/base/widgets.h"
 #include "ui/offer.h"
-#include "ui/panel_model.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/state/action_table.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "gpu/framebuffer.h"
-#include "ui/action.h"
-#include "ui/cursor.h"
+#include "ui/base/cursor.h"
+#include "ui/base/input.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/panel_context.h"
 #include "ui/file_dialog.h"
-#include "ui/input.h"
-#include "ui/item_rects.h"
-#include "ui/panel_context.h"
-#include "ui/panel_model.h"
 #include "ui/question_box.h"
+#include "ui/state/action.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/action_table.h"
-#include "ui/item_rects.h"
-#include "ui/theme.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::ui {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "ui/base/widgets.h"
 #include "ui/state/help_state.h"
-#include "ui/widgets.h"
 
 namespace kerf::ui {
 

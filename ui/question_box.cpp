@@ -8,17 +8,13 @@
 #include <cstdint>
 #include <utility>
 
-#include "ui/item_rects.h"
-#include "ui/widgets.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
 
 namespace kerf::ui {
 namespace {
 
-constexpr char kWindow[] = "###question";
-
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
+constexpr char kQuestionWindow[] = "###question";
 
 void drawChoices(const Question& question, std::vector<Action>& actions) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -78,10 +74,10 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     }
     if (justOpened) {
         picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
-        ImGui::OpenPopup(kWindow);
+        ImGui::OpenPopup(kQuestionWindow);
     }
     aside_ = question.aside;
-    const std::string title = question.title + kWindow;
+    const std::string title = question.title + kQuestionWindow;
     if (!(aside_ ? beginModalAside(title, view, wanted) : beginInMiddle(title, wanted))) {
         return;
     }
@@ -96,9 +92,9 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     drawChoices(question, actions);
-    if (!justOpened && pressed(ImGuiKey_Enter)) {
+    if (!justOpened && keyPressed(ImGuiKey_Enter)) {
         actions.emplace_back(AnswerQuestion{0});
-    } else if (!justOpened && pressed(ImGuiKey_Escape)) {
+    } else if (!justOpened && keyPressed(ImGuiKey_Escape)) {
         actions.emplace_back(AnswerQuestion{static_cast<int>(question.choices.size()) - 1});
     }
     ImGui::EndPopup();

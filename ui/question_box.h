@@ -6,8 +6,8 @@
 
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
-#include "ui/action.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
+#include "ui/state/action.h"
 #include "ui/state/question.h"
 
 namespace kerf::ui {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "ui/action_table.h"
-#include "ui/item_rects.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/base/widgets.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::ui {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/action.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
+#include "ui/state/action.h"
 
 namespace kerf::ui {
 

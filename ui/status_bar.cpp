@@ -3,9 +3,9 @@
 #include <imgui.h>
 
 #include "sim/base/text.h"
-#include "ui/action_table.h"
-#include "ui/panel_model.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
+#include "ui/state/action_table.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {

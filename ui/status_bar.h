@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 
 namespace kerf::ui {
 

@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
+#include "ui/base/theme.h"
 #include "ui/offer.h"
-#include "ui/theme.h"
 
 namespace kerf::ui {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 #include "ui/state/toast_state.h"
 
 namespace kerf::ui {

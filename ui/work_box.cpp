@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/item_rects.h"
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/base/widgets.h"
 
 namespace kerf::ui {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ui/action.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
+#include "ui/state/action.h"
 #include "ui/state/work_state.h"
 
 namespace kerf::ui {

@@ -3,7 +3,7 @@
 #include "app/scene/document/faulty_scene.h"
 #include "render/renderer.h"
 #include "render/scene/paste.h"
-#include "ui/fault_legend.h"
+#include "ui/state/fault_legend.h"
 
 namespace kerf::app {
 namespace {

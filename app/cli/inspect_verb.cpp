@@ -36,7 +36,7 @@
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/mesh/triangle_quality.h"
-#include "ui/piece_row.h"
+#include "ui/state/piece_row.h"
 
 namespace kerf::app {
 

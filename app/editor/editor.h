@@ -9,10 +9,10 @@
 #include "app/scene/document/editor_document.h"
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
-#include "ui/cursor.h"
-#include "ui/input.h"
-#include "ui/item_rects.h"
-#include "ui/panel_model.h"
+#include "ui/base/cursor.h"
+#include "ui/base/input.h"
+#include "ui/base/item_rects.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -13,9 +13,9 @@
 #include "app/tools/move_tool.h"
 #include "app/tools/retract_tool.h"
 #include "gpu/data_path.h"
-#include "ui/action_table.h"
-#include "ui/plots_panel.h"
-#include "ui/unit_text.h"
+#include "ui/base/unit_text.h"
+#include "ui/panels/plots_panel.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

@@ -14,8 +14,8 @@
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/repair/soup_editing.h"
-#include "ui/action_table.h"
-#include "ui/unit_text.h"
+#include "ui/base/unit_text.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/editor/editor_state.h"
 #include "sim/base/text.h"
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
-#include "ui/plot_picture.h"
+#include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
 

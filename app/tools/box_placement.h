@@ -4,7 +4,7 @@
 
 #include "app/tools/view_frame.h"
 #include "sim/contact/static_box.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 
 namespace kerf::app {
 

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "render/scene/camera.h"
-#include "ui/input.h"
-#include "ui/mouse_scheme.h"
+#include "ui/base/input.h"
+#include "ui/base/mouse_scheme.h"
 
 namespace kerf::app {
 

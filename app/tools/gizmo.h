@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/tools/view_frame.h"
-#include "ui/overlay.h"
+#include "ui/state/overlay.h"
 
 namespace kerf::app {
 

@@ -13,7 +13,7 @@
 #include "sim/base/text.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/simulation.h"
-#include "ui/pieces_panel.h"
+#include "ui/panels/pieces_panel.h"
 
 namespace kerf::app {
 namespace {

@@ -7,9 +7,9 @@
 #include "app/tools/view_frame.h"
 #include "render/scene/section_plane.h"
 #include "sim/cut/blade.h"
-#include "ui/cursor.h"
-#include "ui/input.h"
-#include "ui/tool_settings.h"
+#include "ui/base/cursor.h"
+#include "ui/base/input.h"
+#include "ui/state/tool_settings.h"
 
 namespace kerf::app {
 

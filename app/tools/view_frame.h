@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "render/scene/camera.h"
-#include "ui/overlay.h"
+#include "ui/state/overlay.h"
 
 namespace kerf::app {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "gpu/framebuffer.h"
-#include "ui/cursor.h"
-#include "ui/input.h"
+#include "ui/base/cursor.h"
+#include "ui/base/input.h"
 
 namespace kerf::app {
 

@@ -17,7 +17,7 @@
 #include "gpu/context.h"
 #include "sim/mesh/box_surface.h"
 #include "sim/run/simulation.h"
-#include "ui/plot_picture.h"
+#include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
 

@@ -15,7 +15,7 @@
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "render/scene/paste.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::app {
 

@@ -11,7 +11,7 @@
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "sim/base/stopwatch.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 
 namespace kerf {
 namespace {

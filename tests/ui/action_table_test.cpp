@@ -1,4 +1,4 @@
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Shortcut> allShortcuts() {
     std::vector<Shortcut> all;
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         all.push_back(row.shortcut);
         if (row.second.key != Key::none) {
             all.push_back(row.second);
@@ -32,7 +32,7 @@ TEST(ActionTable, EveryKeyStandsOnce) {
 }
 
 TEST(ActionTable, EveryRowIsFoundByItsKeys) {
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         EXPECT_EQ(findAction(row.shortcut.key, row.shortcut.modifiers), row.id) << row.label;
         if (row.second.key != Key::none) {
             EXPECT_EQ(findAction(row.second.key, row.second.modifiers), row.id) << row.label;
@@ -41,7 +41,7 @@ TEST(ActionTable, EveryRowIsFoundByItsKeys) {
 }
 
 TEST(ActionTable, EveryRowSaysWhatItDoes) {
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         EXPECT_NE(row.shortcut.key, Key::none) << row.label;
         EXPECT_FALSE(row.shortcut.text.empty()) << row.label;
         EXPECT_EQ(row.second.text.empty(), row.second.key == Key::none) << row.label;
@@ -58,7 +58,7 @@ TEST(ActionTable, EveryActionHasARow) {
 
 TEST(ActionTable, RowsOfAMenuStandTogether) {
     std::vector<std::string_view> groups;
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         if (groups.empty() || groups.back() != row.group) {
             groups.push_back(row.group);
         }
@@ -76,7 +76,7 @@ TEST(ActionTable, RowsFollowTheModel) {
     EXPECT_FALSE(isAvailable(model, ActionId::playPause));
     model.name = "ball";
     std::vector<ActionId> unavailable;
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionTable()) {
         if (!isAvailable(model, row.id)) {
             unavailable.push_back(row.id);
         }

@@ -1,4 +1,4 @@
-#include "ui/history.h"
+#include "ui/plots/history.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "tests/support/gl_fixture.h"
-#include "ui/action_table.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::ui {
 namespace {

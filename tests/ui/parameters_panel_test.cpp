@@ -1,4 +1,4 @@
-#include "ui/parameters_panel.h"
+#include "ui/panels/parameters_panel.h"
 
 #include <gtest/gtest.h>
 

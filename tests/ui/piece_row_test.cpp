@@ -1,4 +1,4 @@
-#include "ui/piece_row.h"
+#include "ui/state/piece_row.h"
 
 #include <gmock/gmock.h>
 

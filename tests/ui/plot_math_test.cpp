@@ -1,4 +1,4 @@
-#include "ui/plot_math.h"
+#include "ui/plots/plot_math.h"
 
 #include <gmock/gmock.h>
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "tests/support/gl_fixture.h"
-#include "ui/bar_chart.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/bar_chart.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::ui {
 namespace {

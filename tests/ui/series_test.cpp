@@ -1,4 +1,4 @@
-#include "ui/series.h"
+#include "ui/plots/series.h"
 
 #include <gtest/gtest.h>
 

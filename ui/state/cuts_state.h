@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/cut/subdivision_pattern.h"
-#include "ui/cut_rows.h"
+#include "ui/state/cut_rows.h"
 
 namespace kerf::ui {
 

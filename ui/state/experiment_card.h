@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/history.h"
+#include "ui/plots/history.h"
 
 namespace kerf::ui {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/action.h"
+#include "ui/state/action.h"
 
 namespace kerf::ui {
 

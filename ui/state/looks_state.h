@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "ui/fault_legend.h"
-#include "ui/field_legend.h"
+#include "ui/state/fault_legend.h"
+#include "ui/state/field_legend.h"
 
 namespace kerf::ui {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/piece_row.h"
+#include "ui/state/piece_row.h"
 
 namespace kerf::ui {
 

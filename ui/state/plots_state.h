@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "ui/history.h"
-#include "ui/plot_math.h"
+#include "ui/plots/history.h"
+#include "ui/plots/plot_math.h"
 
 namespace kerf::ui {
 

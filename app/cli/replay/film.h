@@ -9,7 +9,7 @@
 #include "app/files/film/film_encoder.h"
 #include "render/scene/camera_path.h"
 #include "sim/run/parts/command.h"
-#include "ui/picture_painter.h"
+#include "ui/base/picture_painter.h"
 
 namespace kerf::app {
 

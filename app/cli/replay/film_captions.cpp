@@ -7,7 +7,7 @@
 
 #include "app/session/session.h"
 #include "sim/run/undo/undo_history.h"
-#include "ui/unit_text.h"
+#include "ui/base/unit_text.h"
 
 namespace kerf::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/cli/replay/film.h"
 #include "app/cli/replay/picture_size.h"
 #include "app/files/io/file_io.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::app {
 

@@ -8,7 +8,7 @@
 #include "app/editor/steps/busy_scene.h"
 #include "app/editor/steps/work_in_portions.h"
 #include "gpu/bindings.h"
-#include "ui/action.h"
+#include "ui/state/action.h"
 
 namespace kerf::app {
 

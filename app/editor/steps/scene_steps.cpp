@@ -4,7 +4,7 @@
 
 #include "sim/run/simulation.h"
 #include "sim/run/undo/undo_history.h"
-#include "ui/unit_text.h"
+#include "ui/base/unit_text.h"
 
 namespace kerf::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/scene/document/document_loading.h"
 #include "app/scene/editor_scene.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/file_dialog_state.h"
+#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
 

@@ -14,7 +14,7 @@
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/soup_inspection.h"
-#include "ui/file_dialog_state.h"
+#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
 namespace {

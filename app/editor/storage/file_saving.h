@@ -9,7 +9,7 @@
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
-#include "ui/file_dialog_state.h"
+#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
 

@@ -11,7 +11,7 @@
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/document/body_placing.h"
 #include "app/scene/document/document_loading.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

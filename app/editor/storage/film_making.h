@@ -4,7 +4,7 @@
 
 #include "app/files/jobs/work_progress.h"
 #include "app/session/session.h"
-#include "ui/file_dialog_state.h"
+#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/files/jobs/background_job.h"
 #include "app/journal/journal_folder.h"
 #include "app/scene/document/document_loading.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

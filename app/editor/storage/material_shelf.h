@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/session/material.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "ui/plot.h"
+#include "ui/plots/plot.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ui/settings.h"
+#include "ui/base/settings.h"
 
 namespace kerf::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
-#include "ui/theme.h"
+#include "ui/base/theme.h"
 
 namespace kerf::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/editor/steps/busy_scene.h"
 #include "render/scene/scene.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/layout.h"
-#include "ui/plot_picture.h"
+#include "ui/base/layout.h"
+#include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/editor/view/experiment_board.h"
 #include "render/scene/image.h"
 #include "ui/interface.h"
-#include "ui/plot.h"
+#include "ui/plots/plot.h"
 
 namespace kerf::app {
 

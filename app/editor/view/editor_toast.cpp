@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

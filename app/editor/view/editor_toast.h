@@ -6,7 +6,7 @@
 
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/timeline/session_journal.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/tools/editor_camera.h"
 #include "app/tools/section_tool.h"
 #include "app/tools/tool_box.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

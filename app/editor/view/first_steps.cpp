@@ -3,7 +3,7 @@
 #include "app/scene/editor_stroke.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/text.h"
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/view/editor_view.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "ui/input.h"
+#include "ui/base/input.h"
 
 namespace kerf::app {
 

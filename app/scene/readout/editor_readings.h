@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/run/simulation.h"
-#include "ui/history.h"
-#include "ui/panel_model.h"
+#include "ui/plots/history.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

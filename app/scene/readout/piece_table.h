@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/run/simulation.h"
-#include "ui/piece_row.h"
+#include "ui/state/piece_row.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
 #include "sim/run/undo/undo_history.h"
-#include "ui/unit_text.h"
+#include "ui/base/unit_text.h"
 
 namespace kerf::app {
 namespace {

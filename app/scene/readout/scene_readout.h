@@ -13,7 +13,7 @@
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
 #include "sim/solve/sweep_strength.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -7,7 +7,7 @@
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
 #include "sim/run/undo/undo_history.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/scene/timeline/session_journal.h"
-#include "ui/panel_model.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -6,8 +6,8 @@
 
 #include "app/session/metrics.h"
 #include "bench/lab/experiment/paper_session.h"
-#include "ui/plot_math.h"
-#include "ui/series.h"
+#include "ui/plots/plot_math.h"
+#include "ui/plots/series.h"
 
 namespace kerf::app {
 

@@ -9,9 +9,9 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "bench/lab/experiment/report_markdown.h"
-#include "ui/bar_chart.h"
-#include "ui/picture_strip.h"
-#include "ui/plot_picture.h"
+#include "ui/plots/bar_chart.h"
+#include "ui/plots/picture_strip.h"
+#include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
 

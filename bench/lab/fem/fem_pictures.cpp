@@ -9,7 +9,7 @@
 #include "render/scene/camera.h"
 #include "render/soup_body.h"
 #include "sim/mesh/triangle.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::app {
 

@@ -12,7 +12,7 @@
 #include "tests/support/model_defects.h"
 #include "tests/support/shapes.h"
 #include "tests/support/sheet_soup.h"
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

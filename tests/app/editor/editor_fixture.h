@@ -11,7 +11,7 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
-#include "ui/layout.h"
+#include "ui/base/layout.h"
 
 namespace kerf::app {
 using ui::Button;

@@ -12,7 +12,7 @@
 #include "sim/base/params.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 
@@ -79,7 +79,7 @@ class EditorStorm : public EditorTest {
     void wheel() { editor->post(ui::Wheel{0, oneIn(10) ? 400.0 : below(9) - 4.0}); }
     void shortcut() {
         std::vector<ui::Shortcut> all;
-        for (const ui::ActionRow& row : ui::kActions) {
+        for (const ui::ActionRow& row : ui::actionTable()) {
             all.push_back(row.shortcut);
             if (row.second.key != Key::none) {
                 all.push_back(row.second);

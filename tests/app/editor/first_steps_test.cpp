@@ -4,7 +4,7 @@
 
 #include "sim/run/parts/step_report.h"
 #include "tests/app/editor/editor_fixture.h"
-#include "ui/action_table.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/base/theme.h"
+
+struct ImGuiContext;
+
+namespace kerf::ui {
+
+/// A Dear ImGui context with Kerf's theme and font that draws through OpenGL, without a window.
+class PanelContext {
+  public:
+    /// Needs a current OpenGL 4.5 context; `scale` is the display's (1 = 96 dpi). Throws
+    /// std::runtime_error.
+    PanelContext(Theme theme, float scale);
+    ~PanelContext();
+    PanelContext(const PanelContext&) = delete;
+    PanelContext& operator=(const PanelContext&) = delete;
+
+    /// Makes this context the one that ImGui's functions and palette() mean.
+    void makeCurrent() const;
+    /// Gives the panels another look from the next update on, at no cost where nothing changes.
+    void restyle(Theme theme, float scale);
+    float scale() const { return scale_; }
+
+  private:
+    ImGuiContext* context_ = nullptr;
+    Theme theme_ = Theme::dark;
+    float scale_ = 1;
+};
+
+}  // namespace kerf::ui

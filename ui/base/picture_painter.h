@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+#include "render/scene/image.h"
+#include "ui/base/panel_context.h"
+
+namespace kerf::ui {
+
+/// Draws what a panel shows into pictures without a window, for reports and exports.
+class PicturePainter {
+  public:
+    /// Needs a current OpenGL 4.5 context; text is 15 px high times `scale`.
+    explicit PicturePainter(Theme theme = Theme::dark, float scale = 1);
+
+    /// A picture of `width` x `height` pixels. `content` adds items to a panel that fills it; it is
+    /// called twice.
+    render::Image draw(int width, int height, const std::function<void()>& content);
+    /// Makes fonts and colours those of this painter, to measure text before drawing.
+    void makeCurrent() const { context_.makeCurrent(); }
+
+  private:
+    PanelContext context_;
+};
+
+}  // namespace kerf::ui

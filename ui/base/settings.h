@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/base/mouse_scheme.h"
+#include "ui/base/theme.h"
+
+namespace kerf::ui {
+
+/// A person's preferences for the window: kept in a file by the editor
+/// (app/editor/storage/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
+struct Settings {
+    static constexpr double kLeastWidth = 230;  ///< of a side panel [px]
+    static constexpr double kMostWidth = 640;
+
+    Theme theme = Theme::dark;
+    MouseScheme mouse = MouseScheme::kerf;
+    double uiScale = 1;  ///< over the display's own
+    bool showControls = true;
+    bool showReadings = true;
+    bool timeRunsWhileCutting = false;  ///< in a pause; it stands otherwise
+    bool keepsJournal = true;  ///< of what is done, for the case that the program ends unexpectedly
+    bool softwareRenderer = false;  ///< draws and computes on the processor, from the next start on
+    double controlsWidth = 300;     ///< of the left panel [px]
+    double readingsWidth = 300;     ///< of the right panel [px]
+    double piecesShare = 0.2;       ///< of the left panel's height
+    double plotsShare = 0.62;       ///< of the right panel's height
+    std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
+    /// Ids of the sections of the left panel that are folded.
+    std::vector<std::string> folded{"experiments", "model", "display", "cuts", "window"};
+
+    bool operator==(const Settings&) const = default;
+    /// Whether any side panel is shown.
+    bool showsPanels() const { return showControls || showReadings; }
+};
+
+/// Scales that a person can choose.
+inline constexpr double kUiScales[] = {0.75, 1, 1.25, 1.5, 2};
+
+}  // namespace kerf::ui

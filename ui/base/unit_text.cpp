@@ -1,0 +1,18 @@
+#include "ui/base/unit_text.h"
+
+namespace kerf::ui {
+
+std::string withRaisedDigits(std::string_view text) {
+    std::string raised;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view two = text.substr(i, 2);
+        if (two == "^2" || two == "^3") {
+            raised += text[++i] == '2' ? "\u00b2" : "\u00b3";
+        } else {
+            raised += text[i];
+        }
+    }
+    return raised;
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "render/scene/overlays.h"
+#include "ui/base/layout.h"
+
+namespace kerf::ui {
+
+/// Begins a fixed panel that fills `rect`; end with ImGui::End().
+void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
+
+/// Begins a modal window of a size [px] (height 0: as its content needs) in the middle of the
+/// picture, once it was opened by its title's popup id; end with ImGui::EndPopup(). With `wanted`
+/// false it closes. False where nothing is to be drawn.
+bool beginModal(const std::string& title, float width, float height, bool wanted);
+
+/// beginModal() at the lower edge of `view` [px], which is not dimmed.
+bool beginModalAside(const std::string& title, const Rect& view, bool wanted);
+
+/// The look of a banner.
+struct BannerStyle {
+    unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
+    float opacity = 1;
+    bool takesInput = false;
+};
+/// Begins a dark rounded ground around `content` [px]; end with endBanner().
+void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
+/// Ends the banner that beginBanner() began.
+void endBanner();
+/// The gap between the content of a banner and its sides [px].
+float bannerPadding();
+/// Draws a text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
+/// `maxWidth`.
+void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
+                const BannerStyle& style);
+
+/// Shows `text` beside the last item while the pointer rests on it.
+void itemTooltip(std::string_view text);
+
+/// Lets the popup that begins next open below the last item, which it would cover otherwise.
+void placePopupBelowItem();
+
+/// The width of a button with this text [px].
+float buttonWidth(std::string_view label);
+
+/// Draws a text at the right end of what is left of the line or of the table's cell.
+void textRight(std::string_view text);
+
+/// Draws the left part of a row, with dots where it is too long. The right part comes next on the
+/// line.
+void rowLabel(std::string_view text);
+
+/// Draws a row of a legend: a patch of a colour, and what it means.
+void colorRow(std::string_view label, const render::DisplayColor& color);
+
+/// Whether the drag that changes the last item already changed it in an earlier update: one undo
+/// for all of a drag. Call it in each update, with whether this one changed the item; one item for
+/// an id on the stack.
+bool continuesGesture(bool changed);
+
+/// The format of numbers in metres about a body of this size [m]: three decimals, or three digits
+/// where it is tiny or huge.
+const char* lengthFormat(double size);
+/// A number that is slid: of ImGui's type `type`, from `low` to `high`.
+struct Slide {
+    int type = 0;  ///< ImGuiDataType
+    void* value = nullptr;
+    const void* low = nullptr;
+    const void* high = nullptr;
+    std::string format;  ///< with the unit: "%.3f m"
+    bool logarithmic = false;
+};
+/// What stands at a slide, and its name for tests.
+struct SlideText {
+    std::string label;
+    std::string tooltip;
+    std::string item;
+};
+/// A change of a value in this update.
+struct SlideEdit {
+    bool changed = false;
+    bool continues = false;  ///< the same gesture had changed it before
+};
+/// Draws a label and, at the right end of the line, the number, which is dragged, or typed after a
+/// double click; below them the slider. All in `width` [px], of which the number leaves `room`
+/// free.
+SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float room = 0);
+
+/// Whether a key of Dear ImGui went down in this picture, or `repeats` as it is held.
+bool keyPressed(int key, bool repeats = false);
+
+/// Draws a small square button with a turning arrow, drawn rather than taken from the font.
+bool resetButton(const char* id);
+
+}  // namespace kerf::ui

@@ -1,0 +1,101 @@
+#include "ui/panels/changes_panel.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "sim/base/text.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/menu_bar.h"
+#include "ui/state/action_table.h"
+#include "ui/state/panel_model.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr double kBytesPerMegabyte = 1e6;
+
+/// The state after the first `done` changes.
+void drawState(const PanelModel& model, const std::string& name, std::size_t done,
+               std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    ImGui::PushID(static_cast<int>(done));
+    const bool undone = done > changes.done;
+    if (undone) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    }
+    if (ImGui::Selectable(name.c_str(), done == changes.done) && done != changes.done) {
+        actions.emplace_back(GoToChange{done});
+    }
+    if (undone) {
+        ImGui::PopStyleColor();
+    }
+    if (done == changes.done && ImGui::IsWindowAppearing()) {
+        ImGui::SetScrollHereY();
+    }
+    ImGui::PopID();
+}
+
+/// There may be thousands: only those in view are drawn, and the one to scroll to.
+void drawRows(const PanelModel& model, std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(changes.rows.size()));
+    if (ImGui::IsWindowAppearing() && changes.done > 0) {
+        const int shown = static_cast<int>(changes.done) - 1;
+        clipper.ForceDisplayRangeByIndices(shown, shown + 1);
+    }
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%8.3f s  ", changes.rows[i].time);
+            drawState(model, text + changes.rows[i].name, static_cast<std::size_t>(i) + 1, actions);
+        }
+    }
+}
+
+void drawButton(const PanelModel& model, const char* label, ActionId id, float width,
+                std::vector<Action>& actions) {
+    ImGui::BeginDisabled(!isAvailable(model, id));
+    if (ImGui::Button(label, {width, 0})) {
+        actions.emplace_back(id);
+    }
+    ImGui::EndDisabled();
+    itemTooltip(describeAction(id));
+}
+
+void drawMemory(const ChangeList& changes) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f of %.0f MB",
+                  static_cast<double>(changes.bytes) / kBytesPerMegabyte,
+                  static_cast<double>(changes.budget) / kBytesPerMegabyte);
+    const double share = changes.budget > 0 ? static_cast<double>(changes.bytes) /
+                                                  static_cast<double>(changes.budget)
+                                            : 0;
+    ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text);
+    itemTooltip("Memory of what can be undone. Where it is full the oldest changes are forgotten.");
+}
+
+}  // namespace
+
+void drawChanges(const PanelModel& model, std::vector<Action>& actions) {
+    const ChangeList& changes = model.changes;
+    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    drawButton(model, "Undo", ActionId::undo, width, actions);
+    ImGui::SameLine();
+    drawButton(model, "Redo", ActionId::redo, width, actions);
+    drawMemory(changes);
+    if (!ImGui::BeginChild("changes")) {
+        ImGui::EndChild();
+        return;
+    }
+    drawState(model,
+              changes.forgotten > 0
+                  ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
+                  : "Start",
+              0, actions);
+    drawRows(model, actions);
+    ImGui::EndChild();
+}
+
+}  // namespace kerf::ui

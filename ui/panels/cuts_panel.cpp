@@ -1,0 +1,49 @@
+#include "ui/panels/cuts_panel.h"
+
+#include <imgui.h>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+void drawTitles() {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::TableNextColumn();
+    for (const char* title : {"all cuts", "last"}) {
+        ImGui::TableNextColumn();
+        textRight(title);
+    }
+}
+
+void drawRow(const CutRow& row) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.quantity.c_str());
+    itemTooltip(row.tooltip);
+    ImGui::TableNextColumn();
+    textRight(row.all);
+    noteItem("cuts." + row.quantity);
+    ImGui::TableNextColumn();
+    textRight(row.last);
+}
+
+}  // namespace
+
+void drawCuts(const CutsState& cuts) {
+    if (!cuts.note.empty()) {
+        ImGui::TextDisabled("%s", cuts.note.c_str());
+    }
+    if (cuts.rows.empty() ||
+        !ImGui::BeginTable("cuts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+        return;
+    }
+    drawTitles();
+    for (const CutRow& row : cuts.rows) {
+        drawRow(row);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace kerf::ui

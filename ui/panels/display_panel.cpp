@@ -1,0 +1,320 @@
+#include "ui/panels/display_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/menu_bar.h"
+#include "ui/state/action_table.h"
+#include "ui/state/fault_legend.h"
+#include "ui/state/panel_model.h"
+
+namespace kerf::ui {
+namespace {
+
+struct Switch {
+    ActionId id;
+    const char* label;
+};
+constexpr std::array kSwitches{
+    Switch{ActionId::wireframe, "Triangles"},      Switch{ActionId::showEdges, "Edges"},
+    Switch{ActionId::showBends, "Bends"},          Switch{ActionId::showIspcs, "ISPCs"},
+    Switch{ActionId::showErrors, "Errors"},        Switch{ActionId::showContacts, "Contacts"},
+    Switch{ActionId::showBoxes, "Boxes"},          Switch{ActionId::showCutLines, "Lines of cuts"},
+    Switch{ActionId::fineQuality, "Fine picture"}, Switch{ActionId::section, "Section"},
+};
+
+void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
+    const float half = ImGui::GetContentRegionAvail().x / 2;
+    for (std::size_t i = 0; i < kSwitches.size(); ++i) {
+        if (i % 2 == 1) {
+            ImGui::SameLine(half + ImGui::GetStyle().WindowPadding.x);
+        }
+        bool on = isOn(model, kSwitches[i].id);
+        if (ImGui::Checkbox(kSwitches[i].label, &on)) {
+            actions.emplace_back(kSwitches[i].id);
+        }
+        noteItem(std::string("display.") + kSwitches[i].label);
+        itemTooltip(describeAction(kSwitches[i].id));
+    }
+}
+
+/// A colour that can be chosen, and a mark that brings the model's own back.
+bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own,
+                 const char* tooltip) {
+    const Vec3f shown = chosen.value_or(own).cast<float>();
+    std::array<float, 3> color{shown.x(), shown.y(), shown.z()};
+    bool changed = false;
+    if (ImGui::ColorEdit3(label, color.data(),
+                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoOptions)) {
+        chosen = Vec3(color[0], color[1], color[2]);
+        changed = true;
+    }
+    noteItem(std::string("color.") + label);
+    itemTooltip(tooltip);
+    if (chosen) {
+        ImGui::SameLine();
+        if (resetButton(label)) {
+            chosen.reset();
+            changed = true;
+        }
+        itemTooltip("Back to the model's own colour");
+    }
+    return changed;
+}
+
+const char* labelOf(std::optional<render::LookName> look) {
+    return look ? render::rowOf(*look).label : "The model's own";
+}
+
+/// Another look takes the colours that were chosen for the last one along with it.
+bool chooseLook(render::ChosenColors& colors) {
+    bool changed = false;
+    const auto offer = [&](std::optional<render::LookName> look) {
+        if (ImGui::Selectable(labelOf(look), colors.look == look)) {
+            colors = {.look = look, .skin = {}, .flesh = {}};
+            changed = true;
+        }
+        noteItem(std::string("look.") + labelOf(look));
+    };
+    rowLabel("Look");
+    ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##look", labelOf(colors.look), ImGuiComboFlags_HeightLargest)) {
+        offer(std::nullopt);
+        for (std::size_t i = 0; i < render::kLookNames; ++i) {
+            offer(static_cast<render::LookName>(i));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("display.look");
+    itemTooltip(
+        "What the body looks made of, cut faces included; the simulation knows nothing of "
+        "it");
+    return changed;
+}
+
+bool chooseHardEdges(double& angle) {
+    constexpr double kLow = 0;
+    constexpr double kHigh = 180;
+    const float width = ImGui::GetContentRegionAvail().x;
+    return slideRow({"Hard edges above",
+                     "Faces that meet at more than this angle have a hard edge "
+                     "between them; 0 draws every triangle flat, 180 none",
+                     "display.hard_edges"},
+                    {ImGuiDataType_Double, &angle, &kLow, &kHigh, "%.0f\u00b0"}, width)
+        .changed;
+}
+
+/// Where the colours of the skin come from, for models that have some.
+bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
+    if (!model.looks.hasOwnColors) {
+        return false;
+    }
+    bool own = colors.showOwn();
+    const bool changed = ImGui::Checkbox("The model's colours", &own);
+    noteItem("color.own");
+    itemTooltip("Shows the colours and images of the model's file; otherwise the colour above");
+    if (changed) {
+        colors.ofLook = !own;
+        if (own) {
+            colors.look.reset();
+            colors.skin.reset();
+        }
+    }
+    return changed;
+}
+
+/// One of the quantities, or the look.
+bool chooseField(render::FieldChoice& choice) {
+    bool changed = false;
+    const std::string current(render::infoOf(choice.field).name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Colour by");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##field", current.c_str());
+    noteItem("display.field");
+    if (!open) {
+        itemTooltip(describeAction(ActionId::nextField));
+        return false;
+    }
+    for (int i = 0; i < render::kSurfaceFields; ++i) {
+        const auto field = static_cast<render::SurfaceField>(i);
+        const render::FieldInfo& info = render::infoOf(field);
+        if (ImGui::Selectable(std::string(info.name).c_str(), field == choice.field)) {
+            choice = {field, std::nullopt};
+            changed = true;
+        }
+        noteItem("field." + std::string(info.name));
+        itemTooltip(info.meaning);
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+/// A box for the automatic range, and where it is off, the end of the fixed one.
+bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double bodySize) {
+    bool automatic = !choice.high;
+    bool changed = ImGui::Checkbox("Automatic range", &automatic);
+    noteItem("display.automatic_range");
+    itemTooltip("The colours reach to the largest value of now; off: to a number of yours");
+    if (changed) {
+        choice.high = automatic ? std::nullopt : std::optional(legend.range.high);
+    }
+    if (!choice.high) {
+        return changed;
+    }
+    const bool length = render::infoOf(choice.field).isLength;
+    const float unit = length ? 1 : 100;
+    const float low = length ? static_cast<float>(1e-4 * bodySize) : 0.1F;
+    const float high = length ? static_cast<float>(bodySize) : 200;
+    float shown = *choice.high * unit;
+    const std::string format = length ? std::string(lengthFormat(bodySize)) + " m" : "%.3g %%";
+    if (slideRow({"Up to", "The value of the last colour", "display.range"},
+                 {ImGuiDataType_Float, &shown, &low, &high, format, true},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
+        choice.high = std::max(shown, low) / unit;
+        changed = true;
+    }
+    return changed;
+}
+
+/// A row of buttons: square to an axis, or the other half. True where one was pressed.
+bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
+    constexpr std::array kAxes{"X", "Y", "Z"};
+    bool changed = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (ImGui::SmallButton(kAxes[axis])) {
+            plane = {center, Vec3::Unit(axis)};
+            changed = true;
+        }
+        noteItem(std::string("section.") + kAxes[axis]);
+        itemTooltip("Square to this axis, through the middle of the body");
+        ImGui::SameLine();
+    }
+    if (ImGui::SmallButton("Other half")) {
+        plane.normal = -plane.normal;
+        changed = true;
+    }
+    noteItem("section.other_half");
+    itemTooltip("Hides what is shown and shows what is hidden");
+    return changed;
+}
+
+/// Where the section lies and what it hides.
+bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
+    const Vec3 center = model.body.bounds.center();
+    bool changed = chooseSide(plane, center);
+    const double reach = 0.5 * model.body.bounds.diagonal();
+    const double low = -reach;
+    double along = -plane.distance(center);
+    if (slideRow({"Along", "How far the plane lies from the body's middle", "section.along"},
+                 {ImGuiDataType_Double, &along, &low, &reach,
+                  std::string(lengthFormat(model.body.size)) + " m"},
+                 ImGui::GetContentRegionAvail().x)
+            .changed) {
+        plane.point = center + along * plane.normal;
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace
+
+void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
+    DisplaySettings display = model.display;
+    bool changed = chooseLook(display.colors);
+    drawSwitches(model, actions);
+    changed |= chooseHardEdges(display.hardEdges);
+    changed |= chooseColor("Skin", display.colors.skin, model.looks.ownSkin, "Colour of the skin");
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
+    changed |=
+        chooseColor("Flesh", display.colors.flesh, model.looks.ownFlesh, "Colour of the cut faces");
+    changed |= chooseSource(model, display.colors);
+    changed |= chooseField(display.field);
+    if (display.field.field != render::SurfaceField::look) {
+        changed |= chooseRange(display.field, model.looks.field, model.body.size);
+    }
+    if (display.section) {
+        changed |= chooseSection(*display.section, model);
+    }
+    if (changed) {
+        actions.emplace_back(SetDisplay{display});
+    }
+}
+
+namespace {
+
+ImU32 packed(const render::DisplayColor& c) {
+    return IM_COL32(c[0], c[1], c[2], 255);
+}
+
+/// The colours of what overlays show.
+void drawOverlayRows(const render::Overlays& overlays) {
+    const auto add = [&](bool shown, const char* label, const render::DisplayColor& color) {
+        if (shown) {
+            colorRow(label, color);
+        }
+    };
+    add(!overlays.errors && overlays.edges, "edges", render::kEdgeColor);
+    add(!overlays.errors && overlays.bends, "bends", render::kBendColor);
+    add(!overlays.errors && overlays.ispcs, "ISPCs", render::kIspcColor);
+    add(overlays.contacts, "contacts", render::kContactColor);
+    add(overlays.boxes, "boxes of pieces", render::kBoxColor);
+}
+
+void drawErrorScale(float scale) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = 150 * scale;
+    const float height = 10 * scale;
+    const ImU32 low = packed(render::kShortColor);
+    const ImU32 middle = packed(render::kRestColor);
+    const ImU32 high = packed(render::kLongColor);
+    const float half = at.x + width / 2;
+    draw.AddRectFilledMultiColor(at, {half, at.y + height}, low, middle, middle, low);
+    draw.AddRectFilledMultiColor({half, at.y}, {at.x + width, at.y + height}, middle, high, high,
+                                 middle);
+    ImGui::Dummy({width, height});
+    ImGui::TextUnformatted("-20 % or rad    at rest    +20 %");
+}
+
+}  // namespace
+
+void drawLegend(const LooksState& looks, const DisplaySettings& display, const Rect& view,
+                float scale) {
+    const bool field = display.field.field != render::SurfaceField::look;
+    const bool body = !looks.showsFaulty && (display.overlays.any() || field);
+    if (!body && looks.faults.empty()) {
+        return;
+    }
+    // Below the axes; what the editor says comes in the middle.
+    const float margin = 10 * scale;
+    ImGui::SetNextWindowPos({view.x + view.width - margin, view.y + 115 * scale}, ImGuiCond_Always,
+                            {1, 0});
+    ImGui::SetNextWindowBgAlpha(0.7F);
+    ImGui::Begin("legend", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (body && field) {
+        drawFieldScale(looks.field, scale);
+    }
+    if (body) {
+        drawOverlayRows(display.overlays);
+    }
+    drawFaultRows(looks.faults);
+    if (body && display.overlays.errors) {
+        drawErrorScale(scale);
+    }
+    ImGui::End();
+}
+
+}  // namespace kerf::ui

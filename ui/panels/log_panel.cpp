@@ -1,0 +1,36 @@
+#include "ui/panels/log_panel.h"
+
+#include <imgui.h>
+
+#include "ui/base/theme.h"
+
+namespace kerf::ui {
+namespace {
+
+void drawLine(const LogLine& line) {
+    // The sign tells it as well as the colour does.
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          line.isError ? palette().of(Hue::vermillion) : palette().dimText);
+    ImGui::TextUnformatted(line.isError ? "\u25b2" : "\u2022");
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+    ImGui::TextWrapped("%s", line.text.c_str());
+}
+
+}  // namespace
+
+void drawLog(const std::vector<LogLine>& log) {
+    ImGui::BeginChild("log");
+    if (log.empty()) {
+        ImGui::TextDisabled("Nothing was said yet.");
+    }
+    for (const LogLine& line : log) {
+        drawLine(line);
+    }
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) {
+        ImGui::SetScrollHereY(1);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,319 @@
+#include "ui/panels/model_panel.h"
+
+#include <imgui.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "sim/base/quantity_text.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/unit_text.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/parameters_panel.h"
+#include "ui/state/action_table.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr double kLeastScale = 1e-6;
+constexpr double kMostScale = 1e6;
+constexpr double kMostTurn = 360;  // [degrees]
+
+void drawWrapped(const std::string& text, bool dim) {
+    ImGui::PushTextWrapPos(0);
+    if (dim) {
+        ImGui::TextDisabled("%s", text.c_str());
+    } else {
+        ImGui::TextUnformatted(text.c_str());
+    }
+    ImGui::PopTextWrapPos();
+}
+
+/// Goes on with the line where a small button with that word has room there.
+void nextOrNewLine(const std::string& word) {
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::GetContentRegionAvail().x < buttonWidth(word)) {
+        ImGui::NewLine();
+    }
+}
+
+/// Small buttons of one row, of which one is chosen. Returns the one that was clicked.
+std::optional<std::size_t> drawChoice(const char* label, const std::string& name,
+                                      std::span<const std::string_view> words, std::size_t chosen) {
+    std::optional<std::size_t> clicked;
+    ImGui::TextUnformatted(label);
+    ImGui::PushID(label);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word(words[i]);
+        nextOrNewLine(word);
+        if (i == chosen) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+        }
+        if (ImGui::SmallButton(word.c_str())) {
+            clicked = i;
+        }
+        if (i == chosen) {
+            ImGui::PopStyleColor();
+        }
+        noteItem(std::string(name).append(".").append(word));
+    }
+    ImGui::PopID();
+    return clicked;
+}
+
+/// How a row of numbers is changed.
+struct NumberRow {
+    const char* label;
+    int count;
+    float speed;  ///< per pixel of a drag
+    double low;
+    double high;
+    const char* format;
+    ImGuiSliderFlags flags = 0;
+};
+constexpr NumberRow kTurnRow{"Turn", 3, 0.5F, -kMostTurn, kMostTurn, "%.1f\u00b0"};
+constexpr NumberRow kScaleRow{
+    "Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g", ImGuiSliderFlags_Logarithmic};
+
+/// A body that is too large to follow each move of a drag takes typed numbers.
+bool changeNumbers(const NumberRow& row, bool live, double* values) {
+    if (live) {
+        return ImGui::DragScalarN("##value", ImGuiDataType_Double, values, row.count, row.speed,
+                                  &row.low, &row.high, row.format,
+                                  row.flags | ImGuiSliderFlags_AlwaysClamp);
+    }
+    const bool changed =
+        ImGui::InputScalarN("##value", ImGuiDataType_Double, values, row.count, nullptr, nullptr,
+                            row.format, ImGuiInputTextFlags_EnterReturnsTrue);
+    for (int i = 0; i < row.count; ++i) {
+        values[i] = std::clamp(values[i], row.low, row.high);
+    }
+    return changed;
+}
+
+/// A model that a person looks at in the panel.
+struct ShownModel {
+    const ModelState& state;
+    int number = 0;
+    bool live = true;  ///< see ModelPanelState::live
+};
+
+void drawNumbers(const NumberRow& row, const ShownModel& model, const Placement& edited,
+                 double* values, std::vector<Action>& actions) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 4.2F * ImGui::GetFontSize());
+    ImGui::PushID(row.label);
+    const bool changed = changeNumbers(row, model.live, values);
+    noteItem(std::string("model.") + row.label);
+    const bool continues = continuesGesture(changed);
+    if (changed) {
+        actions.emplace_back(PlaceModel{edited, continues, model.number});
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted(row.label);
+    ImGui::PopID();
+}
+
+void drawTurnAndScale(const ShownModel& model, std::vector<Action>& actions) {
+    Placement turned = model.state.placement;
+    drawNumbers(kTurnRow, model, turned, turned.rotate.data(), actions);
+    Placement scaled = model.state.placement;
+    drawNumbers(kScaleRow, model, scaled, &scaled.scale, actions);
+}
+
+std::string sizeText(const Vec3& size) {
+    return lengthText(size.x()) + " \u00d7 " + lengthText(size.y()) + " \u00d7 " +
+           lengthText(size.z());
+}
+
+void drawChoices(const ShownModel& model, std::vector<Action>& actions) {
+    Placement placement = model.state.placement;
+    const auto unit = static_cast<std::size_t>(placement.unit.value_or(LengthUnit::metre));
+    if (const auto clicked = drawChoice("Unit", "model.unit", kLengthUnitNames, unit)) {
+        placement.unit = static_cast<LengthUnit>(*clicked);
+        actions.emplace_back(PlaceModel{placement, false, model.number});
+    }
+    const auto up = static_cast<std::size_t>(placement.up.value_or(UpAxis::y));
+    if (const auto clicked = drawChoice("Up", "model.up", kUpAxisNames, up)) {
+        placement.up = static_cast<UpAxis>(*clicked);
+        actions.emplace_back(PlaceModel{placement, false, model.number});
+    }
+}
+
+/// The lines of the list, with one between those that come with Kerf and a person's own.
+void offerMaterials(const ModelPanelState& model, const ShownModel& shown,
+                    std::vector<Action>& actions) {
+    for (int m = 0; m < static_cast<int>(model.materials.size()); ++m) {
+        const MaterialRow& row = model.materials[m];
+        if (m > 0 && row.own != model.materials[m - 1].own) {
+            ImGui::Separator();
+        }
+        ImGui::PushID(m);
+        if (ImGui::Selectable(row.label.c_str(), m == shown.state.material)) {
+            actions.emplace_back(TakeMaterial{m, shown.number});
+        }
+        ImGui::PopID();
+        noteItem("material." + row.label);
+        itemTooltip(withRaisedDigits(row.tooltip));
+    }
+    ImGui::Separator();
+    if (ImGui::Selectable("Save as...")) {
+        actions.emplace_back(SaveMaterial{});
+    }
+    noteItem("material.save");
+    itemTooltip("Saves the values and the look of the body as a material of your own");
+}
+
+void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
+                  std::vector<Action>& actions) {
+    const bool known = shown.state.material >= 0;
+    const MaterialRow* const row = known ? &model.materials[shown.state.material] : nullptr;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Material");
+    ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(-1);
+    const bool open = ImGui::BeginCombo("##material", known ? row->label.c_str() : "Own values",
+                                        ImGuiComboFlags_HeightLargest);
+    noteItem("model.material");
+    if (open) {
+        offerMaterials(model, shown, actions);
+        ImGui::EndCombo();
+    } else {
+        itemTooltip(known ? withRaisedDigits(row->tooltip)
+                          : "What the body is made of: stiffness, density, friction, damping and "
+                            "look by name");
+    }
+}
+
+/// With edges as long as proposed, or as typed: that is kept as a share of the proposal.
+void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
+    const ModelState& state = shown.state;
+    float& share = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(state.name.c_str()), 1);
+    double edge = share * state.edge;
+    const bool clicked = ImGui::Button("Remesh");
+    noteItem("model.remesh");
+    itemTooltip(
+        fmt::format("Makes about {:.0f} even triangles with edges of that length, on the same "
+                    "surface. The scene begins anew, texture coordinates and colours of vertices "
+                    "are lost; undo brings all of it back",
+                    state.remeshed / (share * share)));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1);
+    const LengthUnit unit = state.placement.unit.value_or(LengthUnit::metre);
+    const std::string format = fmt::format("Edges of %.3g {}", nameOf(unit));
+    if (changeNumbers({"", 1, static_cast<float>(state.edge / 200), state.edge / 10,
+                       10 * state.edge, format.c_str()},
+                      true, &edge)) {
+        share = static_cast<float>(edge / state.edge);
+    }
+    noteItem("model.edge");
+    if (clicked) {
+        actions.emplace_back(Remesh{shown.number, edge});
+        share = 1;
+    }
+}
+
+/// How poor the triangles are, and what can be done about it.
+void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
+                   const DisplaySettings& shownNow, std::vector<Action>& actions) {
+    const ModelState& state = shown.state;
+    drawWrapped(state.triangles, false);
+    noteItem("model.triangles");
+    itemTooltip(
+        "A soft body wants even triangles of one size. A needle is lower than a tenth of its "
+        "longest edge");
+    drawRemesh(shown, actions);
+    if (state.crosses) {
+        if (ImGui::Button("Unite pieces")) {
+            actions.emplace_back(UnitePieces{shown.number});
+        }
+        noteItem("model.unite");
+        itemTooltip(
+            "Triangles pass through others. Makes one surface of pieces that cross, so that their "
+            "material counts once");
+    }
+    if (model.objects > 1) {
+        if (ImGui::Button("Part into models")) {
+            actions.emplace_back(ActionId::partModel);
+        }
+        noteItem("model.part");
+        itemTooltip(fmt::format(
+            "The file has {} objects. Makes a model of each, to be placed and made of a material "
+            "of its own. The scene begins anew; undo brings it back",
+            model.objects));
+    }
+    if (model.faultCount > 0) {
+        DisplaySettings display = shownNow;
+        if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
+            actions.emplace_back(SetDisplay{display});
+        }
+        noteItem("model.faults");
+        itemTooltip(
+            "Marks needles, and triangles that pass through others, as long as they are whole");
+    }
+}
+
+/// A row per model of the scene. Returns the chosen one.
+int chooseModel(const ModelPanelState& model, std::vector<Action>& actions) {
+    int& chosen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen model"), 0);
+    chosen = std::min(chosen, static_cast<int>(model.models.size()) - 1);
+    for (int m = 0; m < static_cast<int>(model.models.size()); ++m) {
+        ImGui::PushID(m);
+        const std::string number = std::to_string(m);
+        const float room = m > 0 ? 1.5F * ImGui::GetFrameHeight() : 0;
+        if (ImGui::Selectable((number + "  " + model.models[m].name).c_str(), m == chosen, 0,
+                              {ImGui::GetContentRegionAvail().x - room, 0})) {
+            chosen = m;
+        }
+        noteItem("model." + number);
+        if (m > 0) {
+            ImGui::SameLine();
+            if (ImGui::SmallButton("\u00d7")) {
+                actions.emplace_back(RemoveModel{m});
+            }
+            noteItem("model.remove." + number);
+            itemTooltip("Takes this model out of the scene");
+        }
+        ImGui::PopID();
+    }
+    return chosen;
+}
+
+}  // namespace
+
+void drawModel(const ModelPanelState& model, const ParametersState& parameters,
+               const DisplaySettings& display, std::vector<Action>& actions) {
+    if (model.models.empty()) {
+        return;
+    }
+    const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;
+    const ShownModel shown{model.models[number], number, model.live};
+    const ModelState& state = shown.state;
+    drawWrapped(sizeText(state.size), false);
+    noteItem("model.size");
+    itemTooltip("Width, height and depth of the uncut model in the scene");
+    drawChoices(shown, actions);
+    drawTurnAndScale(shown, actions);
+    drawMaterial(model, shown, actions);
+    if (number > 0) {
+        drawOwnParameters(number, parameters, actions);
+    }
+    drawWrapped(state.physics, false);
+    if (!state.guess.empty()) {
+        drawWrapped(state.guess, true);
+    }
+    drawTriangles(model, shown, display, actions);
+    if (!model.untouched) {
+        drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
+                    true);
+    }
+    if (ImGui::Button("Add a model...")) {
+        actions.emplace_back(ActionId::addModel);
+    }
+    noteItem("model.add");
+    itemTooltip("Puts another model beside what there is: " + keysOf(ActionId::addModel));
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "ui/state/action.h"
+#include "ui/state/model_state.h"
+#include "ui/state/parameters_state.h"
+
+namespace kerf::ui {
+
+/// Draws what the open model is in the scene: its unit, up axis, turn and scale, which a click or a
+/// drag changes, and what physics makes of its size.
+void drawModel(const ModelPanelState& model, const ParametersState& parameters,
+               const DisplaySettings& display, std::vector<Action>& actions);
+
+}  // namespace kerf::ui

@@ -1,0 +1,354 @@
+#include "ui/panels/parameters_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/solve/sweep_strength.h"
+#include "ui/base/item_rects.h"
+#include "ui/base/unit_text.h"
+#include "ui/base/widgets.h"
+#include "ui/state/action_table.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr std::array<std::string_view, 4> kProminent{"time_step", "iterations", "ispc_stiffness",
+                                                     "gravity"};
+
+bool isProminent(const ParamInfo& info) {
+    return std::ranges::find(kProminent, info.name) != kProminent.end();
+}
+
+/// 0 or 1.
+bool isSwitch(const ParamInfo& info) {
+    return info.type == ParamType::integer && info.low == 0 && info.high == 1;
+}
+
+int decimalsFor(const ParamInfo& info) {
+    if (info.type == ParamType::vector || info.type == ParamType::optionalReal) {
+        return 2;
+    }
+    if (info.logarithmic) {
+        return std::clamp(-static_cast<int>(std::floor(std::log10(info.low))), 0, 6);
+    }
+    return std::clamp(2 - static_cast<int>(std::floor(std::log10(info.high))), 0, 6);
+}
+
+/// Wide signed ranges get the logarithmic scale too: fine near zero, and zero easy to hit.
+bool isLogarithmic(const ParamInfo& info) {
+    return info.logarithmic || info.type == ParamType::vector ||
+           info.type == ParamType::optionalReal;
+}
+
+std::string unitText(const ParamInfo& info) {
+    return withRaisedDigits(info.unit);
+}
+
+/// The value that the paper's section 3.1 gives a parameter; "" where it gives no value.
+std::string_view paperValue(std::string_view name) {
+    if (name == "time_step") {
+        return "0.005 s for the spheres, 0.003 s for the octopus and the banana";
+    }
+    if (name == "iterations") {
+        return "30 for Sphere 20 and 80, 20 for Sphere 768 and the octopus, 10 for the banana";
+    }
+    if (name == "gravity") {
+        return "none while the blade cuts, then on";
+    }
+    return "";
+}
+
+std::string numberText(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+std::string rangeText(const ParamInfo& info) {
+    std::string text = "Range: " + numberText(info.low) + " to " + numberText(info.high);
+    if (!info.unit.empty()) {
+        text += " " + unitText(info);
+    }
+    return text + (info.type == ParamType::vector ? ", each of x, y and z" : "");
+}
+
+std::string tooltipOf(const ParamInfo& info) {
+    std::string text(info.meaning);
+    if (info.type != ParamType::choice && !isSwitch(info)) {
+        text += "\n" + rangeText(info) + ". Ctrl+click the number to type a value.";
+    }
+    if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
+        text += "\nPaper: " + std::string(paper) + ".";
+    }
+    return text + "\nIn a session: " + std::string(info.name);
+}
+
+/// Room for the reset mark [px].
+float resetRoom() {
+    return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+SlideText textOf(const ParamInfo& info) {
+    return {std::string(info.label), tooltipOf(info), "param." + std::string(info.name)};
+}
+
+/// A floor is slid about the origin; sessions may have it farther away.
+constexpr double kHighestSlide = 1000;
+constexpr double kLowestSlide = -1000;
+
+Slide slideOf(const ParamInfo& info, double& value) {
+    const bool far = info.high > kHighestSlide && info.type == ParamType::optionalReal;
+    return {ImGuiDataType_Double,
+            &value,
+            far ? &kLowestSlide : &info.low,
+            far ? &kHighestSlide : &info.high,
+            sliderFormat(info),
+            isLogarithmic(info)};
+}
+
+SlideEdit slideInteger(const ParamInfo& info, double& value) {
+    int whole = static_cast<int>(std::lround(value));
+    const int low = static_cast<int>(info.low);
+    const int high = static_cast<int>(info.high);
+    const SlideEdit edit =
+        slideRow(textOf(info),
+                 {ImGuiDataType_S32, &whole, &low, &high, sliderFormat(info), isLogarithmic(info)},
+                 ImGui::GetContentRegionAvail().x, resetRoom());
+    value = whole;
+    return edit;
+}
+
+SlideEdit slideReal(const ParamInfo& info, double& value) {
+    return slideRow(textOf(info), slideOf(info, value), ImGui::GetContentRegionAvail().x,
+                    resetRoom());
+}
+
+/// Side by side.
+SlideEdit slideVector(const ParamInfo& info, Vec3& value) {
+    static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+    const std::string item = textOf(info).item;
+    SlideEdit all;
+    ImGui::BeginGroup();
+    for (int axis = 0; axis < 3; ++axis) {
+        Slide slide = slideOf(info, value[axis]);
+        slide.format = "%.2f";
+        const std::string name = axis == 0 ? item : item + "." + kAxes[axis];
+        const SlideEdit edit = slideRow({kAxes[axis], tooltipOf(info), name}, slide, width);
+        all = {all.changed || edit.changed, all.continues || edit.continues};
+        if (axis < 2) {
+            ImGui::SameLine(0, gap);
+        }
+    }
+    ImGui::EndGroup();
+    return all;
+}
+
+bool chooseValue(const ParamInfo& info, std::string& value) {
+    if (!ImGui::BeginCombo("##value", value.c_str())) {
+        return false;
+    }
+    bool changed = false;
+    for (const std::string_view choice : info.choices) {
+        if (ImGui::Selectable(std::string(choice).c_str(), value == choice)) {
+            value = choice;
+            changed = true;
+        }
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool flipSwitch(double& value) {
+    bool on = value != 0;
+    const bool changed = ImGui::Checkbox("##value", &on);
+    value = on ? 1 : 0;
+    return changed;
+}
+
+/// A row whose label is followed by something else than a number.
+template <class Draw>
+SlideEdit labelledRow(const ParamInfo& info, Draw draw) {
+    rowLabel(info.label);
+    itemTooltip(tooltipOf(info));
+    ImGui::SetNextItemWidth(-resetRoom());
+    const bool changed = draw();
+    noteItem(textOf(info).item);
+    itemTooltip(tooltipOf(info));
+    return {changed, false};
+}
+
+/// With a switch in front that takes the value away.
+SlideEdit slideOptional(const ParamInfo& info, ParamValue& value) {
+    bool present = !std::holds_alternative<std::monostate>(value);
+    bool changed = ImGui::Checkbox("##present", &present);
+    itemTooltip(tooltipOf(info));
+    ImGui::SameLine();
+    if (changed) {
+        value = present ? ParamValue{std::clamp(0.0, info.low, info.high)} : std::monostate{};
+    }
+    if (double* number = std::get_if<double>(&value)) {
+        const SlideEdit edit = slideReal(info, *number);
+        return {changed || edit.changed, edit.continues};
+    }
+    ImGui::TextUnformatted(std::string(info.label).c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("none");
+    noteItem(textOf(info).item);
+    return {changed, false};
+}
+
+SlideEdit slideValue(const ParamInfo& info, ParamValue& value) {
+    switch (info.type) {
+        case ParamType::real:
+            return slideReal(info, std::get<double>(value));
+        case ParamType::integer:
+            return isSwitch(info)
+                       ? labelledRow(info, [&] { return flipSwitch(std::get<double>(value)); })
+                       : slideInteger(info, std::get<double>(value));
+        case ParamType::vector:
+            return slideVector(info, std::get<Vec3>(value));
+        case ParamType::optionalReal:
+            return slideOptional(info, value);
+        case ParamType::choice:
+            return labelledRow(info,
+                               [&] { return chooseValue(info, std::get<std::string>(value)); });
+    }
+    return {};
+}
+
+/// Only a vector has its label, and its unit, on a line of their own.
+void drawVectorLabel(const ParamInfo& info) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted((std::string(info.label) + ", " + unitText(info)).c_str());
+    itemTooltip(tooltipOf(info));
+}
+
+/// A mark at the right end of the line that begins at `top`, which sets a parameter to a value.
+void drawMark(const std::string& param, const ParamValue& value, const char* tooltip, float top,
+              std::vector<Action>& actions) {
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight(),
+                         top - ImGui::GetStyle().FramePadding.y});
+    if (resetButton("##reset")) {
+        actions.emplace_back(SetParam{param, value});
+    }
+    noteItem("reset." + param);
+    itemTooltip(tooltip);
+    ImGui::SetCursorPos(below);
+}
+
+/// Where the value is not what it was at the start.
+void drawReset(const ParamInfo& info, const ParametersState& parameters, float top,
+               std::vector<Action>& actions) {
+    const ParamValue start = getParam(parameters.start, info.name);
+    if (getParam(parameters.now, info.name) != start) {
+        drawMark(std::string(info.name), start, "Back to the value at the start", top, actions);
+    }
+}
+
+void drawOwnRow(const ParamInfo& info, int model, const ParametersState& parameters,
+                std::vector<Action>& actions) {
+    const std::string name = ownName(info.name, model);
+    ImGui::PushID(name.c_str());
+    const float top = ImGui::GetCursorPosY();
+    const ParamValue own = getParam(parameters.now, name);
+    const bool has = !std::holds_alternative<std::monostate>(own);
+    double value = std::get<double>(has ? own : getParam(parameters.now, info.name));
+    SlideText text = textOf(info);
+    text.item = "param." + name;
+    text.label.append(has ? "" : " of all");
+    const SlideEdit edit =
+        slideRow(text, slideOf(info, value), ImGui::GetContentRegionAvail().x, resetRoom());
+    if (edit.changed) {
+        actions.emplace_back(SetParam{name, value, edit.continues});
+    }
+    if (has) {
+        drawMark(name, std::monostate{}, "The value of all models again", top, actions);
+    }
+    ImGui::PopID();
+}
+
+void drawGravitySwitch(const ParametersState& parameters, std::vector<Action>& actions) {
+    bool on = parameters.now.gravity.norm() > 0;
+    if (ImGui::Checkbox("##switch", &on)) {
+        actions.emplace_back(ActionId::toggleGravity);
+    }
+    itemTooltip(describeAction(ActionId::toggleGravity));
+    ImGui::SameLine();
+}
+
+void drawRow(const ParamInfo& info, const ParametersState& parameters,
+             std::vector<Action>& actions) {
+    ImGui::PushID(info.name.data(), info.name.data() + info.name.size());
+    const float top = ImGui::GetCursorPosY();
+    if (info.name == "gravity") {
+        drawGravitySwitch(parameters, actions);
+    }
+    if (info.type == ParamType::vector) {
+        drawVectorLabel(info);
+    }
+    ParamValue value = getParam(parameters.now, info.name);
+    const SlideEdit edit = slideValue(info, value);
+    if (edit.changed) {
+        actions.emplace_back(SetParam{std::string(info.name), value, edit.continues});
+    }
+    drawReset(info, parameters, top, actions);
+    if (const std::string remark = remarkOn(info, parameters); !remark.empty()) {
+        ImGui::TextWrapped("%s", remark.c_str());
+        noteItem("remark." + std::string(info.name));
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawOwnParameters(int model, const ParametersState& parameters, std::vector<Action>& actions) {
+    for (const ParamInfo& info : paramTable()) {
+        if (info.perModel) {
+            drawOwnRow(info, model, parameters, actions);
+        }
+    }
+}
+
+std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
+    if (info.name != "iterations" || parameters.sweeps == nullptr ||
+        !parameters.sweeps->isTooLittle(parameters.now)) {
+        return "";
+    }
+    const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
+    const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
+                                      : "A smaller time step helps.";
+    return "Too few for this stiffness: the body is softer than its modulus. " + advice;
+}
+
+std::string sliderFormat(const ParamInfo& info) {
+    const std::string tail = info.unit.empty() ? "" : " " + unitText(info);
+    if (info.type == ParamType::integer) {
+        return "%d" + tail;
+    }
+    return "%." + std::to_string(decimalsFor(info)) + "f" + tail;
+}
+
+void drawParameters(const ParametersState& parameters, std::vector<Action>& actions) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, 0.2F * ImGui::GetFontSize()});
+    for (const std::string_view name : kProminent) {
+        drawRow(*findParam(name), parameters, actions);
+    }
+    if (ImGui::CollapsingHeader("More")) {
+        for (const ParamInfo& info : paramTable()) {
+            if (!isProminent(info)) {
+                drawRow(info, parameters, actions);
+            }
+        }
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace kerf::ui

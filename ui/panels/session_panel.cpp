@@ -1,0 +1,107 @@
+#include "ui/panels/session_panel.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/timeline.h"
+#include "ui/state/action_table.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr char kRemove[] = "\u00d7";
+
+struct Addition {
+    ActionId id{};
+    const char* label = nullptr;  ///< on a button
+};
+constexpr std::array kAdditions{
+    Addition{ActionId::addPicture, "Picture"}, Addition{ActionId::addCheck, "Check"},
+    Addition{ActionId::addExport, "Export"}, Addition{ActionId::addCamera, "Camera"}};
+
+void drawButtons(std::vector<Action>& actions) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - (kAdditions.size() - 1) * gap) / kAdditions.size();
+    for (const Addition& addition : kAdditions) {
+        if (ImGui::Button(addition.label, {width, 0})) {
+            actions.emplace_back(addition.id);
+        }
+        noteItem(std::string("session.") + addition.label);
+        itemTooltip(describeAction(addition.id));
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+}
+
+void drawRow(const SessionPanelState& session, const SessionMark& mark,
+             std::vector<Action>& actions) {
+    ImGui::PushID(mark.id);
+    ImGui::TableNextColumn();
+    textRight(std::to_string(mark.step));
+    ImGui::TableNextColumn();
+    const std::string label = labelOf(mark);
+    const bool goes = session.playback.goesBack;
+    if (ImGui::Selectable(label.c_str()) && goes) {
+        actions.emplace_back(SeekTo{mark.step});
+    }
+    itemTooltip(label + ", step " + std::to_string(mark.step) +
+                (goes ? "\nClick to go there" : ""));
+    ImGui::TableNextColumn();
+    if (ImGui::SmallButton(kRemove)) {
+        actions.emplace_back(RemoveMark{mark.id});
+    }
+    noteItem("session.remove." + std::to_string(mark.step));
+    itemTooltip("Remove it from the session");
+    ImGui::PopID();
+}
+
+/// There may be thousands.
+void drawRows(const SessionPanelState& session, std::vector<Action>& actions) {
+    if (!ImGui::BeginTable("marks", 3, ImGuiTableFlags_ScrollY)) {
+        return;
+    }
+    ImGui::TableSetupColumn("step", ImGuiTableColumnFlags_WidthFixed,
+                            ImGui::CalcTextSize("00000").x);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("remove", ImGuiTableColumnFlags_WidthFixed, buttonWidth(kRemove));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(session.marks.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(session, session.marks[i], actions);
+        }
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawSessionAdditions(std::vector<Action>& actions) {
+    for (const ActionId id : {ActionId::addPicture, ActionId::addCheck, ActionId::addExport,
+                              ActionId::addCamera, ActionId::useView}) {
+        if (ImGui::MenuItem(std::string(rowOf(id).label).c_str(), keysOf(id).c_str())) {
+            actions.emplace_back(id);
+        }
+        noteItem("add." + std::string(keyOf(id)));
+    }
+}
+
+void drawSessionMarks(const SessionPanelState& session, std::vector<Action>& actions) {
+    drawButtons(actions);
+    if (session.marks.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextDisabled(
+            "Pictures, checks and exports that a replay of the session makes, and "
+            "where the camera of its films is.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    drawRows(session, actions);
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,137 @@
+#include "ui/panels/stages_panel.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+#include <span>
+
+#include "ui/base/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+struct StageText {
+    Reading reading;
+    const char* name;
+    const char* meaning;
+};
+constexpr std::array kTexts{
+    StageText{Reading::deformMs, "Deform", "Constraints and volume, of a step on the GPU"},
+    StageText{Reading::collideMs, "Collide", "Floor and contact, of a step on the GPU"},
+    StageText{Reading::cutMs, "Cut", "The blade's way through the mesh, of a step on the CPU"},
+    StageText{Reading::renderMs, "Render", "The scene, of a picture on the GPU"},
+    StageText{Reading::frameMs, "Frame",
+              "From picture to picture while time runs, panels included"},
+};
+
+/// Sum of the means of the four stages [ms]; frames hold them and what lies between.
+double sumOfMeans(const History& history) {
+    double sum = 0;
+    for (const Reading stage :
+         {Reading::deformMs, Reading::collideMs, Reading::cutMs, Reading::renderMs}) {
+        sum += history[stage].mean();
+    }
+    return sum;
+}
+
+void numberCell(const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    ImGui::TableNextColumn();
+    textRight(text);
+}
+
+void millisecondsCell(double value) {
+    numberCell(value >= 99.95 ? "%.0f" : value >= 9.995 ? "%.1f" : "%.2f", value);
+}
+
+void explainCut(const SubdivisionCounts& counts) {
+    ImGui::TextUnformatted("Triangles divided so far");
+    for (int i = 0; i < kPaperPatterns; ++i) {
+        ImGui::Text("%s: %d", nameOf(static_cast<SubdivisionPattern>(i)), counts[i]);
+    }
+    ImGui::Text("other: %d", otherPatterns(counts));
+}
+
+void explain(const StageText& row, const SubdivisionCounts& subdivisions) {
+    if (!ImGui::IsItemHovered()) {
+        return;
+    }
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(row.meaning);
+    if (row.reading == Reading::cutMs) {
+        explainCut(subdivisions);
+    }
+    ImGui::EndTooltip();
+}
+
+/// What is told of a stage's times.
+struct TimeColumn {
+    const char* title;
+    double (Series::*value)() const;
+};
+constexpr std::array kTimes{TimeColumn{"last", &Series::last}, TimeColumn{"mean", &Series::mean},
+                            TimeColumn{"max", &Series::max}, TimeColumn{"min", &Series::min}};
+
+/// A narrow panel leaves out the last of them.
+std::span<const TimeColumn> timesFor(float width) {
+    constexpr float kLeastLetters = 17;
+    return std::span(kTimes).first(kTimes.size() -
+                                   (width < kLeastLetters * ImGui::GetFontSize() ? 1 : 0));
+}
+
+void drawRow(const StageText& row, std::span<const TimeColumn> times, const History& history,
+             const SubdivisionCounts& subdivisions) {
+    const Series& series = history[row.reading];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.name);
+    explain(row, subdivisions);
+    if (series.empty()) {
+        return;
+    }
+    for (const TimeColumn& time : times) {
+        millisecondsCell((series.*time.value)());
+    }
+    const double sum = sumOfMeans(history);
+    if (row.reading != Reading::frameMs && sum > 0) {
+        numberCell("%.0f %%", 100 * series.mean() / sum);
+    }
+}
+
+void drawHeader(std::span<const TimeColumn> times) {
+    const auto title = [](const char* text) {
+        ImGui::TableNextColumn();
+        textRight(text);
+    };
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("ms");
+    for (const TimeColumn& time : times) {
+        title(time.title);
+    }
+    title("share");
+}
+
+}  // namespace
+
+void drawStages(const History& history, const SubdivisionCounts& subdivisions) {
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
+    const std::span<const TimeColumn> times = timesFor(ImGui::GetContentRegionAvail().x);
+    const int columns = static_cast<int>(times.size()) + 2;
+    if (ImGui::BeginTable("stages", columns,
+                          ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
+                                ImGui::CalcTextSize("Collide").x);
+        drawHeader(times);
+        for (const StageText& row : kTexts) {
+            drawRow(row, times, history, subdivisions);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace kerf::ui

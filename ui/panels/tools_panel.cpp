@@ -1,0 +1,172 @@
+#include "ui/panels/tools_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/measure_rows.h"
+#include "ui/state/action_table.h"
+#include "ui/state/panel_model.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr std::size_t kToolsInARow = 3;
+constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest blade
+
+/// A button with a name of its own, which asks for an action.
+void drawButton(const char* label, const std::string& item, float width, ActionId id,
+                std::vector<Action>& actions) {
+    if (ImGui::Button(label, {width, 0})) {
+        actions.emplace_back(id);
+    }
+    noteItem(item);
+    itemTooltip(describeAction(id));
+}
+
+void drawToolButton(const ToolRow& tool, bool chosen, float width, std::vector<Action>& actions) {
+    if (chosen) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+    }
+    drawButton(tool.name, std::string("tool.") + tool.name, width, actionOf(tool.tool), actions);
+    if (chosen) {
+        ImGui::PopStyleColor();
+    }
+}
+
+void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - (kToolsInARow - 1) * gap) / kToolsInARow;
+    for (std::size_t i = 0; i < kToolRows.size(); ++i) {
+        if (i % kToolsInARow > 0) {
+            ImGui::SameLine(0, gap);
+        }
+        drawToolButton(kToolRows[i], model.tools.tool == kToolRows[i].tool, width, actions);
+    }
+}
+
+/// A length from a hundredth of the longest one up. `beside`: width of what follows in its row.
+bool slideLength(const char* label, double& value, double longest, const char* tooltip,
+                 float beside = 0) {
+    const double least = 0.01 * longest;
+    const float gap = beside > 0 ? ImGui::GetStyle().ItemInnerSpacing.x : 0;
+    return slideRow({label, tooltip, std::string("blade.") + label},
+                    {ImGuiDataType_Double, &value, &least, &longest,
+                     std::string(lengthFormat(longest)) + " m"},
+                    ImGui::GetContentRegionAvail().x - beside - gap)
+        .changed;
+}
+
+/// What the rows of a tool go by, change and answer.
+struct Rows {
+    const PanelModel& model;
+    ToolSettings& tools;
+    std::vector<Action>& actions;
+};
+
+bool drawStrokeRows(const Rows& rows) {
+    bool changed = ImGui::Checkbox("Through all", &rows.tools.stroke.throughAll);
+    noteItem("blade.through");
+    itemTooltip("The blade reaches through the whole body along the line of sight");
+    if (!rows.tools.stroke.throughAll) {
+        changed |= slideLength("Depth", rows.tools.stroke.depth, rows.tools.longest,
+                               "How far the blade goes in, from the nearest point of the body");
+    }
+    return changed;
+}
+
+bool drawScalpelRow(const Rows& rows) {
+    return slideLength("Depth", rows.tools.scalpel.depth, rows.tools.longest,
+                       "How deep the scalpel goes below the surface");
+}
+
+bool drawGuillotineRows(const Rows& rows) {
+    GuillotineSettings& tool = rows.tools.guillotine;
+    bool changed = slideLength("Length", tool.length, rows.tools.longest, "Length of the blade");
+    changed |= slideLength("Drop", tool.drop, rows.tools.longest, "How far the blade goes down");
+    const double up = 0;
+    const double down = 1;
+    const float button = 4.6F * ImGui::GetFontSize();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    changed |= slideRow({"Lowered", "Pulls the blade down by hand, and cuts", "blade.lowered"},
+                        {ImGuiDataType_Double, &tool.lowered, &up, &down, "%.2f"},
+                        ImGui::GetContentRegionAvail().x - button - gap)
+                   .changed;
+    ImGui::SameLine(0, gap);
+    drawButton("Down", "blade.down", button, ActionId::bringDown, rows.actions);
+    return changed;
+}
+
+bool drawGrabRow(const Rows& rows) {
+    return slideLength("Hand", rows.tools.grab.radius, kLargestRadius * rows.tools.longest,
+                       "How far around the pointer the hand takes hold");
+}
+
+bool drawPinRows(const Rows& rows) {
+    const float button = 5.4F * ImGui::GetFontSize();
+    const bool changed =
+        slideLength("Brush", rows.tools.pin.radius, kLargestRadius * rows.tools.longest,
+                    "How far around the pointer it pins", button);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    drawButton("Free all", "pin.free", button, ActionId::freePins, rows.actions);
+    return changed;
+}
+
+bool drawRetractRow(const Rows& rows) {
+    if (rows.model.body.hooks > 0) {
+        drawButton("Remove the last", "retract.remove", -1, ActionId::removeRetractor,
+                   rows.actions);
+        return false;
+    }
+    ImGui::TextDisabled("No retractor holds a cut open");
+    noteItem("retract.remove");
+    itemTooltip(describeAction(ActionId::removeRetractor));
+    return false;
+}
+
+/// A tool with rows of its own: draws them, and answers whether its settings were changed.
+struct SettingRows {
+    Tool tool;
+    bool (*draw)(const Rows& rows);
+};
+constexpr std::array kSettingRows{
+    SettingRows{Tool::stroke, drawStrokeRows},
+    SettingRows{Tool::scalpel, drawScalpelRow},
+    SettingRows{Tool::guillotine, drawGuillotineRows},
+    SettingRows{Tool::grab, drawGrabRow},
+    SettingRows{Tool::pin, drawPinRows},
+    SettingRows{Tool::retract, drawRetractRow},
+    SettingRows{
+        Tool::measure,
+        [](const Rows& r) { return drawMeasureRows(r.model.view.measures, r.tools, r.actions); }},
+};
+
+void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions) {
+    bool runs = model.settings.timeRunsWhileCutting;
+    if (ImGui::Checkbox("Time runs while cutting", &runs)) {
+        actions.emplace_back(ActionId::timeWhileCutting);
+    }
+    noteItem("blade.time");
+    itemTooltip("In a pause, a stroke cuts the body where it lies; with this it moves meanwhile");
+}
+
+}  // namespace
+
+void drawTools(const PanelModel& model, std::vector<Action>& actions) {
+    drawToolButtons(model, actions);
+    ToolSettings tools = model.tools;
+    const auto* rows = std::ranges::find(kSettingRows, tools.tool, &SettingRows::tool);
+    if (rows != kSettingRows.end() && rows->draw({model, tools, actions})) {
+        actions.emplace_back(SetTools{tools});
+    }
+    if (rowOf(model.tools.tool).leadsBlade) {
+        drawTimeWhileCutting(model, actions);
+    }
+}
+
+}  // namespace kerf::ui

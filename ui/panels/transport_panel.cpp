@@ -1,0 +1,133 @@
+#include "ui/panels/transport_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
+#include "ui/base/widgets.h"
+#include "ui/panels/session_panel.h"
+#include "ui/state/action_table.h"
+
+namespace kerf::ui {
+namespace {
+
+void actionButton(const char* label, ActionId id, float width, std::vector<Action>& actions) {
+    if (ImGui::Button(label, {width, 0})) {
+        actions.emplace_back(id);
+    }
+    noteItem("button." + std::string(rowOf(id).label));
+    itemTooltip(describeAction(id));
+}
+
+void playButton(bool playing, float width, std::vector<Action>& actions) {
+    if (!playing) {
+        ImGui::PushStyleColor(ImGuiCol_Button, palette().primary);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().primaryText);
+    }
+    actionButton(playing ? "Pause###play" : "Play###play", ActionId::playPause, width, actions);
+    if (!playing) {
+        ImGui::PopStyleColor(2);
+    }
+}
+
+void recordButton(bool recording, float width, std::vector<Action>& actions) {
+    if (recording) {
+        ImGui::PushStyleColor(ImGuiCol_Button, palette().of(Hue::vermillion));
+    }
+    actionButton(recording ? "Stop###record" : "Record###record", ActionId::record, width, actions);
+    if (recording) {
+        ImGui::PopStyleColor();
+    }
+}
+
+void drawLoop(const PlaybackState& playback, std::vector<Action>& actions) {
+    bool loop = playback.loop;
+    if (ImGui::Checkbox("Loop", &loop)) {
+        actions.emplace_back(ActionId::loop);
+    }
+    noteItem("loop");
+    itemTooltip(describeAction(ActionId::loop));
+}
+
+/// Pictures, checks and exports of this step.
+void drawAddButton(float width, std::vector<Action>& actions) {
+    if (ImGui::Button("Add \u25be", {width, 0})) {
+        ImGui::OpenPopup("add");
+    }
+    noteItem("session.add");
+    itemTooltip("Add a picture, a check or an export of this step to the session");
+    placePopupBelowItem();
+    if (ImGui::BeginPopup("add")) {
+        drawSessionAdditions(actions);
+        ImGui::EndPopup();
+    }
+}
+
+void drawSpeed(double speed, std::vector<Action>& actions) {
+    static constexpr std::array<std::pair<double, const char*>, 5> kSpeeds{{{0.25, "\u00bc\u00d7"},
+                                                                            {0.5, "\u00bd\u00d7"},
+                                                                            {1, "1\u00d7"},
+                                                                            {2, "2\u00d7"},
+                                                                            {4, "4\u00d7"}}};
+    const auto* now = std::ranges::find(kSpeeds, speed, &std::pair<double, const char*>::first);
+    if (ImGui::BeginCombo("##speed", now == kSpeeds.end() ? "" : now->second)) {
+        for (const auto& [factor, label] : kSpeeds) {
+            if (ImGui::Selectable(label, factor == speed)) {
+                actions.emplace_back(SetSpeed{factor});
+            }
+        }
+        ImGui::EndCombo();
+    }
+    itemTooltip("Speed of time against the clock (- and =), where the computer keeps up");
+}
+
+/// In a narrow panel words need the room more than what is around them.
+void drawTransportButtons(const TransportState& transport, std::vector<Action>& actions) {
+    constexpr std::array kWords{"Pause", "Step", "Restart", "Record"};
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x / 2;
+    float around = ImGui::GetContentRegionAvail().x - (kWords.size() - 1) * gap;
+    for (const char* word : kWords) {
+        around -= ImGui::CalcTextSize(word).x;
+    }
+    const auto width = [&](std::size_t i) {
+        return ImGui::CalcTextSize(kWords[i]).x + around / kWords.size();
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+    playButton(transport.playing, width(0), actions);
+    ImGui::SameLine(0, gap);
+    actionButton("Step", ActionId::stepOnce, width(1), actions);
+    ImGui::SameLine(0, gap);
+    actionButton("Restart", ActionId::reset, width(2), actions);
+    ImGui::SameLine(0, gap);
+    recordButton(transport.recording, width(3), actions);
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void drawTransport(const TransportState& transport, const PlaybackState& playback,
+                   std::vector<Action>& actions) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+    drawTransportButtons(transport, actions);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("step %d, %.3f s", transport.step, transport.time);
+    ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetNextItemWidth(width);
+    drawSpeed(transport.speed, actions);
+    const bool played = playback.played;
+    if (played || transport.recording) {
+        drawAddButton(width, actions);
+    }
+    if (played) {
+        ImGui::SameLine();
+        drawLoop(playback, actions);
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,94 @@
+#include "ui/panels/window_panel.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <string>
+
+#include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
+
+namespace kerf::ui {
+namespace {
+
+std::string scaleText(double scale) {
+    return std::to_string(std::lround(100 * scale)) + " %";
+}
+
+bool chooseTheme(Settings& settings) {
+    bool light = settings.theme == Theme::light;
+    bool changed = ImGui::RadioButton("Dark", !light);
+    noteItem("window.dark");
+    light = changed ? false : light;
+    ImGui::SameLine();
+    if (ImGui::RadioButton("Light", light)) {
+        light = changed = true;
+    }
+    noteItem("window.light");
+    settings.theme = light ? Theme::light : Theme::dark;
+    return changed;
+}
+
+bool chooseScale(Settings& settings) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##scale", scaleText(settings.uiScale).c_str())) {
+        for (const double scale : kUiScales) {
+            if (ImGui::Selectable(scaleText(scale).c_str(), scale == settings.uiScale)) {
+                settings.uiScale = scale;
+                changed = true;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("window.scale");
+    return changed;
+}
+
+/// As in programs that people know.
+bool chooseMouse(Settings& settings) {
+    bool changed = false;
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##mouse", rowOf(settings.mouse).label.data())) {
+        for (int i = 0; i < kMouseSchemes; ++i) {
+            const auto scheme = static_cast<MouseScheme>(i);
+            if (ImGui::Selectable(rowOf(scheme).label.data(), scheme == settings.mouse)) {
+                settings.mouse = scheme;
+                changed = true;
+            }
+            noteItem("mouse." + std::string(rowOf(scheme).id));
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("window.mouse");
+    return changed;
+}
+
+}  // namespace
+
+void drawWindowRows(const Settings& chosen, std::vector<Action>& actions) {
+    Settings settings = chosen;
+    rowLabel("Theme");
+    bool changed = chooseTheme(settings);
+    rowLabel("Size");
+    itemTooltip("Of letters and panels, times what the display asks for");
+    changed = chooseScale(settings) || changed;
+    rowLabel("Mouse");
+    itemTooltip("How drags turn and move the view; F1 lists them");
+    changed = chooseMouse(settings) || changed;
+    changed = ImGui::Checkbox("Keep a journal", &settings.keepsJournal) || changed;
+    noteItem("window.journal");
+    itemTooltip(
+        "What you do is written down at once, so that nothing is lost if Kerf ends "
+        "unexpectedly");
+    changed = ImGui::Checkbox("Software renderer", &settings.softwareRenderer) || changed;
+    noteItem("window.software");
+    itemTooltip(
+        "From the next start on the processor draws and computes: slower, but right where a "
+        "graphics driver is not (kerf doctor tells)");
+    if (changed) {
+        actions.emplace_back(SetSettings{settings});
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ui/plots/plot.h"
+#include "ui/plots/plot_math.h"
+#include "ui/plots/series.h"
+
+namespace kerf::ui {
+
+/// A value that is remembered against simulated time. The tables of
+/// app/scene/readout/editor_readings.cpp have its source, in the same order.
+enum class Reading : std::uint8_t {
+    deformMs,
+    collideMs,
+    cutMs,
+    volumePercent,    ///< of the uncut rest shape
+    kineticEnergy,    ///< [J]
+    potentialEnergy,  ///< [J]
+    strainEnergy,     ///< [J]; nothing with plain PBD
+    totalEnergy,      ///< the sum of those there are [J]
+    touchedTriangles,
+    bladeForce,      ///< on the blade [N]; nothing where it is not measured
+    bladeWork,       ///< of what led the blade against its edge, since the start [J]
+    fractureEnergy,  ///< that new surface took since the start [J]
+    lostPieces,      ///< taken back since the start, where there were any
+    framesPerSecond,
+    frameMs,  ///< from picture to picture
+    renderMs,
+    count
+};
+
+/// Number of pieces whose volumes the plots follow: the first ones.
+inline constexpr int kPlottedPieces = 8;
+
+/// All that the plots show of a run, against simulated time [s].
+struct History {
+    std::array<Series, static_cast<std::size_t>(Reading::count)> readings;
+    std::vector<Series> piecePercent;  ///< of the rest volume of each, at most kPlottedPieces
+    std::vector<PlotMark> marks;       ///< cuts, impacts, what was undone, by time
+
+    Series& operator[](Reading reading) { return readings[static_cast<std::size_t>(reading)]; }
+    const Series& operator[](Reading reading) const {
+        return readings[static_cast<std::size_t>(reading)];
+    }
+};
+
+/// The figures of a run that are compared with the paper's.
+struct RunFigures {
+    double fps = 0;     ///< mean [1/s]
+    double volume = 0;  ///< mean [% of rest]
+};
+
+/// A curve of a plot, and how it is drawn.
+struct CurveKind {
+    const char* label = nullptr;
+    Reading reading = Reading::count;
+    Hue hue = Hue::blue;
+    CurveStyle style = CurveStyle::solid;
+};
+
+/// A plot that can be chosen.
+struct PlotKind {
+    static constexpr std::size_t kMostCurves = 5;
+
+    const char* id;                       ///< its name in Settings::plots and in files
+    const char* title;                    ///< "Volume, % of rest"
+    CurveKind curves[kMostCurves] = {};   ///< those with a label; none: a curve for each piece
+    double minSpan = 1;                   ///< see PlotSpec
+    int readoutDecimals = 1;              ///< see PlotSpec
+    double RunFigures::*paper = nullptr;  ///< the figure of the paper that it is compared with
+    std::optional<double> atRest = {};    ///< what it is compared with where the paper has none
+};
+
+/// All plots in their order on the screen.
+inline constexpr std::array kPlots{
+    PlotKind{.id = "frames",
+             .title = "Frames per second",
+             .curves = {{"frames/s", Reading::framesPerSecond}},
+             .minSpan = 10,
+             .paper = &RunFigures::fps},
+    PlotKind{.id = "times",
+             .title = "Times, ms",
+             .curves = {{"frame", Reading::frameMs, Hue::gray, CurveStyle::dotted},
+                        {"render", Reading::renderMs, Hue::purple, CurveStyle::dashed},
+                        {"deform", Reading::deformMs},
+                        {"cut", Reading::cutMs, Hue::vermillion},
+                        {"collide", Reading::collideMs, Hue::green, CurveStyle::dashed}},
+             .readoutDecimals = 2},
+    PlotKind{.id = "volume",
+             .title = "Volume, % of rest",
+             .curves = {{"volume", Reading::volumePercent, Hue::green}},
+             .readoutDecimals = 2,
+             .paper = &RunFigures::volume,
+             .atRest = 100},
+    PlotKind{.id = "pieces", .title = "Volume by piece, % of rest", .readoutDecimals = 2},
+    PlotKind{.id = "energy",
+             .title = "Energy, J",
+             .curves = {{"sum", Reading::totalEnergy, Hue::gray, CurveStyle::dotted},
+                        {"potential", Reading::potentialEnergy, Hue::blue, CurveStyle::dashed},
+                        {"strain", Reading::strainEnergy, Hue::green},
+                        {"kinetic", Reading::kineticEnergy, Hue::orange}}},
+    PlotKind{.id = "touched",
+             .title = "Triangles that a cut divides",
+             .curves = {{"triangles", Reading::touchedTriangles, Hue::vermillion}},
+             .minSpan = 10,
+             .readoutDecimals = 0},
+    PlotKind{.id = "force",
+             .title = "Force on the blade, N",
+             .curves = {{"force", Reading::bladeForce, Hue::vermillion}},
+             .minSpan = 0.01,
+             .readoutDecimals = 3},
+    PlotKind{
+        .id = "work",
+        .title = "Work of the blade, J",
+        .curves = {{"work", Reading::bladeWork, Hue::blue},
+                   {"new surface", Reading::fractureEnergy, Hue::vermillion, CurveStyle::dashed}},
+        .minSpan = 0.001,
+        .readoutDecimals = 4},
+};
+
+}  // namespace kerf::ui

@@ -1,0 +1,235 @@
+#include "ui/state/action_table.h"
+
+#include "sim/base/text.h"
+#include "ui/state/panel_model.h"
+
+namespace kerf::ui {
+namespace {
+
+// The words of the rows.
+constexpr Modifiers kPlain{};
+constexpr Modifiers kShift{.shift = true};
+constexpr Modifiers kControl{.control = true};
+constexpr Modifiers kControlShift{.shift = true, .control = true};
+
+constexpr Shortcut at(Key key, const Modifiers& modifiers, std::string_view text) {
+    return {key, modifiers, text};
+}
+constexpr bool always(const PanelModel& /*model*/) {
+    return true;
+}
+bool withBody(const PanelModel& model) {
+    return !model.name.empty();
+}
+template <Tool tool>
+bool holds(const PanelModel& model) {
+    return model.tools.tool == tool;
+}
+template <bool DisplaySettings::*member>
+bool shows(const PanelModel& model) {
+    return model.display.*member;
+}
+template <bool render::Overlays::*member>
+bool draws(const PanelModel& model) {
+    return model.display.overlays.*member;
+}
+
+/// All actions but those that take a tool, in the order of the menus.
+constexpr std::array kOtherActions{
+    ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open a model or a session...",
+              "File", always},
+    ActionRow{ActionId::addModel, at(Key::o, kControlShift, "Ctrl+Shift+O"),
+              "Add a model to the scene...", "File", withBody},
+    ActionRow{ActionId::saveSession, at(Key::s, kControl, "Ctrl+S"), "Save all since the start...",
+              "File", withBody},
+    ActionRow{ActionId::saveTest, at(Key::t, kControl, "Ctrl+T"), "Save as a test...", "File",
+              withBody},
+    ActionRow{ActionId::exportBody, at(Key::e, kControl, "Ctrl+E"), "Export the body...", "File",
+              withBody},
+    ActionRow{ActionId::makeFilm, at(Key::m, kControl, "Ctrl+M"),
+              "Make a film of all since the start...", "File", withBody},
+    ActionRow{ActionId::screenshot, at(Key::f12, kPlain, "F12"), "Save a screenshot here", "File",
+              always},
+    ActionRow{ActionId::sceneScreenshot, at(Key::f12, kControl, "Ctrl+F12"),
+              "Save the scene alone, on no ground", "File", withBody},
+    ActionRow{ActionId::quit, at(Key::q, kControl, "Ctrl+Q"), "Leave", "File", always},
+    ActionRow{ActionId::undo, at(Key::z, kControl, "Ctrl+Z"), "Undo", "Edit",
+              [](const PanelModel& m) { return m.changes.done > 0; }},
+    ActionRow{ActionId::redo, at(Key::z, kControlShift, "Ctrl+Shift+Z"), "Redo", "Edit",
+              [](const PanelModel& m) { return m.changes.done < m.changes.rows.size(); }, nullptr,
+              at(Key::y, kControl, "Ctrl+Y")},
+    ActionRow{ActionId::cancel, at(Key::escape, kPlain, "Esc"),
+              "Stop the stroke, the loading, close the help", "Edit", withBody},
+    ActionRow{ActionId::toggleGravity, at(Key::v, kPlain, "V"), "Gravity on or off", "Edit",
+              withBody, [](const PanelModel& m) { return m.parameters.now.gravity.norm() > 0; }},
+    ActionRow{ActionId::remesh, at(Key::r, kShift, "Shift+R"), "Remesh: even triangles", "Edit",
+              withBody},
+    ActionRow{ActionId::partModel, at(Key::o, kShift, "Shift+O"),
+              "Part: a model for each object of the file", "Edit",
+              [](const PanelModel& m) { return m.model.objects > 1; }},
+    ActionRow{
+        ActionId::bringDown, at(Key::enter, kPlain, "Enter"), "Bring the guillotine down", "Tool",
+        [](const PanelModel& m) { return withBody(m) && !rowOf(m.tools.tool).trigger.empty(); }},
+    ActionRow{ActionId::freePins, at(Key::p, kShift, "Shift+P"), "Free all that is pinned", "Tool",
+              [](const PanelModel& m) { return m.body.pinned > 0; }},
+    ActionRow{ActionId::removeRetractor, at(Key::del, kPlain, "Delete"),
+              "Remove the retractor under the pointer, or the last", "Tool",
+              [](const PanelModel& m) { return m.body.hooks > 0; }},
+    ActionRow{ActionId::playPause, at(Key::space, kPlain, "Space"), "Play or pause", "Time",
+              withBody, [](const PanelModel& m) { return m.transport.playing; }},
+    ActionRow{ActionId::letFall, at(Key::space, kShift, "Shift+Space"),
+              "Let it fall: gravity and time on", "Time", withBody},
+    ActionRow{ActionId::timeWhileCutting, at(Key::t, kShift, "Shift+T"),
+              "Let time run while cutting in a pause", "Time", always,
+              [](const PanelModel& m) { return m.settings.timeRunsWhileCutting; }},
+    ActionRow{ActionId::stepOnce, at(Key::period, kPlain, "."), "One step", "Time", withBody},
+    ActionRow{ActionId::reset, at(Key::r, kPlain, "R"), "Back to the start", "Time", withBody},
+    ActionRow{ActionId::slower, at(Key::minus, kPlain, "-"), "Half as fast", "Time", withBody},
+    ActionRow{ActionId::faster, at(Key::equal, kPlain, "="), "Twice as fast", "Time", withBody},
+    ActionRow{ActionId::record, at(Key::r, kControl, "Ctrl+R"), "Record from the start, stop",
+              "Time", withBody, [](const PanelModel& m) { return m.transport.recording; }},
+    ActionRow{ActionId::loop, at(Key::l, kPlain, "L"), "Repeat the session", "Time",
+              [](const PanelModel& m) { return m.session.playback.steps > 0; },
+              [](const PanelModel& m) { return m.session.playback.loop; }},
+    ActionRow{ActionId::addPicture, at(Key::f12, kShift, "Shift+F12"),
+              "Add a picture of this step to the session", "Time", withBody},
+    ActionRow{ActionId::addCheck, at(Key::c, kShift, "Shift+C"),
+              "Add a check of this step to the session", "Time", withBody},
+    ActionRow{ActionId::addExport, at(Key::e, kShift, "Shift+E"),
+              "Add an export of this step to the session", "Time", withBody},
+    ActionRow{ActionId::addCamera, at(Key::m, kShift, "Shift+M"),
+              "Let the camera of films be here at this step", "Time", withBody},
+    ActionRow{ActionId::useView, at(Key::home, kShift, "Shift+Home"),
+              "Use this view for the session's pictures", "Time", withBody},
+    ActionRow{ActionId::frameBody, at(Key::f, kPlain, "F"), "Bring the model into view", "View",
+              withBody},
+    ActionRow{ActionId::resetView, at(Key::home, kPlain, "Home"), "Back to the first view", "View",
+              withBody},
+    ActionRow{ActionId::viewFront, at(Key::digit1, kPlain, "1"), "From the front", "View",
+              withBody},
+    ActionRow{ActionId::viewBack, at(Key::digit1, kControl, "Ctrl+1"), "From the back", "View",
+              withBody},
+    ActionRow{ActionId::viewRight, at(Key::digit3, kPlain, "3"), "From the right", "View",
+              withBody},
+    ActionRow{ActionId::viewLeft, at(Key::digit3, kControl, "Ctrl+3"), "From the left", "View",
+              withBody},
+    ActionRow{ActionId::viewTop, at(Key::digit7, kPlain, "7"), "From the top", "View", withBody},
+    ActionRow{ActionId::viewBottom, at(Key::digit7, kControl, "Ctrl+7"), "From below", "View",
+              withBody},
+    ActionRow{ActionId::orthographic, at(Key::digit5, kPlain, "5"), "Without perspective", "View",
+              withBody, [](const PanelModel& m) { return m.view.orthographic; }},
+    ActionRow{ActionId::wireframe, at(Key::w, kPlain, "W"), "Show the triangles", "View", withBody,
+              shows<&DisplaySettings::wireframe>},
+    ActionRow{ActionId::showCutLines, at(Key::t, kPlain, "T"), "Show the lines of cuts", "View",
+              withBody, shows<&DisplaySettings::cutLines>},
+    ActionRow{ActionId::showApart, at(Key::a, kPlain, "A"), "Show the pieces apart", "View",
+              [](const PanelModel& m) { return m.pieces.rows.size() > 1; },
+              [](const PanelModel& m) { return m.display.apart > 0; }},
+    ActionRow{ActionId::showEdges, at(Key::e, kPlain, "E"), "Show the edge constraints", "View",
+              withBody, draws<&render::Overlays::edges>},
+    ActionRow{ActionId::showBends, at(Key::b, kPlain, "B"), "Show the bending constraints", "View",
+              withBody, draws<&render::Overlays::bends>},
+    ActionRow{ActionId::showIspcs, at(Key::i, kPlain, "I"), "Show the ISPCs", "View", withBody,
+              draws<&render::Overlays::ispcs>},
+    ActionRow{ActionId::showErrors, at(Key::x, kPlain, "X"), "Colour them by their error", "View",
+              withBody, draws<&render::Overlays::errors>},
+    ActionRow{ActionId::showContacts, at(Key::k, kPlain, "K"), "Show the contacts", "View",
+              withBody, draws<&render::Overlays::contacts>},
+    ActionRow{ActionId::showBoxes, at(Key::o, kPlain, "O"), "Show boxes around the pieces", "View",
+              withBody, draws<&render::Overlays::boxes>},
+    ActionRow{
+        ActionId::nextField, at(Key::j, kPlain, "J"),
+        "Colour by the look, strain, area change, thickness in turn", "View", withBody,
+        [](const PanelModel& m) { return m.display.field.field != render::SurfaceField::look; }},
+    ActionRow{ActionId::section, at(Key::n, kPlain, "N"), "Section plane: look inside", "View",
+              withBody, [](const PanelModel& m) { return m.display.section.has_value(); }},
+    ActionRow{ActionId::fineQuality, at(Key::q, kPlain, "Q"),
+              "Fine picture: soft shadows, smooth edges", "View", withBody,
+              [](const PanelModel& m) { return m.display.quality == render::Quality::full; }},
+    ActionRow{ActionId::togglePanels, at(Key::tab, kPlain, "Tab"), "Panels, or the view alone",
+              "View", always, [](const PanelModel& m) { return m.settings.showsPanels(); }},
+    ActionRow{ActionId::holdPlots, at(Key::h, kPlain, "H"), "Hold the plots, or follow again",
+              "View", withBody, [](const PanelModel& m) { return m.plots.view.end.has_value(); }},
+    ActionRow{ActionId::fitPlots, at(Key::h, kShift, "Shift+H"), "Show the plots from the start",
+              "View", withBody},
+    ActionRow{ActionId::help, at(Key::f1, kPlain, "F1"), "All keys", "Help", always,
+              [](const PanelModel& m) { return m.help.open; }, at(Key::questionMark, kPlain, "?")},
+};
+
+/// All actions in the order of the menus.
+constexpr auto kActions = withTools(kOtherActions, []<Tool tool>() {
+    const ToolRow& row = rowOf(tool);
+    return ActionRow{actionOf(tool), at(row.key, kPlain, row.keyText), row.label, "Tool", withBody,
+                     holds<tool>};
+});
+
+static_assert(coversActions(kActions), "an ActionId has no row in kActions, or not at its place");
+
+/// "Right drag, Alt+left drag"
+std::string dragsThat(ViewMotion motion, MouseScheme scheme) {
+    std::vector<std::string> names;
+    for (const ViewDrag& drag : rowOf(scheme).drags) {
+        if (drag.motion == motion) {
+            names.emplace_back(drag.name);
+        }
+    }
+    return joined(names, ", ");
+}
+
+}  // namespace
+
+std::span<const ActionRow> actionTable() {
+    return kActions;
+}
+
+std::vector<PointerHint> pointerTable(MouseScheme scheme) {
+    const std::string zoom = dragsThat(ViewMotion::zoom, scheme);
+    return {
+        {"Left drag", "Cut, move a handle, pull, pin or hold open"},
+        {"Shift+left drag", "Stroke: straight, in steps of 15 degrees; pin: a box"},
+        {"Ctrl+left drag", "Pin: free again; a gizmo: in round steps"},
+        {"Right click on a hook", "Remove its retractor"},
+        {dragsThat(ViewMotion::orbit, scheme), "Turn the view"},
+        {dragsThat(ViewMotion::pan, scheme), "Move the view"},
+        {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom to the pointer"},
+        {"Ctrl+click a number", "Type a value"},
+        {"Wheel, drag over a plot", "Zoom and move along its time"},
+        {"Double click on a plot", "Show it from the start"},
+        {"Drag an edge of a panel", "Make it larger or smaller"},
+        {"Drop a file", "Open a model or a session"},
+    };
+}
+
+std::optional<ActionId> findAction(Key key, Modifiers modifiers) {
+    for (const ActionRow& row : kActions) {
+        if (row.shortcut.presses(key, modifiers) || row.second.presses(key, modifiers)) {
+            return row.id;
+        }
+    }
+    return std::nullopt;
+}
+
+std::string keysOf(ActionId id) {
+    const std::string_view second = rowOf(id).second.text;
+    return std::string(keyOf(id)) + (second.empty() ? "" : ", " + std::string(second));
+}
+
+std::string actionsAsMarkdown() {
+    std::string text = "| keys | what they do |\n|---|---|\n";
+    const auto addRow = [&](std::string_view keys, std::string_view label) {
+        text.append("| ").append(keys).append(" | ").append(label).append(" |\n");
+    };
+    for (const PointerHint& hint : pointerTable(MouseScheme::kerf)) {
+        addRow(hint.gesture, hint.label);
+    }
+    for (const ActionRow& row : kActions) {
+        addRow(keysOf(row.id), row.label);
+    }
+    return text;
+}
+
+std::string describeAction(ActionId id) {
+    return std::string(rowOf(id).label) + " (" + std::string(keyOf(id)) + ")";
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ui/base/input.h"
+#include "ui/base/mouse_scheme.h"
+#include "ui/state/action.h"
+
+namespace kerf::ui {
+
+struct PanelModel;
+
+/// The name of something that a key, a row of a menu or a button asks for, in the order of
+/// actionTable(). The handlers in app/editor/editor_actions.cpp do it.
+enum class ActionId : std::uint8_t {
+    openFile,
+    addModel,
+    saveSession,
+    saveTest,
+    exportBody,
+    makeFilm,
+    screenshot,
+    sceneScreenshot,
+    quit,
+    undo,
+    redo,
+    cancel,
+    toggleGravity,
+    remesh,
+    partModel,
+    firstTool,  ///< one for each Tool, see actionOf()
+    bringDown = firstTool + kTools,
+    freePins,
+    removeRetractor,
+    playPause,
+    letFall,
+    timeWhileCutting,
+    stepOnce,
+    reset,
+    slower,
+    faster,
+    record,
+    loop,
+    addPicture,
+    addCheck,
+    addExport,
+    addCamera,
+    useView,
+    frameBody,
+    resetView,
+    viewFront,
+    viewBack,
+    viewRight,
+    viewLeft,
+    viewTop,
+    viewBottom,
+    orthographic,
+    wireframe,
+    showCutLines,
+    showApart,
+    showEdges,
+    showBends,
+    showIspcs,
+    showErrors,
+    showContacts,
+    showBoxes,
+    nextField,
+    section,
+    fineQuality,
+    togglePanels,
+    holdPlots,
+    fitPlots,
+    help,
+    count
+};
+
+/// A key with its modifiers that asks for an action; no key where there is none.
+struct Shortcut {
+    Key key = Key::none;
+    Modifiers modifiers;
+    std::string_view text;  ///< as people read it: "Ctrl+O"
+
+    bool presses(Key other, const Modifiers& with) const {
+        return key != Key::none && key == other && modifiers == with;
+    }
+};
+
+/// One row of the table that dispatch, menus, buttons, the help overlay and the docs share.
+struct ActionRow {
+    using Condition = bool (*)(const PanelModel&);
+
+    ActionId id = ActionId::count;
+    Shortcut shortcut;
+    std::string_view label;  ///< what it does: "Play or pause"
+    std::string_view group;  ///< its menu, and its heading in the help
+    Condition available;     ///< whether it would do something now
+    Condition on = nullptr;  ///< whether it is on; nullptr where it switches nothing
+    Shortcut second = {};    ///< another key that does it too
+};
+
+/// The action that takes a tool.
+constexpr ActionId actionOf(Tool tool) {
+    return static_cast<ActionId>(static_cast<int>(ActionId::firstTool) + static_cast<int>(tool));
+}
+/// Rows in the order of ActionId: `others`, and among them what `toRow` makes for each tool.
+template <class Row, std::size_t count, class ToRow>
+constexpr auto withTools(const std::array<Row, count>& others, ToRow toRow) {
+    constexpr auto first = static_cast<std::size_t>(ActionId::firstTool);
+    return [&]<std::size_t... before, std::size_t... tool, std::size_t... behind>(
+        std::index_sequence<before...>, std::index_sequence<tool...>,
+        std::index_sequence<behind...>) {
+        return std::array{others[before]...,
+                          toRow.template operator()<static_cast<Tool>(tool)>()...,
+                          others[first + behind]...};
+    }
+    (std::make_index_sequence<first>{}, std::make_index_sequence<kTools>{},
+     std::make_index_sequence<count - first>{});
+}
+
+/// Whether a table has one row for each ActionId, in the same order.
+template <class Table>
+constexpr bool coversActions(const Table& rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].id != static_cast<ActionId>(i)) {
+            return false;
+        }
+    }
+    return rows.size() == static_cast<std::size_t>(ActionId::count);
+}
+/// All actions in the order of the menus.
+std::span<const ActionRow> actionTable();
+
+/// A gesture of the pointer and its effect, which the help overlay lists beside the keys.
+struct PointerHint {
+    std::string gesture;
+    std::string_view label;
+};
+/// All of them, as the mouse moves the view.
+std::vector<PointerHint> pointerTable(MouseScheme scheme);
+
+/// The row of an action.
+inline const ActionRow& rowOf(ActionId id) {
+    return actionTable()[static_cast<std::size_t>(id)];
+}
+
+/// Whether an action would do something now.
+inline bool isAvailable(const PanelModel& model, ActionId id) {
+    return rowOf(id).available(model);
+}
+/// Whether the thing that an action switches is on; false where it switches nothing.
+inline bool isOn(const PanelModel& model, ActionId id) {
+    return rowOf(id).on != nullptr && rowOf(id).on(model);
+}
+
+/// The action of a key, none where the key is free.
+std::optional<ActionId> findAction(Key key, Modifiers modifiers);
+
+/// The first key of an action as people read it: "F1".
+inline std::string_view keyOf(ActionId id) {
+    return rowOf(id).shortcut.text;
+}
+/// All keys of an action: "F1, ?".
+std::string keysOf(ActionId id);
+
+/// The tables of the pointer and of the keys for docs/editor.md.
+std::string actionsAsMarkdown();
+
+/// "Play or pause (Space)", for tooltips.
+std::string describeAction(ActionId id);
+
+}  // namespace kerf::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "render/scene/body_look.h"
+#include "render/scene/image.h"
+#include "render/scene/overlays.h"
+#include "render/scene/section_plane.h"
+#include "render/scene/surface_field.h"
+#include "sim/body/skin_normals.h"
+
+namespace kerf::ui {
+
+/// The way in which the body is shown. Nothing of it changes the simulation.
+struct DisplaySettings {
+    render::Quality quality = render::Quality::full;
+    bool wireframe = false;
+    bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
+    /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
+    double apart = 0;
+    bool pieceDetails = false;  ///< the list of pieces has all its columns
+    render::Overlays overlays;
+    render::FieldChoice field;                    ///< what its colours show instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the picture of the body
+    render::ChosenColors colors;                  ///< look and colours instead of the model's own
+    /// Faces that meet at more than this angle have a hard edge between them [degrees].
+    double hardEdges = kHardEdgeAngle;
+    bool operator==(const DisplaySettings&) const = default;
+};
+
+}  // namespace kerf::ui

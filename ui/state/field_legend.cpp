@@ -1,0 +1,90 @@
+#include "ui/state/field_legend.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "sim/base/quantity_text.h"
+#include "ui/base/item_rects.h"
+
+namespace kerf::ui {
+namespace {
+
+constexpr float kWidth = 180;  // of the bar [px at scale 1]
+constexpr float kHeight = 12;
+
+ImU32 packed(const render::DisplayColor& c) {
+    return IM_COL32(c[0], c[1], c[2], 255);
+}
+
+/// The colours from left to right, as wide as the bar.
+void drawBar(const render::ColorMap& map, const ImVec2& at, float width, float height) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float part = width / static_cast<float>(map.size() - 1);
+    for (std::size_t i = 0; i + 1 < map.size(); ++i) {
+        const float left = at.x + part * static_cast<float>(i);
+        const ImU32 from = packed(map[i]);
+        const ImU32 to = packed(map[i + 1]);
+        draw.AddRectFilledMultiColor({left, at.y}, {left + part, at.y + height}, from, to, to,
+                                     from);
+    }
+}
+
+/// A triangle below the bar.
+void drawPointer(const ImVec2& at, float size) {
+    ImGui::GetWindowDrawList()->AddTriangleFilled(at, {at.x + 0.6F * size, at.y + size},
+                                                  {at.x - 0.6F * size, at.y + size},
+                                                  ImGui::GetColorU32(ImGuiCol_Text));
+}
+
+/// Low, middle and high, below the bar.
+void drawNumbers(const FieldLegend& legend, const ImVec2& at, float width) {
+    const render::FieldRange& range = legend.range;
+    for (const double share : {0.0, 0.5, 1.0}) {
+        const std::string text =
+            fieldText(legend.field, range.low + share * (double(range.high) - range.low));
+        const float room = width - ImGui::CalcTextSize(text.c_str()).x;
+        ImGui::GetWindowDrawList()->AddText({at.x + static_cast<float>(share) * room, at.y},
+                                            ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    }
+}
+
+}  // namespace
+
+std::string fieldText(render::SurfaceField field, double value) {
+    if (render::infoOf(field).isLength) {
+        return value == 0 ? "0" : lengthText(value);
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g %%", 100 * value);
+    return text.data();
+}
+
+void drawFieldScale(const FieldLegend& legend, float scale) {
+    const render::FieldInfo& info = render::infoOf(legend.field);
+    const std::string under =
+        legend.underPointer ? fieldText(legend.field, *legend.underPointer) : "-";
+    ImGui::Text("%s: %s", std::string(info.name).c_str(), under.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = kWidth * scale;
+    const float height = kHeight * scale;
+    drawBar(*info.map, at, width, height);
+    const float span = legend.range.high - legend.range.low;
+    if (legend.underPointer && span > 0) {
+        const float share = (static_cast<float>(*legend.underPointer) - legend.range.low) / span;
+        const float x = at.x + width * std::min(std::max(share, 0.0F), 1.0F);
+        drawPointer({x, at.y + 0.4F * height}, 0.6F * height);
+    }
+    drawNumbers(legend, {at.x, at.y + 1.15F * height}, width);
+    ImGui::Dummy({width, 1.15F * height + ImGui::GetTextLineHeight()});
+    noteItem("legend.field");
+    if (!legend.note.empty()) {
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+        ImGui::TextDisabled("%s", legend.note.c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
+}  // namespace kerf::ui

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "ui/base/input.h"
+#include "ui/state/measures.h"
+
+namespace kerf::ui {
+
+/// The tool of the left button in the view: it leads a blade in one of three ways, or touches the
+/// body.
+enum class Tool : std::uint8_t {
+    stroke,      ///< along the line of sight, wherever the pointer goes
+    scalpel,     ///< upright on the surface under the pointer: incisions
+    guillotine,  ///< posed by handles and brought straight down
+    grab,        ///< pulls at the body
+    pin,         ///< holds parts of the body in place, or frees them
+    retract,     ///< holds cuts open by hooks
+    move,        ///< moves, turns and sizes boxes, pins and the model by a gizmo
+    measure,     ///< tells distances, angles, areas and volumes by clicks
+};
+
+/// One row of the table of tools: panel, actions and hints go by it. What a tool does stands in
+/// app/tools.
+struct ToolRow {
+    Tool tool;
+    Key key;  ///< that takes it
+    std::string_view keyText;
+    const char* name;        ///< on its button
+    std::string_view label;  ///< of the action that takes it
+    std::string_view hint;   ///< to somebody who has not used it yet
+    bool leadsBlade = false;
+    bool readsBody = true;          ///< or changes it, so it waits for a step to end
+    std::string_view trigger = {};  ///< what ActionId::bringDown does with it, if anything
+};
+
+/// All tools in the order of their buttons.
+inline constexpr std::array kToolRows{
+    ToolRow{Tool::stroke, Key::c, "C", "Stroke", "Stroke: cut along the view",
+            "Drag with the left button right across the model to cut it, from one side to the "
+            "other.",
+            true, false},
+    ToolRow{Tool::scalpel, Key::s, "S", "Scalpel", "Scalpel: follow the surface",
+            "Drag over the model: the scalpel cuts along its surface, as deep as its ring is wide.",
+            true},
+    ToolRow{Tool::guillotine, Key::g, "G", "Guillotine", "Guillotine: pose the blade",
+            "Drag the four handles to pose the blade, then:", true, false, "Bring it down"},
+    ToolRow{Tool::grab, Key::d, "D", "Grab", "Grab: pull at the body",
+            "Drag the model to pull at it: time runs while you hold it."},
+    ToolRow{Tool::pin, Key::p, "P", "Pin", "Pin: hold parts in place",
+            "Drag over the model and what is under the brush stays in place. Shift+drag pins a "
+            "box, Ctrl+drag frees."},
+    ToolRow{Tool::retract, Key::y, "Y", "Retract", "Retract: hold a cut open",
+            "Press beside a cut and drag: two hooks draw its lips apart and stay. A right click "
+            "on a hook removes them."},
+    ToolRow{Tool::move, Key::u, "U", "Move", "Move: boxes, pins and the model, by arrows and rings",
+            "Drag an arrow, a ring or a square. A click on a box, on what is pinned or on the "
+            "uncut model puts them there."},
+    ToolRow{Tool::measure, Key::m, "M", "Measure", "Measure: distances, angles, pieces",
+            "Click on the body. Esc ends it."},
+};
+inline constexpr int kTools = static_cast<int>(kToolRows.size());
+/// The tool that a person begins with, and that Esc goes back to.
+inline constexpr Tool kFirstTool = Tool::stroke;
+
+constexpr const ToolRow& rowOf(Tool tool) {
+    return kToolRows[static_cast<std::size_t>(tool)];
+}
+/// Whether a table has one row for each Tool, in the same order.
+template <class Table>
+constexpr bool coversTools(const Table& rows) {
+    int next = 0;
+    return std::ranges::all_of(rows, [&](const auto& row) { return int(row.tool) == next++; }) &&
+           next == kTools;
+}
+static_assert(coversTools(kToolRows), "a Tool has no row, or not at its place");
+
+// The settings of each tool that has any. Lengths in metres.
+struct StrokeSettings {
+    bool throughAll = true;  ///< the blade reaches beyond the body
+    double depth = 0.3;      ///< how far behind the nearest point of the body it ends otherwise
+};
+struct ScalpelSettings {
+    double depth = 0.1;  ///< below the surface
+};
+struct GuillotineSettings {
+    double length = 1;
+    double drop = 1;     ///< how far it goes down
+    double lowered = 0;  ///< share of that, 0 to 1
+};
+struct GrabSettings {
+    double radius = 0.1;  ///< of what the hand takes hold of
+};
+struct PinSettings {
+    double radius = 0.1;  ///< of the brush
+};
+
+/// The tool in hand and the settings of all, which the tools panel shows and answers with.
+struct ToolSettings {
+    Tool tool = kFirstTool;
+    StrokeSettings stroke;
+    ScalpelSettings scalpel;
+    GuillotineSettings guillotine;
+    GrabSettings grab;
+    PinSettings pin;
+    MeasureKind measure = MeasureKind::distance;
+    double longest = 3;  ///< end of all sliders [m]
+};
+
+}  // namespace kerf::ui
