@@ -244,7 +244,7 @@ double orderOf(const std::vector<AccuracyRun>& runs) {
 
 std::string formatAccuracy(const std::vector<AccuracyRun>& runs) {
     std::string text =
-        "\n## What iterations buy\n\n"
+        "\n## Accuracy by iterations\n\n"
         "The hanging bar of 1e5 Pa, two squares across, with a true modulus. The largest error of "
         "where its end is while it comes down, in per cent of that way.\n\n"
         "| iterations | time step, s | substep, ms | error, % |\n"

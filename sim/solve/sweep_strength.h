@@ -9,9 +9,9 @@
 
 namespace kerf {
 
-/// How much of what the constraints of a body ask for one Jacobi sweep a substep carries. What it
-/// does not carry makes the body softer than its modulus, whatever that is (docs/physics.md, What
-/// iterations buy). Bends don't count: a solid lacks them least.
+/// The share of the constraints' stiffness that one Jacobi sweep a substep carries. The rest makes
+/// the body softer than its modulus (docs/physics.md, Accuracy by iterations). Bends don't count: a
+/// solid lacks them least.
 class SweepStrength {
   public:
     /// Without a body: any number of iterations is enough.
