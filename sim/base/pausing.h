@@ -7,18 +7,17 @@
 
 namespace kerf {
 
-/// A place in long work where whoever had it begun may do something else on this thread before it
-/// goes on: a window draws a picture, say. Results must not depend on it, nothing of OpenGL may be
-/// left bound across it, and no exception may be under way: see "A step may rest" in
-/// docs/architecture.md. Where assertions are on, problemOfPause() is asserted to be "". Costs next
-/// to nothing where nobody pauses.
+/// A point in long work at which its caller may do something else on this thread, such as draw a
+/// frame. Results must not depend on it, nothing of OpenGL may stay bound across it, and no
+/// exception may be in flight: see "Steps in portions" in docs/architecture.md. With assertions on,
+/// problemOfPause() is asserted to be "". Costs almost nothing without Pauses.
 void pausePoint();
 
-/// What keeps this thread from pausing here: an exception that is thrown or handled, or what the
-/// check of its Pauses says. "" where nothing does, or where nobody pauses.
+/// Why this thread can't pause here: an exception is thrown or handled, or what the check of its
+/// Pauses says. "" if it can, or without Pauses.
 std::string problemOfPause();
 
-/// A member that lets the copy of what it belongs to rest before the members behind it.
+/// A member that pauses the copying of its class before the members behind it.
 struct PauseOfCopies {
     PauseOfCopies() = default;
     PauseOfCopies(const PauseOfCopies& /*other*/) { pausePoint(); }
@@ -28,10 +27,10 @@ struct PauseOfCopies {
     ~PauseOfCopies() = default;
 };
 
-/// Calls a function at each pausePoint() of this thread, while it lives. There is one at a time.
+/// Calls a function at each pausePoint() of this thread during its lifetime. One at a time.
 class Pauses {
   public:
-    /// `check` tells of what the work has left behind that others would meet, "" for nothing.
+    /// `check` says what the work has left bound that others would meet, "" for nothing.
     explicit Pauses(std::function<void()> pause, std::function<std::string()> check = {});
     ~Pauses();
     Pauses(const Pauses&) = delete;
@@ -45,7 +44,7 @@ class Pauses {
     std::function<std::string()> check_;
 };
 
-/// Wall-clock time that this thread has worked since it was made: without its pauses.
+/// Wall-clock time of this thread since construction, without its pauses.
 class WorkWatch {
   public:
     WorkWatch();

@@ -8,14 +8,14 @@
 
 namespace kerf::app {
 
-/// The open scene as far as it may be used in the midst of a step, while that rests: see "A step
-/// may rest" in docs/architecture.md. Null where nothing is open.
+/// What may be used of the open scene while a step is paused: see "Steps in portions" in
+/// docs/architecture.md. Null where nothing is open.
 class BusyScene {
   public:
     BusyScene() = default;
     BusyScene(EditorScene* scene, bool underWay) : scene_(scene), underWay_(underWay) {}
     explicit operator bool() const { return scene_ != nullptr; }
-    /// All of it, where nothing is under way; null otherwise.
+    /// All of it if no step is in progress, otherwise null.
     EditorScene* atRest() const { return underWay_ ? nullptr : scene_; }
 
     // What a step takes up when it begins, so that it may be changed at any time.
