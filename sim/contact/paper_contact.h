@@ -25,7 +25,7 @@ shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, do
 /// share of an edge. A vertex takes the mean of what its triangles ask for: of the loss in its
 /// velocity and its position, of the push in its position alone. Walls of a slit and arms of one
 /// piece do not meet. Pinned vertices stay. Floats and fixed point agree with the reference in
-/// doubles (sim/reference/reference_paper_contact.h) to 1e-6 m and 2e-4 m/s.
+/// doubles (tests/support/reference/reference_paper_contact.h) to 1e-6 m and 2e-4 m/s.
 class PaperContact {
   public:
     PaperContact();

@@ -254,16 +254,6 @@ std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const i
     return fault;
 }
 
-std::vector<int> borderHalfEdges(const SurfaceMesh& mesh) {
-    std::vector<int> border;
-    forEachHalfEdge(mesh, [&](int h) {
-        if (!mesh.absent(h / 3) && mesh.absent(mesh.twin(h) / 3)) {
-            border.push_back(h);
-        }
-    });
-    return border;
-}
-
 std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
                                   std::span<const int> absent) {
     std::vector<int> found;

@@ -25,9 +25,6 @@ std::string checkClosedManifold(const SurfaceMesh& mesh);
 /// mesh may have broken. Dead ones are passed over.
 std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-/// Half-edges of present triangles beside absent ones, ascending: the border of the open surface.
-std::vector<int> borderHalfEdges(const SurfaceMesh& mesh);
-
 /// A vertex on the border of each piece that has some of the triangles `absent` (those of the mesh,
 /// ascending), -1 for others; pieces behind the last open one are left out.
 std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,

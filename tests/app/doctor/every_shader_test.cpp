@@ -14,7 +14,7 @@
 #include "gpu/limits.h"
 #include "gpu/program_record.h"
 #include "render/renderer.h"
-#include "sim/run/start/every_kernel.h"
+#include "tests/support/every_kernel.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/program_output.h"
 #include "tests/support/temporary_folder.h"

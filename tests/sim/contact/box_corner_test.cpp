@@ -11,7 +11,7 @@
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/box_obstacles.h"
 #include "sim/mesh/invariants.h"
-#include "sim/reference/reference_boxes.h"
+#include "tests/support/reference/reference_boxes.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"

@@ -5,7 +5,7 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_contact.h"
+#include "tests/support/reference/reference_contact.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"

@@ -5,8 +5,8 @@
 
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/piece_labels.h"
-#include "sim/reference/octree.h"
-#include "sim/reference/reference_paper_contact.h"
+#include "tests/support/reference/octree.h"
+#include "tests/support/reference/reference_paper_contact.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"

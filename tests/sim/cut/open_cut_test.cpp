@@ -33,7 +33,7 @@ void expectOpen(const SurfaceMesh& mesh, const BodyModel& model) {
     EXPECT_EQ(test::checkOpenManifold(mesh), "");
     const std::size_t absent = absentTriangles(mesh).size();
     EXPECT_EQ(model.triangles.size() + absent, static_cast<std::size_t>(mesh.aliveTriangles()));
-    const std::size_t border = borderHalfEdges(mesh).size();
+    const std::size_t border = test::borderHalfEdges(mesh).size();
     EXPECT_GT(border, 0u);
     EXPECT_EQ(2 * model.edges.size(), 3 * model.triangles.size() + border);
     for (const BendConstraint& bend : model.bends) {
@@ -98,7 +98,7 @@ Outcome runOpen(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& st
         follow(cutter.advance(stroke[i]));
         if (!absentTriangles(mesh).empty()) {
             ++outcome.openSteps;
-            EXPECT_FALSE(borderHalfEdges(mesh).empty());
+            EXPECT_FALSE(test::borderHalfEdges(mesh).empty());
             bool anyOpen = false;
             for (const PieceModel& piece : body.model().pieces) {
                 anyOpen = anyOpen || piece.open;

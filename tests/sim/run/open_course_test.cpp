@@ -71,7 +71,7 @@ TEST_F(OpenCourseTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     EXPECT_FALSE(cutting.closed);
     const SurfaceMesh& mesh = simulation->mesh();
     EXPECT_EQ(test::checkOpenManifold(mesh), "");
-    EXPECT_GT(borderHalfEdges(mesh).size(), 10u);
+    EXPECT_GT(test::borderHalfEdges(mesh).size(), 10u);
     const auto absent = static_cast<int>(absentTriangles(mesh).size());
     EXPECT_GT(absent, 20);
     EXPECT_EQ(cutting.triangles + absent, mesh.aliveTriangles());

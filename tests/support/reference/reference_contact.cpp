@@ -1,4 +1,4 @@
-#include "sim/reference/reference_contact.h"
+#include "tests/support/reference/reference_contact.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "sim/reference/octree.h"
+#include "tests/support/reference/octree.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "sim/reference/reference_boxes.h"
+#include "tests/support/reference/reference_boxes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

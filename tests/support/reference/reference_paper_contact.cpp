@@ -1,4 +1,4 @@
-#include "sim/reference/reference_paper_contact.h"
+#include "tests/support/reference/reference_paper_contact.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
-#include "sim/reference/octree.h"
+#include "tests/support/reference/octree.h"
 
 namespace kerf {
 

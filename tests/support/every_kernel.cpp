@@ -1,4 +1,4 @@
-#include "sim/run/start/every_kernel.h"
+#include "tests/support/every_kernel.h"
 
 #include "gpu/program.h"
 #include "sim/body/solver_uniforms.h"
