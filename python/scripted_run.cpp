@@ -13,7 +13,7 @@
 #include "app/session/scene_origin.h"
 #include "app/session/session_action.h"
 #include "sim/base/stopwatch.h"
-#include "sim/mesh/triangle_strain.h"
+#include "sim/mesh/triangle_quality.h"
 
 namespace kerf::python {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
-#include "sim/base/turn.h"
+#include "sim/base/placement.h"
 #include "sim/mesh/ray_box.h"
 #include "sim/run/simulation.h"
 #include "sim/run/undo/undo_history.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,5 +71,10 @@ Vec3 originOf(const Bounds& placed);
 /// "", or one sentence, where a model that lies so about `origin` is too small, or too far from it,
 /// for floats: their steps grow with that distance.
 std::string checkRoom(const Bounds& placed, const Vec3& origin = Vec3::Zero());
+
+/// Turns about the world's x, then y, then z axis [degrees].
+Eigen::Matrix3d turnOf(const Vec3& degrees);
+/// The angles of such turns that a rotation is made of, each from -180 to 180 [degrees].
+Vec3 turnsOf(const Eigen::Matrix3d& rotation);
 
 }  // namespace kerf

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/body/edge_angle.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"
 

@@ -6,7 +6,7 @@
 
 #include "sim/base/sort_unique.h"
 #include "sim/body/dihedral.h"
-#include "sim/body/edge_angle.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf {
 

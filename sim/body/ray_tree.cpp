@@ -4,7 +4,7 @@
 #include <iterator>
 #include <optional>
 
-#include "sim/mesh/line_hit.h"
+#include "sim/mesh/ray_box.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/mesh/surface_mesh.h"
@@ -23,5 +24,10 @@ struct VertexNormal {
     double flatness = 0;
 };
 VertexNormal restNormal(const SurfaceMesh& mesh, int vertex);
+
+/// The dihedral angle at a half-edge [rad], flat 0, convex > 0: now and at rest. None where a
+/// triangle beside it is degenerate.
+std::optional<double> edgeAngle(const SurfaceMesh& mesh, int h);
+std::optional<double> restEdgeAngle(const SurfaceMesh& mesh, int h);
 
 }  // namespace kerf

@@ -1,9 +1,8 @@
 #include "sim/body/rest_pose.h"
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <cmath>
-
-#include "sim/body/best_rotation.h"
 
 namespace kerf {
 
@@ -24,6 +23,14 @@ Value meanOf(Vertices vertices, Value sum, F&& f) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Matrix3d product = svd.matrixU() * svd.matrixV().transpose();
+    const Vec3 signs(1, 1, product.determinant() < 0 ? -1 : 1);
+    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
 
 RestPose fitRestPose(Vertices vertices) {
     RestPose pose;

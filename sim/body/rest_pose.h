@@ -6,6 +6,10 @@
 
 namespace kerf {
 
+/// The rotation that brings points with this covariance (sum of current rest^T) closest together
+/// (Kabsch 1976).
+Eigen::Matrix3d bestRotation(const Eigen::Matrix3d& covariance);
+
 /// A vertex of a piece, as its rest shape is fitted to it.
 struct FittedVertex {
     int vertex = -1;

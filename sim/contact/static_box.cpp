@@ -1,6 +1,6 @@
 #include "sim/contact/static_box.h"
 
-#include "sim/base/turn.h"
+#include "sim/base/placement.h"
 
 namespace kerf {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "sim/mesh/inner_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
 

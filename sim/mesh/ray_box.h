@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "sim/base/math.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -28,6 +31,39 @@ inline double entryInto(const Bounds& box, const BoxRay& ray, double farthest) {
     const double enter = std::max(0.0, toLow.cwiseMin(toHigh).maxCoeff());
     const double leave = std::min(farthest, toLow.cwiseMax(toHigh).minCoeff());
     return enter <= leave ? enter : kMissesBox;
+}
+
+/// Where a line meets a triangle, from either side.
+struct LineHit {
+    double distance = 0;  ///< along the direction, in its lengths; below 0 behind the origin
+    double b1 = 0;        ///< weight of the second corner
+    double b2 = 0;        ///< of the third one
+};
+
+/// Triangles reach so much of their edges beyond their border where lines must not pass between
+/// two.
+inline constexpr double kHitBorder = 2e-5;
+
+/// Möller and Trumbore (1997), with a border that is widened by kHitBorder. None for a line that
+/// lies in the plane of the triangle to a cosine of `leastCosine`.
+inline std::optional<LineHit> hitOf(const Corners& corners, const Vec3& origin,
+                                    const Vec3& direction, double leastCosine) {
+    const Vec3 e1 = corners[1] - corners[0];
+    const Vec3 e2 = corners[2] - corners[0];
+    const Vec3 p = direction.cross(e2);
+    const double determinant = e1.dot(p);
+    const double scale = e1.cross(e2).norm() * direction.norm();
+    if (std::abs(determinant) <= leastCosine * scale) {
+        return std::nullopt;
+    }
+    const Vec3 s = origin - corners[0];
+    const Vec3 q = s.cross(e1);
+    const double b1 = s.dot(p) / determinant;
+    const double b2 = direction.dot(q) / determinant;
+    if (b1 < -kHitBorder || b2 < -kHitBorder || b1 + b2 > 1 + kHitBorder) {
+        return std::nullopt;
+    }
+    return LineHit{e2.dot(q) / determinant, b1, b2};
 }
 
 }  // namespace kerf

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "sim/mesh/box_tree.h"
-#include "sim/mesh/inner_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/mesh/winding.h"

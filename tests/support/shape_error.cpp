@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/body/best_rotation.h"
+#include "sim/body/rest_pose.h"
 
 namespace kerf::test {
 

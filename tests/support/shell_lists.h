@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/body/shell_constraints.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::test {

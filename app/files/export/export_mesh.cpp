@@ -9,7 +9,7 @@
 #include "sim/base/placement.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/triangle_strain.h"
+#include "sim/mesh/triangle_quality.h"
 
 namespace kerf::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/mesh/line_hit.h"
+#include "sim/mesh/ray_box.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/parts/led_blade.h"
 

@@ -6,7 +6,6 @@
 
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_finder.h"
-#include "sim/mesh/vertex_source.h"
 #include "sim/solve/gpu_solver.h"
 
 namespace kerf {

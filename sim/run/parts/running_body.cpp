@@ -9,7 +9,7 @@
 #include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
 #include "sim/base/text.h"
-#include "sim/base/turn.h"
+#include "sim/base/placement.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/impact_zones.h"
 #include "sim/mesh/oriented_box.h"

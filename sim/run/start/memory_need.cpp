@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/contact_records.h"
 #include "shaders/shared/unfold_records.h"
-#include "sim/base/per_element.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/body/ispc_builder.h"
 #include "sim/contact/triangle_grid.h"
@@ -17,6 +17,26 @@
 namespace kerf {
 
 namespace {
+
+/// An amount that grows with a mesh: so much for each vertex, and so much for each triangle.
+struct PerElement {
+    double vertex = 0;
+    double triangle = 0;
+
+    friend constexpr PerElement operator+(const PerElement& a, const PerElement& b) {
+        return {a.vertex + b.vertex, a.triangle + b.triangle};
+    }
+    friend constexpr PerElement operator*(double times, const PerElement& each) {
+        return {times * each.vertex, times * each.triangle};
+    }
+    /// The total for a mesh with so many vertices and triangles.
+    constexpr double of(double vertices, double triangles) const {
+        return vertex * vertices + triangle * triangles;
+    }
+};
+
+/// How many edges a closed surface has.
+inline constexpr PerElement kEdges{0, 1.5};
 
 using shared::uint;
 using shared::vec4;

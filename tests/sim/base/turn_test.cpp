@@ -1,4 +1,4 @@
-#include "sim/base/turn.h"
+#include "sim/base/placement.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "sim/base/turn.h"
+#include "sim/base/placement.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/box_obstacles.h"

@@ -1,4 +1,4 @@
-#include "sim/mesh/triangle_strain.h"
+#include "sim/mesh/triangle_quality.h"
 
 #include <gtest/gtest.h>
 
