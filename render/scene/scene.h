@@ -18,7 +18,6 @@
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 #include "sim/solve/body_view.h"
-#include "sim/solve/constraint_view.h"
 
 namespace kerf::render {
 

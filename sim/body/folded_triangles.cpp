@@ -1,12 +1,14 @@
 #include "sim/body/folded_triangles.h"
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 
 #include "sim/base/sort_unique.h"
 #include "sim/body/dihedral.h"
 #include "sim/body/rest_geometry.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -52,6 +54,25 @@ void addAround(const SurfaceMesh& mesh, int vertex, int first, std::vector<int>&
     });
 }
 
+/// As long as twice the area around each vertex.
+std::vector<Vec3> skinNormals(const BodyModel& model, const SurfaceMesh& mesh) {
+    std::vector<Vec3> normals(model.restPositions.size(), Vec3::Zero());
+    for (const int t : model.meshTriangle) {
+        const Vec3 normal = areaNormal(cornersOf(mesh, t));
+        for (const int v : mesh.triangle(t)) {
+            normals[v] += normal;
+        }
+    }
+    return normals;
+}
+
+/// From the vertex of an ISPC to where it ends.
+Vec3 columnOf(const IspcConstraint& c, const SurfaceMesh& mesh) {
+    const auto at = [&](std::uint32_t v) { return mesh.position(static_cast<int>(v)); };
+    const auto [own, w0, w1, w2] = weightsOf(c);
+    return -(w0 * at(c.t0) + w1 * at(c.t1) + w2 * at(c.t2)) - at(c.vertex);
+}
+
 }  // namespace
 
 std::vector<int> foldedTriangles(const SurfaceMesh& mesh, int first) {
@@ -65,6 +86,22 @@ std::vector<int> foldedTriangles(const SurfaceMesh& mesh, int first) {
     }
     sortUnique(triangles);
     return triangles;
+}
+
+std::vector<double> sharesInsideOut(const BodyModel& model, const SurfaceMesh& mesh) {
+    const std::vector<Vec3> normals = skinNormals(model, mesh);
+    std::vector<double> all(model.pieces.size(), 0.0);
+    std::vector<double> turned(model.pieces.size(), 0.0);
+    for (const IspcConstraint& c : model.ispcs) {
+        const int piece = model.pieceOfVertex[c.vertex];
+        const double volume = model.vertexAreas[c.vertex] * static_cast<double>(c.rest_length);
+        all[piece] += volume;
+        turned[piece] += columnOf(c, mesh).dot(normals[c.vertex]) > 0 ? volume : 0.0;
+    }
+    for (std::size_t p = 0; p < all.size(); ++p) {
+        turned[p] = all[p] > 0 ? turned[p] / all[p] : 0.0;
+    }
+    return turned;
 }
 
 }  // namespace kerf

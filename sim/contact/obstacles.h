@@ -1,13 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "shaders/shared/box_records.h"
 #include "sim/base/math.h"
+#include "sim/contact/blade_body.h"
 #include "sim/contact/contact_solver.h"
+#include "sim/contact/static_box.h"
 
 namespace kerf {
 
@@ -46,5 +51,38 @@ class Obstacles {
 shared::vec4 packed(const Vec3& v, double w);
 /// The record of a box. Columns of `axes`: unit vectors; `half`: half the size along each [m].
 shared::BoxRecord boxRecord(const Vec3& center, const Eigen::Matrix3d& axes, const Vec3& half);
+
+/// Static boxes as obstacles; a surface keeps a thickness away from them.
+class BoxObstacles final : public Obstacles {
+  public:
+    static ObstacleKind kind();
+    /// Null where there are no boxes.
+    static std::unique_ptr<const Obstacles> of(std::vector<StaticBox> boxes);
+
+    explicit BoxObstacles(std::vector<StaticBox> boxes) : boxes_(std::move(boxes)) {}
+    std::size_t write(const Bounds& bounds, gpu::Buffer& records) const override;
+    bool mayPierce(const Bounds& bounds, double edgeLength) const override;
+    TouchDistances distances(const ContactSettings& settings, double edgeLength) const override;
+
+  private:
+    std::vector<StaticBox> boxes_;
+};
+
+/// The body of the blade as an obstacle: as a static box, but that the blade moves, tapers towards
+/// its edge, and stands in the slit that the edge has cut, whose walls it holds apart.
+class BladeObstacle final : public Obstacles {
+  public:
+    static ObstacleKind kind();
+    /// Null where the blade does not push.
+    static std::unique_ptr<const Obstacles> of(std::optional<BladeMotion> motion);
+
+    /// How the blade moves in the coming step, with a frame more than substeps.
+    explicit BladeObstacle(BladeMotion motion) : motion_(std::move(motion)) {}
+    std::size_t write(const Bounds& bounds, gpu::Buffer& records) const override;
+    TouchDistances distances(const ContactSettings& settings, double edgeLength) const override;
+
+  private:
+    BladeMotion motion_;
+};
 
 }  // namespace kerf

@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "gpu/read_back.h"
-#include "sim/contact/blade_obstacle.h"
-#include "sim/contact/box_obstacles.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/edge_push.h"
 #include "sim/contact/obstacle_contact.h"
+#include "sim/contact/obstacles.h"
 #include "sim/contact/paper_contact.h"
 #include "sim/solve/solver_body.h"
 

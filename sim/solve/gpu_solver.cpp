@@ -2,12 +2,30 @@
 
 #include <cassert>
 #include <utility>
+#include <vector>
 
+#include "shaders/shared/bindings.h"
 #include "sim/base/pausing.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/solver_views.h"
 
 namespace kerf {
+
+SavedPieces::SavedPieces(SolverBody& body)
+    : body_(body), kernel_(gpu::Program::compute("sim/restore.comp")) {}
+
+void SavedPieces::restoreAtRest(std::span<const int> pieces) {
+    assert(body_.state.saved.size() == body_.state.positions.size());
+    std::vector<shared::uint> marks(body_.pieces.pieces().size(), 0);
+    for (const int piece : pieces) {
+        marks[piece] = 1;
+    }
+    marks_.assign(marks);
+    body_.bind();
+    body_.state.saved.bindStorage(shared::kSavedBinding);
+    marks_.bindStorage(shared::kMarksBinding);
+    body_.run(kernel_, body_.uniforms.vertex_count);
+}
 
 using shared::uint;
 

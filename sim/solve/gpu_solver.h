@@ -5,18 +5,35 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/buffer.h"
+#include "gpu/program.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_updater.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/collisions.h"
-#include "sim/solve/constraint_view.h"
-#include "sim/solve/saved_pieces.h"
 #include "sim/solve/solver_body.h"
 #include "sim/solve/time_stepper.h"
 #include "sim/solve/vertex_masses.h"
 
 namespace kerf {
+
+/// The positions of a body when a step ended, to which pieces go back that are lost in the next.
+class SavedPieces {
+  public:
+    /// The body must outlive it. Compiles the kernel: throws gpu::ShaderError.
+    explicit SavedPieces(SolverBody& body);
+
+    /// Remembers the positions on the GPU.
+    void save() { body_.state.saved.copyFrom(body_.state.positions); }
+    /// Brings those of some pieces back, with velocities at zero.
+    void restoreAtRest(std::span<const int> pieces);
+
+  private:
+    SolverBody& body_;
+    gpu::Program kernel_;
+    gpu::Buffer marks_;  ///< per piece
+};
 
 /// The soft body on the GPU: the phases of ReferenceSolver in floats, in the same order, with
 /// results that do not depend on the number of threads. Base positions X, the displacement d of a

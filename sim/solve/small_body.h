@@ -8,10 +8,28 @@
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
-#include "sim/solve/loop_budget.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {
+
+/// Mesa's llvmpipe ends all loops of a thread after 65,535 turns together in a dispatch, without a
+/// word. Some are spared for what a dispatch does once.
+inline constexpr std::size_t kMostTurns = 64000;
+inline constexpr std::size_t kSparedTurns = 65535 - kMostTurns;
+
+/// How a group goes through a body: so many of its threads run side by side, and turn as often as
+/// the one that needs most. They have a stretch of the vertices each (see small_body_state.glsl).
+struct GroupShape {
+    std::uint32_t threads;
+    std::uint32_t sideBySide;
+};
+
+/// Turns of all loops of a thread of small_body.comp, at most, in one sweep of plain PBD: how often
+/// their conditions are looked at. SolverLoops.* counts them.
+std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group);
+
+/// The same, in one substep of a body of so many blocks of a page each.
+std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group);
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities;
 /// between them lies what may collide with the body.
@@ -45,7 +63,7 @@ class SmallBodySolver {
     /// How many sweeps of plain PBD a dispatch does at most, which one group of llvmpipe can do for
     /// larger bodies too; 0 where it can't.
     std::uint32_t sweepsAtOnce() const { return atOnce(sweepTurns_); }
-    /// Turns of loops, at most, in each of those (loop_budget.h); 0 where there are none.
+    /// Turns of loops, at most, in each of those (see turnsOfSubstep()); 0 where there are none.
     std::size_t turnsOfSubstep() const { return substepTurns_; }
     std::size_t turnsOfSweep() const { return sweepTurns_; }
 

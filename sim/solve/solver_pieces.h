@@ -7,10 +7,49 @@
 #include "gpu/buffer.h"
 #include "shaders/shared/body_records.h"
 #include "sim/body/body_model.h"
+#include "sim/mesh/piece_labels.h"
 #include "sim/solve/scatter.h"
-#include "sim/solve/vertex_pages.h"
 
 namespace kerf {
+
+/// The vertices of each piece on pages of shared::kPageSize places, so that a work group can sum
+/// over a page, and a vertex that comes or goes touches one place. Pages may have holes.
+class VertexPages {
+  public:
+    /// Gives every piece pages of its own, its vertices ascending.
+    void assign(std::span<const int> pieceOfVertex, std::size_t pieceCount);
+    /// Follows vertices to other pieces. A piece that becomes half empty is packed anew.
+    void update(std::span<const LabelMove> moves, std::size_t vertexCount, std::size_t pieceCount);
+
+    /// The vertex at each place, page after page; shared::kNoVertex for a hole.
+    const std::vector<std::uint32_t>& places() const { return places_; }
+    const std::vector<std::uint32_t>& pagesOf(std::size_t piece) const {
+        return pieces_[piece].pages;
+    }
+    /// A vertex of the piece; shared::kNoVertex where it has none.
+    std::uint32_t anyVertexOf(std::size_t piece) const;
+    /// Places that changed since the last call, ascending.
+    std::vector<std::uint32_t> takeChangedPlaces();
+
+  private:
+    struct Piece {
+        std::vector<std::uint32_t> pages;
+        std::vector<std::uint32_t> holes;  ///< the last one is filled first
+        std::size_t vertices = 0;
+    };
+
+    void put(std::uint32_t vertex, Piece& piece);
+    void take(std::uint32_t vertex, Piece& piece);
+    void addPage(Piece& piece);
+    void pack(Piece& piece);
+    void set(std::uint32_t place, std::uint32_t vertex);
+
+    std::vector<std::uint32_t> places_;
+    std::vector<std::uint32_t> placeOf_;  ///< by vertex
+    std::vector<Piece> pieces_;
+    std::vector<std::uint32_t> freePages_;
+    std::vector<std::uint32_t> changed_;
+};
 
 /// The volume that a piece is held at; chips are left alone (PieceModel::holdsVolume).
 struct VolumeTarget {

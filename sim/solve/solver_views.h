@@ -2,7 +2,6 @@
 
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/body_view.h"
-#include "sim/solve/constraint_view.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {

@@ -1,16 +1,51 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "gpu/timer.h"
 #include "sim/solve/collisions.h"
-#include "sim/solve/faster_way.h"
 #include "sim/solve/small_body.h"
 #include "sim/solve/solver_body.h"
 #include "sim/solve/substep_phases.h"
 #include "sim/solve/unfolding.h"
 
 namespace kerf {
+
+/// The choice between two ways to the same result: the one that took less time when it was last
+/// taken. Each is tried twice first, since the first time compiles its kernels; and now and then it
+/// is the other's turn, since what makes them fast or slow may change.
+class FasterWay {
+  public:
+    /// 0 or 1.
+    std::size_t next() const {
+        for (const std::size_t way : {std::size_t{0}, std::size_t{1}}) {
+            if (tries_[way] < kTries) {
+                return way;
+            }
+        }
+        const std::size_t faster = last_[1] < last_[0] ? 1 : 0;
+        return sinceOther_ < kOtherAfter ? faster : 1 - faster;
+    }
+
+    /// How long next() took, in any unit.
+    void took(double time) {
+        const std::size_t way = next();
+        sinceOther_ = sinceOther_ < kOtherAfter ? sinceOther_ + 1 : 0;
+        tries_[way] = std::min(tries_[way] + 1, kTries);
+        last_[way] = time;
+    }
+
+    static constexpr int kTries = 2;
+    static constexpr int kOtherAfter = 60;
+
+  private:
+    std::array<double, 2> last_{};
+    std::array<int, 2> tries_{};
+    int sinceOther_ = 0;
+};
 
 /// Takes the time steps of a body, the fastest way that there is: in a dispatch for each phase of a
 /// substep, or a small body by one work group in a dispatch for a step, a substep or some sweeps.

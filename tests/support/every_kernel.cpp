@@ -4,7 +4,7 @@
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/box_surface.h"
-#include "sim/run/start/touching_boxes.h"
+#include "sim/run/start/kernel_warm_up.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gpu_solver.h"
 

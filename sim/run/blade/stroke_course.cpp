@@ -6,6 +6,7 @@
 
 #include "sim/base/pausing.h"
 #include "sim/run/blade/cut_followers.h"
+#include "sim/run/parts/led_blade.h"
 
 namespace kerf {
 
@@ -160,6 +161,45 @@ HeldEdge StrokeCourse::heldEdge() const {
 std::optional<BladeMotion> StrokeCourse::bladeMotion() const {
     const bool pushes = input_.params.bladePush != 0 && input_.blade.isPlaced();
     return pushes ? input_.blade.motion(push(), body_.front()) : std::nullopt;
+}
+
+FrontHold::FrontHold(RunningBody& body, double timeStep) : body_(body) {
+    if (body_.mesh().openStroke() >= 0) {
+        carryHidden(timeStep);
+        return;
+    }
+    if (!standsInMaterial(body_.cutter->rung())) {
+        return;
+    }
+    anchors_ = findFrontAnchors(body_.cutter->rung(), frame(timeStep));
+    for (const Anchor& anchor : anchors_) {
+        body_.solver.masses().anchor(anchor.vertex, anchor.velocity.cast<float>());
+    }
+}
+
+void FrontHold::release() {
+    for (const Anchor& anchor : std::exchange(anchors_, {})) {
+        body_.solver.masses().release(anchor.vertex);
+    }
+}
+
+void FrontHold::carryHidden(double timeStep) {
+    std::vector<Anchor> found = findHiddenAnchors(body_.updater->hiddenVertices(), frame(timeStep));
+    std::ranges::sort(found, {}, &Anchor::vertex);
+    std::vector<std::uint32_t> vertices;
+    std::vector<Vec3f> velocities;
+    for (const Anchor& anchor : found) {
+        vertices.push_back(static_cast<std::uint32_t>(anchor.vertex));
+        velocities.push_back(anchor.velocity.cast<float>());
+    }
+    if (!vertices.empty()) {
+        body_.solver.masses().carry(vertices, velocities);
+    }
+}
+
+AnchorFrame FrontHold::frame(double timeStep) const {
+    return {body_.mesh(), body_.updater->pieceOfMeshVertex(), body_.cutter->edgeLengthAtFront(),
+            body_.cutter->strokeSurface(), timeStep};
 }
 
 }  // namespace kerf

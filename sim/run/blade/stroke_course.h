@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "sim/contact/blade_body.h"
 #include "sim/contact/edge_push.h"
@@ -8,6 +9,7 @@
 #include "sim/run/parts/running_body.h"
 #include "sim/run/parts/simulation_parts.h"
 #include "sim/run/undo/undo_log.h"
+#include "sim/solve/front_anchors.h"
 
 namespace kerf {
 
@@ -53,6 +55,22 @@ class StrokeCourse {
     SimulationInput& input_;
     UndoLog& log_;
     SimulationOutput& output_;
+};
+
+/// Holds the front of an unfinished slit for a step, until release(); where walls are absent, as in
+/// the open course, what is hidden follows the body instead. See findFrontAnchors().
+class FrontHold {
+  public:
+    /// The body must outlive it. `timeStep`: the coming one [s].
+    FrontHold(RunningBody& body, double timeStep);
+    void release();
+
+  private:
+    AnchorFrame frame(double timeStep) const;
+    void carryHidden(double timeStep);
+
+    RunningBody& body_;
+    std::vector<Anchor> anchors_;
 };
 
 }  // namespace kerf

@@ -2,11 +2,20 @@
 
 #include <cstddef>
 
+#include "sim/base/math.h"
 #include "sim/base/params.h"
 #include "sim/body/body_state.h"
+#include "sim/mesh/surface_mesh.h"
 #include "sim/solve/gpu_solver.h"
 
 namespace kerf {
+
+/// Two boxes of a metre, one above the other, that overlap a little and approach each other: a body
+/// that needs the kernels of contact.
+SurfaceMesh touchingBoxes();
+BodyState approachingStateOf(const SurfaceMesh& touchingBoxes);
+/// Around their velocities [m/s].
+Bounds approachingVelocities();
 
 /// Runs the kernels that a stroke, a fall, a contact and a pull need on a tiny body of its own, one
 /// more at a time: software drivers compile with the first dispatch, and nobody shall wait for that

@@ -9,7 +9,7 @@
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/solve/vertex_pages.h"
+#include "sim/solve/solver_pieces.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
-#include "sim/base/placement.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/base/placement.h"
 
 namespace kerf {
 namespace {

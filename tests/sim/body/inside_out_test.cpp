@@ -1,9 +1,8 @@
-#include "sim/body/inside_out.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "sim/body/folded_triangles.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/contact/box_obstacles.h"
+#include "sim/contact/obstacles.h"
 #include "sim/run/simulation.h"
 #include "sim/run/state_hash.h"
 #include "sim/run/undo/undo_history.h"

@@ -9,15 +9,15 @@
 #include "sim/base/placement.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/contact/box_obstacles.h"
+#include "sim/contact/obstacles.h"
 #include "sim/mesh/invariants.h"
-#include "tests/support/reference/reference_boxes.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
+#include "tests/support/reference/reference_boxes.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -5,12 +5,12 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
-#include "tests/support/reference/reference_contact.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
+#include "tests/support/reference/reference_contact.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 

@@ -5,12 +5,12 @@
 
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/piece_labels.h"
-#include "tests/support/reference/octree.h"
-#include "tests/support/reference/reference_paper_contact.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/reference/octree.h"
+#include "tests/support/reference/reference_paper_contact.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -1,6 +1,6 @@
-#include "sim/mesh/triangle_quality.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/mesh/triangle_quality.h"
 
 namespace kerf {
 namespace {

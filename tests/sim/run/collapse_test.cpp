@@ -9,7 +9,7 @@
 #include <random>
 
 #include "sim/body/body_model.h"
-#include "sim/body/inside_out.h"
+#include "sim/body/folded_triangles.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/nightly.h"
 #include "tests/support/shape_error.h"

@@ -1,8 +1,8 @@
-#include "sim/solve/faster_way.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
+
+#include "sim/solve/time_stepper.h"
 
 namespace kerf {
 namespace {

@@ -1,8 +1,8 @@
-#include "sim/solve/vertex_pages.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "sim/solve/solver_pieces.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/body/inside_out.h"
+#include "sim/body/folded_triangles.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
