@@ -1,7 +1,6 @@
 #include "sim/body/constraint_builder.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <optional>
 
-#include "sim/mesh/ray_box.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -6,6 +6,11 @@
 
 namespace kerf::cut {
 
+/// The position in which v and its copies meet: their mean, where none lies farther from it than
+/// `distance` [m]; otherwise, and where v has no copies, v's own position. All copies that meet get
+/// the same position to the last bit.
+Vec3 commonPosition(const SurfaceMesh& mesh, int v, double distance);
+
 /// The stroke that made a wall triangle, -1 on the skin.
 inline int strokeOf(const SurfaceMesh& mesh, int t) {
     return mesh.kind(t) == SurfaceKind::wall ? mesh.wallLabel(t) / 2 : -1;

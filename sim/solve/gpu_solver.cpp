@@ -1,8 +1,6 @@
 #include "sim/solve/gpu_solver.h"
 
 #include <cassert>
-#include <utility>
-#include <vector>
 
 #include "shaders/shared/bindings.h"
 #include "sim/base/pausing.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <span>
 
 #include "gpu/kernel_way.h"
 #include "shaders/shared/bindings.h"

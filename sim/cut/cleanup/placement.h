@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/one_ring.h"
-#include "sim/cut/cleanup/vertex_places.h"
 #include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {

@@ -7,15 +7,39 @@
 #include "sim/cut/plan/flush.h"
 #include "sim/cut/plan/intersections.h"
 #include "sim/cut/plan/seams.h"
-#include "sim/cut/plan/seeds.h"
 #include "sim/cut/plan/skin_map.h"
 #include "sim/cut/plan/swept_strip.h"
 #include "sim/cut/plan/wall.h"
+#include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"
+#include "sim/mesh/union_find.h"
 
 namespace kerf::cut {
 
 namespace {
+
+/// Counts the groups of neighbours among `touched` triangles, ascending. The paper finds one such
+/// triangle, its seed, and goes on from there over the adjacency, so it misses what hangs together
+/// with no seed, such as a second arm. Here all triangles come out of the tree; this only tells how
+/// many seeds that walk would need. O(k log k).
+int countSeeds(const SurfaceMesh& mesh, const std::vector<int>& touched) {
+    const int count = static_cast<int>(touched.size());
+    UnionFind groups(count);
+    for (int i = 0; i < count; ++i) {
+        for (int e = 0; e < 3; ++e) {
+            const int neighbour = mesh.twin(3 * touched[i] + e) / 3;
+            const auto at = std::lower_bound(touched.begin(), touched.end(), neighbour);
+            if (at != touched.end() && *at == neighbour) {
+                groups.join(i, static_cast<int>(at - touched.begin()));
+            }
+        }
+    }
+    int seeds = 0;
+    for (int i = 0; i < count; ++i) {
+        seeds += groups.root(i) == i;
+    }
+    return seeds;
+}
 
 constexpr double kRoomAtFrontEnd = 0.3;  // share of the edge length at the end
 

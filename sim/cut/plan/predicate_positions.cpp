@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/cut/common_position.h"
+#include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
 

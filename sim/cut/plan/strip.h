@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 
 namespace kerf::cut {
@@ -62,6 +63,21 @@ struct Strip {
   private:
     bool isNew(int node) const;
     bool isRail(int edge) const;
+};
+
+/// Finds where places of the layout plane lie in a strip.
+class PlacesInStrip {
+  public:
+    /// The strip must outlive the object.
+    PlacesInStrip(const Blade& blade, const Strip& strip);
+    /// The point of the strip there [m]. Throws StepFailure outside.
+    Vec3 at(const Vec2& layout) const;
+
+  private:
+    const Strip& strip_;
+    double room_;
+    /// The triangles follow each other along the blade: for each, how far they have come.
+    std::vector<double> reachOfTriangle_;
 };
 
 }  // namespace kerf::cut

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sim/cut/common_position.h"
 #include "sim/cut/exact/triangulation.h"
 #include "sim/cut/exact/vertex_numbers.h"
+#include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
 

@@ -8,8 +8,10 @@ namespace kerf::cut {
 
 namespace {
 
+constexpr double kPast = 3;  // edge lengths behind the front: farther than what it may crumple
+
 constexpr double kLeastPassing = 1e-7;   // share of h
-constexpr double kStandingStill = 1e-3;  // share of h
+constexpr double kTurningBack = 1e-3;  // share of h
 constexpr double kBackwards = -0.5;      // cosine
 constexpr double kBackwardShare = 0.5;
 
@@ -39,12 +41,33 @@ FrontMotion frontMotion(const SurfaceMesh& mesh, const Blade& blade, double h,
     if (back.norm() < 1e-300) {
         return {};
     }
-    const bool moves = move.norm() >= kStandingStill * h && move.dot(lastAdvance) <= 0;
+    const bool moves = move.norm() >= kTurningBack * h && move.dot(lastAdvance) <= 0;
     const double forward = -move.dot(back);
     return {along.norm(), moves && forward < kBackwards * move.norm() * back.norm()};
 }
 
 }  // namespace
+
+void OwnPast::start(int firstVertex) {
+    *this = {};
+    past_ = {firstVertex, firstVertex};
+}
+
+void OwnPast::closeUp(int endVertex) {
+    past_.end = endVertex;
+    recent_.clear();
+}
+
+void OwnPast::goOn(double way, int nextVertex) {
+    recent_.push_back({way_, nextVertex});
+    way_ += way;
+    auto present = recent_.begin();
+    while (present != recent_.end() && present->way + kPast <= way_) {
+        past_.end = present->nextVertex;
+        ++present;
+    }
+    recent_.erase(recent_.begin(), present);
+}
 
 void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
     for (RungNode& node : rung) {

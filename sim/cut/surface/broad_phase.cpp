@@ -3,14 +3,120 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <numeric>
 #include <utility>
 
-#include "sim/cut/surface/candidate_search.h"
+#include "sim/base/stopwatch.h"
 
 namespace kerf::cut {
 
 namespace {
+
+/// One search for the triangles near a strip.
+struct CandidateSearch {
+    const SurfaceMesh& mesh;  ///< the body
+    TriangleFinder& finder;   ///< for CutSearch::tree
+    CutSearch way;            ///< how to search
+    OrientedBox reach;        ///< no triangle outside of it is near
+    /// Whether a triangle is near. Each is asked once; what is near is to be kept by the function.
+    std::function<bool(int)> isNear;
+};
+
+long askFinder(const CandidateSearch& search) {
+    const std::vector<int> near = search.finder.near(search.reach);
+    for (const int t : near) {
+        search.isNear(t);
+    }
+    return static_cast<long>(near.size());
+}
+
+long askAll(const CandidateSearch& search) {
+    long tests = 0;
+    for (int t = 0; t < search.mesh.triangleSlots(); ++t) {
+        if (search.mesh.alive(t)) {
+            search.isNear(t);
+            ++tests;
+        }
+    }
+    return tests;
+}
+
+/// The paper's search over adjacent triangles.
+class Walk {
+  public:
+    explicit Walk(const CandidateSearch& search)
+        : search_(search), visited_(static_cast<std::size_t>(search.mesh.triangleSlots())) {}
+
+    SearchWork run() {
+        const Stopwatch watch;
+        for (int t = 0; t < search_.mesh.triangleSlots(); ++t) {
+            if (search_.mesh.alive(t) && visit(t)) {
+                walkFrom(t);
+                if (++work_.seeds == 1) {
+                    work_.walkMilliseconds = watch.milliseconds();
+                }
+            }
+        }
+        return work_;
+    }
+
+  private:
+    /// Whether a triangle is met now, and near.
+    bool visit(int t) {
+        if (visited_[t]) {
+            return false;
+        }
+        visited_[t] = true;
+        ++work_.tests;
+        return search_.isNear(t);
+    }
+
+    void walkFrom(int seed) {
+        std::vector<int> toTraverse{seed};
+        while (!toTraverse.empty()) {
+            const int t = toTraverse.back();
+            toTraverse.pop_back();
+            for (const int twin : search_.mesh.twins(t)) {
+                if (const int neighbour = SurfaceMesh::triangleOf(twin); visit(neighbour)) {
+                    toTraverse.push_back(neighbour);
+                }
+            }
+        }
+    }
+
+    const CandidateSearch& search_;
+    std::vector<bool> visited_;
+    SearchWork work_;
+};
+
+SearchWork searchBy(const CandidateSearch& search) {
+    SearchWork work;
+    switch (search.way) {
+        case CutSearch::tree:
+            work.tests = askFinder(search);
+            break;
+        case CutSearch::adjacency:
+            work = Walk(search).run();
+            break;
+        case CutSearch::all:
+            work.tests = askAll(search);
+            break;
+    }
+    return work;
+}
+
+/// Asks about triangles until all that are near have been found, in an order that hangs on the way
+/// of the search. The walk is the paper's algorithm A1 from its first seed on. That misses what
+/// hangs together with no seed, such as a second arm: so the list of triangles is gone through to
+/// its end for more seeds, and every group is found.
+/// O(n) but for CutSearch::tree.
+SearchWork searchCandidates(const CandidateSearch& search) {
+    const Stopwatch watch;
+    SearchWork work = searchBy(search);
+    work.milliseconds = watch.milliseconds();
+    return work;
+}
 
 constexpr int kMostBins = 4096;
 constexpr double kRotationRounding = 1e-6;  // of the bins: what turning into the frame may move

@@ -3,7 +3,7 @@
 #include "sim/cut/blade_line.h"
 #include "sim/cut/plan/new_rung.h"
 #include "sim/cut/plan/old_rung.h"
-#include "sim/cut/plan/places_in_strip.h"
+#include "sim/cut/plan/strip.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"
 
