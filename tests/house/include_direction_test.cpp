@@ -32,6 +32,10 @@ const std::vector<fs::path> kRooms = {
     "sim/cut",
     "sim/cut/exact",
     "sim/cut/surface",
+    "sim/cut/plan/input",
+    "sim/cut/plan/strip",
+    "sim/cut/plan/curves",
+    "sim/cut/plan/wall",
     "sim/cut/plan",
     "sim/cut/commit",
     "sim/cut/patch",
@@ -137,8 +141,8 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_TRUE(mayInclude("gpu/buffer.h", "shaders/shared/constraints.h"));
     EXPECT_FALSE(mayInclude("gpu/buffer.h", "sim/base/math.h"));
     EXPECT_FALSE(mayInclude("sim/mesh/surface_mesh.h", "sim/run/simulation.h"));
-    EXPECT_TRUE(mayInclude("sim/cut/plan/step.h", "sim/cut/cut_types.h"));
-    EXPECT_FALSE(mayInclude("sim/cut/cut_types.h", "sim/cut/plan/step.h"));
+    EXPECT_TRUE(mayInclude("sim/cut/plan/input/step.h", "sim/cut/cut_types.h"));
+    EXPECT_FALSE(mayInclude("sim/cut/cut_types.h", "sim/cut/plan/input/step.h"));
     EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("app/files/io/file_io.h", "app/files/import/model_source.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));

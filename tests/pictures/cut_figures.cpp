@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/cut/plan/plan.h"
-#include "sim/cut/plan/swept_strip.h"
+#include "sim/cut/plan/strip/swept_strip.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/cut/stroke/group_stroke.h"
 #include "sim/cut/stroke/ladder.h"

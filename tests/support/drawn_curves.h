@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/plan/cut_curves.h"
+#include "sim/cut/plan/curves/cut_curves.h"
 
 namespace kerf::test {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "sim/cut/commit/commit.h"
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/curves/intersections.h"
 #include "sim/cut/plan/plan.h"
 #include "sim/cut/plan/seams.h"
-#include "sim/cut/plan/swept_strip.h"
-#include "sim/cut/plan/wall.h"
+#include "sim/cut/plan/strip/swept_strip.h"
+#include "sim/cut/plan/wall/wall.h"
 #include "sim/mesh/triangle_tree.h"
 
 namespace kerf::test {

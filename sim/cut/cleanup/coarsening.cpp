@@ -8,7 +8,7 @@
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/self_piercing.h"
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {
 

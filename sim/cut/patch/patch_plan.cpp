@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "sim/cut/plan/ears.h"
+#include "sim/cut/plan/wall/ears.h"
 
 namespace kerf::cut {
 

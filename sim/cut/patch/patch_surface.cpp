@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/cut/plan/strip.h"
+#include "sim/cut/plan/strip/strip.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {
 

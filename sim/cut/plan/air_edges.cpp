@@ -5,7 +5,7 @@
 
 #include "sim/cut/blade_line.h"
 #include "sim/cut/exact/piercing.h"
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/input/step.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/plan/outline.h"
+#include "sim/cut/plan/curves/outline.h"
 #include "sim/cut/plan/subdivide.h"
 
 namespace kerf::cut {

@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "sim/base/pausing.h"
-#include "sim/cut/plan/flush.h"
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/curves/intersections.h"
 #include "sim/cut/plan/seams.h"
-#include "sim/cut/plan/skin_map.h"
-#include "sim/cut/plan/swept_strip.h"
-#include "sim/cut/plan/wall.h"
+#include "sim/cut/plan/strip/flush.h"
+#include "sim/cut/plan/strip/swept_strip.h"
+#include "sim/cut/plan/wall/skin_map.h"
+#include "sim/cut/plan/wall/wall.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/cut/plan/cut_curves.h"
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/curves/cut_curves.h"
+#include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {
 

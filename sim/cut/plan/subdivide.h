@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/plan/cut_curves.h"
+#include "sim/cut/plan/curves/cut_curves.h"
 
 namespace kerf::cut {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/cut/blade_line.h"
-#include "sim/cut/plan/new_rung.h"
+#include "sim/cut/plan/strip/new_rung.h"
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

@@ -8,7 +8,7 @@
 
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
-#include "sim/cut/plan/slit_opening.h"
+#include "sim/cut/plan/input/slit_opening.h"
 #include "sim/cut/surface/air_ties.h"
 #include "sim/mesh/surface_mesh.h"
 

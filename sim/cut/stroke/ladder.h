@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/cut/plan/step.h"
+#include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {
 

@@ -1,10 +1,10 @@
-#include "sim/cut/plan/front_profile.h"
+#include "sim/cut/plan/strip/front_profile.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "sim/cut/plan/swept_strip.h"
+#include "sim/cut/plan/strip/swept_strip.h"
 
 namespace kerf::cut {
 namespace {

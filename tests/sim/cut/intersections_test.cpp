@@ -1,4 +1,4 @@
-#include "sim/cut/plan/intersections.h"
+#include "sim/cut/plan/curves/intersections.h"
 
 #include <gtest/gtest.h>
 

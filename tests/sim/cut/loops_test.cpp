@@ -1,4 +1,4 @@
-#include "sim/cut/plan/loops.h"
+#include "sim/cut/plan/wall/loops.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "sim/cut/plan/ears.h"
+#include "sim/cut/plan/wall/ears.h"
 #include "tests/support/drawn_outline.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/step_bench.h"

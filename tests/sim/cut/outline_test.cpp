@@ -1,4 +1,4 @@
-#include "sim/cut/plan/outline.h"
+#include "sim/cut/plan/curves/outline.h"
 
 #include <gtest/gtest.h>
 

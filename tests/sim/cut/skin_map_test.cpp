@@ -1,4 +1,4 @@
-#include "sim/cut/plan/skin_map.h"
+#include "sim/cut/plan/wall/skin_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cut/plan/slit_opening.h"
+#include "sim/cut/plan/input/slit_opening.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "sim/cut/plan/swept_strip.h"
+#include "sim/cut/plan/strip/swept_strip.h"
 
 namespace kerf::cut {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/cut/plan/wall.h"
+#include "sim/cut/plan/wall/wall.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sim/cut/plan/inside_out.h"
+#include "sim/cut/plan/curves/inside_out.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sim/cut/plan/intersections.h"
-#include "sim/cut/plan/swept_strip.h"
+#include "sim/cut/plan/curves/intersections.h"
+#include "sim/cut/plan/strip/swept_strip.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"
 

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/cut/blade_line.h"
-#include "sim/cut/plan/new_rung.h"
-#include "sim/cut/plan/old_rung.h"
-#include "sim/cut/plan/strip.h"
+#include "sim/cut/plan/strip/new_rung.h"
+#include "sim/cut/plan/strip/old_rung.h"
+#include "sim/cut/plan/strip/strip.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"
 

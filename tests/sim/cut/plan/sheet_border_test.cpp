@@ -1,4 +1,4 @@
-#include "sim/cut/plan/sheet_border.h"
+#include "sim/cut/plan/wall/sheet_border.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/cut/plan/triangle_pair.h"
+#include "sim/cut/plan/curves/triangle_pair.h"
 
 #include <gtest/gtest.h>
 

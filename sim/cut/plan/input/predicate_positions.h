@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+
+#include "sim/cut/plan/input/step.h"
+
+namespace kerf::cut {
+
+/// The positions at which the predicates see the mesh vertices: the real ones, except that copies
+/// may close, that retraced slits open, and that pinned vertices are seen where they are pinned, as
+/// those of a front node exactly there. Nothing real moves.
+class PredicatePositions {
+  public:
+    /// Sees the mesh as the step's attempt and opening want it, without pins.
+    explicit PredicatePositions(const StepInput& in);
+
+    /// The position of v, with the pins [m].
+    Vec3 at(int v) const;
+    /// The position of v, without the pins [m].
+    Vec3 withoutPins(int v) const;
+    /// Lets v be seen at p from now on.
+    void pin(int v, const Vec3& p) { pins_[v] = p; }
+    /// Lets v, which lies in the strip, be seen beside it from now on, by `way` [m].
+    void pinAside(int v, const Vec3& way);
+    /// Whether v is seen beside the strip in which it lies.
+    bool isAside(int v) const { return asideFrom_.count(v) > 0; }
+    /// The position of v, with the pins but for those aside [m].
+    Vec3 inStrip(int v) const;
+    /// The farthest that any vertex was pinned aside [m].
+    double asideReach() const { return asideReach_; }
+
+  private:
+    const SurfaceMesh& mesh_;
+    const SlitOpening* opening_;  ///< null where there is none to see
+    double closeDistance_;
+    std::map<int, Vec3> pins_;
+    std::map<int, Vec3> asideFrom_;  ///< where vertices lie that are pinned aside
+    double asideReach_ = 0;
+};
+
+}  // namespace kerf::cut

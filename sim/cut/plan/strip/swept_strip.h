@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/cut/plan/input/predicate_positions.h"
+#include "sim/cut/plan/strip/strip.h"
+
+namespace kerf::cut {
+
+/// Builds the strip of a step between the old rung and a new one, which has no nodes at the
+/// parameters `skipped`, and pins the vertices of its nodes. Throws StepFailure.
+Strip buildStrip(const StepInput& in, PredicatePositions& positions,
+                 const std::vector<double>& skipped = {});
+
+/// The triangles between two chains (node ids and their s), the first chain below. With a shared
+/// end the other chain advances first, so that no triangle has three nodes on one rung.
+std::vector<Triangle> stitch(const std::vector<int>& lower, const std::vector<double>& lowerS,
+                             const std::vector<int>& upper, const std::vector<double>& upperS);
+
+}  // namespace kerf::cut

@@ -1,0 +1,333 @@
+#include "sim/cut/plan/wall/wall.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/cut/plan/curves/rest_guess.h"
+#include "sim/cut/plan/strip/strip.h"
+#include "sim/cut/plan/wall/ears.h"
+#include "sim/cut/plan/wall/sheet_border.h"
+#include "sim/mesh/triangle.h"
+
+namespace kerf::cut {
+
+namespace {
+
+constexpr double kFlat = 1e-5;  // h: faces that are no farther out of one plane are one
+constexpr int kChordRounds = 4;
+
+bool triangleHas(const SurfaceMesh& mesh, int t, int v) {
+    const Triangle& corners = mesh.triangle(t);
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+}
+
+bool liesOnFace(const SurfaceMesh& mesh, const CutNode& node, int t) {
+    switch (node.kind) {
+        case NodeKind::face:
+            return node.a == t;
+        case NodeKind::edge:
+            return triangleHas(mesh, t, node.a) && triangleHas(mesh, t, node.b);
+        case NodeKind::vertex:
+            return triangleHas(mesh, t, node.a);
+        case NodeKind::wall:
+            break;
+    }
+    return false;
+}
+
+// A wall edge between two nodes of one surface face would lie IN the surface and close a chip of
+// no thickness.
+bool shareFace(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q) {
+    if (p.kind == NodeKind::wall || q.kind == NodeKind::wall) {
+        return false;
+    }
+    if (p.kind == NodeKind::vertex && q.kind == NodeKind::vertex) {
+        return mesh.findHalfEdge(p.a, q.a) >= 0;
+    }
+    const CutNode& first = p.kind == NodeKind::vertex ? q : p;
+    const CutNode& second = p.kind == NodeKind::vertex ? p : q;
+    if (first.kind == NodeKind::face) {
+        return liesOnFace(mesh, second, first.a);
+    }
+    const int h = mesh.findHalfEdge(first.a, first.b);
+    return h >= 0 &&
+           (liesOnFace(mesh, second, h / 3) || liesOnFace(mesh, second, mesh.twin(h) / 3));
+}
+
+double distanceToFace(const SurfaceMesh& mesh, int face, const Vec3& p) {
+    const Corners at = cornersOf(mesh, face);
+    const Vec3 normal = areaNormal(at);
+    return std::fabs(normal.dot(p - at[0])) / std::max(normal.norm(), 1e-300);
+}
+
+/// The two faces at a node on an edge, that around a node on a face twice; -1 for others.
+std::array<int, 2> facesAt(const SurfaceMesh& mesh, const CutNode& node) {
+    if (node.kind == NodeKind::face) {
+        return {node.a, node.a};
+    }
+    const int h = node.kind == NodeKind::edge ? mesh.findHalfEdge(node.a, node.b) : -1;
+    return h < 0 ? std::array{-1, -1} : std::array{h / 3, mesh.twin(h) / 3};
+}
+
+bool areNeighbors(const SurfaceMesh& mesh, int f, int g) {
+    return mesh.twin(3 * f) / 3 == g || mesh.twin(3 * f + 1) / 3 == g ||
+           mesh.twin(3 * f + 2) / 3 == g;
+}
+
+/// On two faces side by side, in one plane but for `tolerance`.
+bool shareFlatFaces(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q, double tolerance) {
+    for (const int f : facesAt(mesh, p)) {
+        for (const int g : facesAt(mesh, q)) {
+            if (f >= 0 && g >= 0 && areNeighbors(mesh, f, g) &&
+                distanceToFace(mesh, f, q.position) < tolerance &&
+                distanceToFace(mesh, g, p.position) < tolerance) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Turns edges of a sheet that join two border nodes of one face of the mesh: they would lie in the
+/// surface and close a chip of no thickness. Where no turn helps, an inner node leads the sheet
+/// away from the face; so it does from two faces side by side in one plane.
+class Chords {
+  public:
+    Chords(const StepInput& in, const PlacesInStrip& places, BorderedSheet& sheet)
+        : in_(in), places_(places), sheet_(sheet), plane_(sheet.plane()) {}
+
+    void clear() {
+        flipAll();
+        liftRest();
+    }
+
+  private:
+    void flipAll() {
+        bool flipped = true;
+        for (int round = 0; round < kChordRounds && flipped; ++round) {
+            flipped = false;
+            for (int t = 0; t < plane_.size(); ++t) {
+                for (int e = 0; e < 3 && plane_.marked(t); ++e) {
+                    if (flipChord(t, e)) {
+                        flipped = true;
+                        break;
+                    }
+                }
+            }
+        }
+    }
+
+    // Where no flip helps, an inner point of the blade's surface leads the wall away from the face.
+    void liftRest() {
+        const int end = plane_.size();
+        for (int t = 0; t < end; ++t) {
+            for (int e = 0; e < 3 && plane_.marked(t); ++e) {
+                if (liftChord(t, e)) {
+                    break;
+                }
+            }
+        }
+    }
+
+    bool isChord(int a, int b) const {
+        const CutNode* p = sheet_.borderNode(a);
+        const CutNode* q = sheet_.borderNode(b);
+        return p != nullptr && q != nullptr && shareFace(in_.mesh, *p, *q);
+    }
+
+    bool isFlatChord(int a, int b) const {
+        const CutNode* p = sheet_.borderNode(a);
+        const CutNode* q = sheet_.borderNode(b);
+        return p != nullptr && q != nullptr && shareFlatFaces(in_.mesh, *p, *q, kFlat * in_.h);
+    }
+
+    bool flipChord(int t, int e) {
+        if (plane_.constrained(t, e) || plane_.neighbor(t, e) < 0) {
+            return false;
+        }
+        const Triangle c = plane_.corners(t);
+        if (!isChord(c[e], c[(e + 1) % 3]) ||
+            isChord(c[(e + 2) % 3], plane_.oppositeVertex(t, e)) || !plane_.convex(t, e)) {
+            return false;
+        }
+        plane_.flip(t, e);
+        return true;
+    }
+
+    bool liftChord(int t, int e) {
+        const int a = plane_.corners(t)[e];
+        const int b = plane_.corners(t)[(e + 1) % 3];
+        const int neighbor = plane_.neighbor(t, e);
+        if (plane_.constrained(t, e) || neighbor < 0 || !(isChord(a, b) || isFlatChord(a, b))) {
+            return false;
+        }
+        const bool wider = doubleArea(t) >= doubleArea(neighbor);
+        const int wide = wider ? t : neighbor;
+        const int narrow = wider ? neighbor : t;
+        const Vec2 p = centerOf(wide);
+        const Triangulation::Location at = plane_.locate(p);
+        if (at.where != Triangulation::Where::inside || at.triangle != wide) {
+            return false;
+        }
+        sheet_.addInner(p, places_.at(p), at);
+        for (int k = 0; k < 3; ++k) {  // unless the new point has flipped it already
+            const Triangle& c = plane_.corners(narrow);
+            if (edgeOf(c[k], c[(k + 1) % 3]) == edgeOf(a, b) && plane_.convex(narrow, k)) {
+                plane_.flip(narrow, k);
+                break;
+            }
+        }
+        return true;
+    }
+
+    double doubleArea(int t) const {
+        const Triangle& c = plane_.corners(t);
+        return cross2(plane_.point(c[1]) - plane_.point(c[0]),
+                      plane_.point(c[2]) - plane_.point(c[0]));
+    }
+
+    Vec2 centerOf(int t) const {
+        const Triangle& c = plane_.corners(t);
+        return (plane_.point(c[0]) + plane_.point(c[1]) + plane_.point(c[2])) / 3;
+    }
+
+    const StepInput& in_;
+    const PlacesInStrip& places_;
+    BorderedSheet& sheet_;
+    Triangulation& plane_;
+};
+
+// Shares of the edge length there.
+constexpr double kTallSheet = 1.2;
+constexpr double kSteinerToNode = 0.6;
+constexpr double kSteinerToEdge = 0.4;
+constexpr int kMostSteinerPoints = 200000;
+constexpr double kLattices = 2;  // for each doubling of the edge length
+
+/// Puts nodes into a sheet that is taller than one edge, as far apart as edges are long there.
+/// `nodes`: those of the border.
+class InnerPoints {
+  public:
+    InnerPoints(const StepInput& in, const RestGuess& guess, const PlacesInStrip& places,
+                const std::vector<CutNode>& nodes, BorderedSheet& sheet)
+        : in_(in),
+          guess_(guess),
+          places_(places),
+          nodes_(nodes),
+          sheet_(sheet),
+          plane_(sheet.plane()) {}
+
+    // Only single big steps make sheets tall enough to need points inside: hexagonal lattices, the
+    // coarse ones first, each where its spacing is the edge length.
+    void run() {
+        const auto [most, least] = edgeLengthsAtBorder();
+        if (sheet_.bounds().high.y() - sheet_.bounds().low.y() <= kTallSheet * least) {
+            return;
+        }
+        const int levels = static_cast<int>(std::lround(kLattices * std::log2(most / least)));
+        const double widest = levels == 0 && most > least ? std::sqrt(most * least) : most;
+        for (int level = 0; level <= levels; ++level) {
+            insertLattice(widest * std::exp2(-level / kLattices),
+                          {level == 0 ? 1e300 : std::exp2(0.5 / kLattices),
+                           level == levels ? 0 : std::exp2(-0.5 / kLattices)});
+        }
+    }
+
+  private:
+    struct Range {
+        double most;
+        double least;
+    };
+
+    Range edgeLengthsAtBorder() const {
+        Range range{0, 1e300};
+        for (const OutlineEdge& edge : sheet_.border()) {
+            const CutNode& node = nodes_[edge.from];
+            const double length = in_.edgeLengths.localEdgeLength(
+                node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest);
+            range = {std::max(range.most, length), std::min(range.least, length)};
+        }
+        return range;
+    }
+
+    /// `share`: of the spacing that the edge length of a point may be.
+    void insertLattice(double spacing, const Range& share) {
+        const Vec2 extent = sheet_.bounds().high - sheet_.bounds().low;
+        const double rowHeight = 0.866 * spacing;
+        const double rows = std::floor(extent.y() / rowHeight);
+        const double columns = std::floor(extent.x() / spacing);
+        if (rows * columns > kMostSteinerPoints) {
+            return;
+        }
+        plane_.reserve(static_cast<std::size_t>((rows + 1) * (columns + 1)));
+        for (int j = 0; j <= static_cast<int>(rows); ++j) {
+            for (int i = 0; i <= static_cast<int>(columns); ++i) {
+                const double shift = j % 2 == 1 ? 0.5 : 0.0;
+                tryInsertSteiner({sheet_.bounds().low.x() + (i + shift) * spacing,
+                                  sheet_.bounds().low.y() + (j + 0.5) * rowHeight},
+                                 spacing, share);
+            }
+        }
+    }
+
+    void tryInsertSteiner(const Vec2& p, double spacing, const Range& share) {
+        const Triangulation::Location at = plane_.locate(p);
+        if (at.where != Triangulation::Where::inside || !plane_.marked(at.triangle) ||
+            tooClose(at.triangle, p, spacing)) {
+            return;
+        }
+        const Vec3 position = places_.at(p);
+        const double edge = in_.edgeLengths.localEdgeLength(guess_.at(position));
+        if (edge < share.most * spacing && edge >= share.least * spacing) {
+            sheet_.addInner(p, position, at);
+        }
+    }
+
+    bool tooClose(int t, const Vec2& p, double spacing) const {
+        for (int i = 0; i < 3; ++i) {
+            const Vec2& a = plane_.point(plane_.corners(t)[i]);
+            const Vec2& b = plane_.point(plane_.corners(t)[(i + 1) % 3]);
+            if ((a - p).norm() < kSteinerToNode * spacing) {
+                return true;
+            }
+            const double distance = std::fabs(cross2(b - a, p - a)) / (b - a).norm();
+            if (plane_.constrained(t, i) && distance < kSteinerToEdge * spacing) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const StepInput& in_;
+    const RestGuess& guess_;
+    const PlacesInStrip& places_;
+    const std::vector<CutNode>& nodes_;
+    BorderedSheet& sheet_;
+    Triangulation& plane_;
+};
+
+}  // namespace
+
+Wall triangulateWall(const StepInput& in, const Strip& strip, const Outline& outline,
+                     const CutCurves& curves) {
+    Wall wall;
+    const std::vector<CutNode>& nodes = curves.nodes;
+    const RestGuess guess(in, strip, curves);
+    const PlacesInStrip places(in.blade, strip);
+    for (const Sheet2d& loops : nestLoops(in, outline, nodes)) {
+        const int piece = loops.outer.front().piece;
+        try {
+            BorderedSheet sheet(loops, nodes, sizeOf(nodes) + sizeOf(wall.nodes), in.h);
+            InnerPoints(in, guess, places, nodes, sheet).run();
+            Chords(in, places, sheet).clear();
+            wall.sheets.push_back({sheet.triangles(), piece});
+            wall.nodes.insert(wall.nodes.end(), sheet.inner().begin(), sheet.inner().end());
+        } catch (const StepFailure&) {
+            wall.sheets.push_back({cutEars(loops, nodes, in.h), piece});
+        }
+    }
+    return wall;
+}
+
+}  // namespace kerf::cut
