@@ -13,4 +13,9 @@ std::filesystem::path dataPath(std::string_view relative);
 /// dataPath("shaders").
 std::filesystem::path shaderRoot();
 
+/// The folder of the program kerf: that of the executable, unless setProgramFolder() named another.
+std::filesystem::path programFolder();
+/// For code that runs in a program of somebody else, such as Python.
+void setProgramFolder(std::filesystem::path folder);
+
 }  // namespace kerf::gpu

@@ -12,11 +12,11 @@
 
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
-#include "gpu/program_record.h"
 #include "gpu/shader_source.h"
 #include "gpu/traffic.h"
 
 namespace kerf::gpu {
+
 namespace {
 
 /// A shader object that is deleted at the end of its scope; the program keeps what it needs.
@@ -203,6 +203,11 @@ bool mayDispatch(Linked& linked) {
     return static_cast<GLuint>(limit);
 }
 
+ProgramRecord*& noting() {
+    static ProgramRecord* record = nullptr;
+    return record;
+}
+
 }  // namespace
 
 ProgramShelf::ProgramShelf() {
@@ -335,6 +340,18 @@ void beforeDrawingIndirect() {
 
 void finish() {
     glFinish();
+}
+
+ProgramRecord::ProgramRecord() : before_(noting()) {
+    noting() = this;
+}
+
+ProgramRecord::~ProgramRecord() {
+    noting() = before_;
+}
+
+ProgramRecord* ProgramRecord::current() {
+    return noting();
 }
 
 }  // namespace kerf::gpu

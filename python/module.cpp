@@ -6,7 +6,7 @@
 
 #include "app/files/import/builtin_models.h"
 #include "app/session/material.h"
-#include "gpu/program_folder.h"
+#include "gpu/data_path.h"
 #include "python/bindings.h"
 #include "python/errors.h"
 #include "python/log.h"

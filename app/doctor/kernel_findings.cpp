@@ -7,7 +7,7 @@
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_energy.h"
+#include "sim/reference/reference_constraints.h"
 #include "sim/reference/solver_pair.h"
 
 namespace kerf::app {

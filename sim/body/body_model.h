@@ -6,12 +6,22 @@
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "sim/body/body_state.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
+
+/// The running state on the CPU, shape [vertexCount].
+struct BodyState {
+    std::vector<Vec3f> positions;   ///< [m]
+    std::vector<Vec3f> velocities;  ///< [m/s]
+};
+
+/// The state of these vertices of `mesh`, in this order, rounded to float.
+BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices);
+/// The state of all vertices of `mesh`, rounded to float.
+BodyState stateOf(const SurfaceMesh& mesh);
 
 /// A piece of the body. Counts, areas and masses are those of what is present; the volume is that
 /// inside the closed mesh.

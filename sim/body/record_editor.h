@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/base/sort_unique.h"
-#include "sim/body/incidence.h"
+#include "sim/body/body_model.h"
 
 namespace kerf {
 

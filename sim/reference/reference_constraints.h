@@ -37,4 +37,10 @@ using LinearizedOf = Linearized<std::tuple_size_v<decltype(verticesOf(Constraint
 KERF_CONSTRAINTS(KERF_LINEARIZE)
 #undef KERF_LINEARIZE
 
+/// The energy that BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 / (2 alpha) over
+/// the constraints that are on and not rigid, beyond the clamp of a bend with the moment that it
+/// has there.
+double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
+                    const ReferenceState& state);
+
 }  // namespace kerf

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "shaders/shared/unfold_records.h"
-#include "sim/body/incidence.h"
 #include "sim/body/piece_masses.h"
 #include "sim/mesh/triangle.h"
 #include "sim/reference/reference_constraints.h"

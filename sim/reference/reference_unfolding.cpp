@@ -6,7 +6,6 @@
 
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/dihedral.h"
-#include "sim/body/incidence.h"
 #include "sim/body/rest_pose.h"
 #include "sim/mesh/triangle.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "sim/body/incidence.h"
+#include "sim/body/body_model.h"
 
 namespace kerf {
 

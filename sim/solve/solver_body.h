@@ -10,7 +10,6 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_model.h"
-#include "sim/body/body_state.h"
 #include "sim/solve/scatter.h"
 #include "sim/solve/solver_model.h"
 #include "sim/solve/solver_pieces.h"

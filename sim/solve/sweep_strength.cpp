@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/body/incidence.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
 

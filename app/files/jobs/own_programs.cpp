@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "gpu/program_folder.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 

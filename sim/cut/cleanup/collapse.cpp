@@ -1,9 +1,10 @@
 #include "sim/cut/cleanup/collapse.h"
 
 #include <algorithm>
+#include <map>
 
 #include "sim/cut/cleanup/acceptance.h"
-#include "sim/cut/cleanup/collapse_topology.h"
+#include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
@@ -11,6 +12,127 @@
 namespace kerf::cut {
 
 namespace {
+
+/// Tells which copies of a point merge into which copies of its neighbour.
+struct CopyPairing {
+    std::vector<int> edges;     ///< half-edges from the copy that goes to the one that stays
+    std::vector<int> unpaired;  ///< copies without an edge to the neighbour
+
+    /// Whether every copy of either point has a partner of its own.
+    bool isOneToOne(const SharedStar& from, const SharedStar& to) const {
+        return unpaired.empty() && from.copies.size() == to.copies.size() &&
+               edges.size() == to.copies.size();
+    }
+};
+
+constexpr int kLeastValence = 3;
+
+std::vector<int> neighbours(const SurfaceMesh& mesh, int v) {
+    std::vector<int> result;
+    mesh.forEachOutgoing(v, [&](int h) { result.push_back(mesh.target(h)); });
+    return result;
+}
+
+bool contains(const std::vector<int>& list, int value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+/// Pairs the copies of two neighbours along their edges. Nothing where a copy has several partners
+/// (the slit would close) or no copy has one.
+std::optional<CopyPairing> pairCopies(const SurfaceMesh& mesh, const SharedStar& from,
+                                      const SharedStar& to) {
+    CopyPairing pairing;
+    for (const int u : from.copies) {
+        std::vector<int> edges;
+        mesh.forEachOutgoing(u, [&](int h) {
+            if (contains(to.copies, mesh.target(h))) {
+                edges.push_back(h);
+            }
+        });
+        if (edges.size() > 1) {
+            return std::nullopt;
+        }
+        if (edges.empty()) {
+            pairing.unpaired.push_back(u);
+        } else {
+            pairing.edges.push_back(edges[0]);
+        }
+    }
+    return pairing.edges.empty() ? std::nullopt : std::optional(std::move(pairing));
+}
+
+/// Whether the link condition holds with all slits closed: common neighbours are apexes of the
+/// shared edge, and no two features fall into one.
+bool keepsSharedComplex(const SharedStar& from, const SharedStar& to) {
+    const SharedEdge& between = *from.edgeTo(to.point);
+    return std::all_of(from.edges.begin(), from.edges.end(), [&](const SharedEdge& edge) {
+        const SharedEdge* other = edge.neighbour == to.point ? nullptr : to.edgeTo(edge.neighbour);
+        return other == nullptr ||
+               (between.hasApex(edge.neighbour) && !(edge.isFeature() && other->isFeature()));
+    });
+}
+
+/// Whether the mesh stays a simple complex (I3) after the collapse of these half-edges, one after
+/// the other, and every apex keeps three triangles.
+bool keepsMeshComplex(const SurfaceMesh& mesh, const std::vector<int>& edges) {
+    std::vector<std::pair<int, int>> added;
+    std::map<int, int> lost;  // triangles by apex
+    for (const int h : edges) {
+        const int kept = mesh.target(h);
+        const int left = mesh.apex(h);
+        const int right = mesh.apex(mesh.twin(h));
+        if (left == right) {
+            return false;
+        }
+        ++lost[left];
+        ++lost[right];
+        const std::vector<int> known = neighbours(mesh, kept);
+        for (const int x : neighbours(mesh, mesh.origin(h))) {
+            if (x == kept || x == left || x == right) {
+                continue;
+            }
+            if (contains(known, x)) {
+                return false;
+            }
+            added.emplace_back(kept, x);
+        }
+    }
+    std::sort(added.begin(), added.end());
+    return std::adjacent_find(added.begin(), added.end()) == added.end() &&
+           std::all_of(lost.begin(), lost.end(), [&](const std::pair<const int, int>& apex) {
+               return mesh.valence(apex.first) - apex.second >= kLeastValence;
+           });
+}
+
+//        left                  left
+//       / |  \                  |  \      the triangles beside a -> b go; their outer
+//     a --h-- b      ->         b         neighbours become neighbours of each other
+//       \ |  /                  |  /
+//        right                 right
+/// Collapses half-edge h: its origin's triangles become its target's, two triangles go. Returns
+/// those two; the origin has no triangle afterwards.
+std::array<int, 2> collapseHalfEdge(SurfaceMesh& mesh, int h) {
+    const int g = mesh.twin(h);
+    const int a = mesh.origin(h), b = mesh.target(h);
+    const int left = mesh.apex(h), right = mesh.apex(g);
+    std::vector<int> spokes;
+    mesh.forEachOutgoing(a, [&](int spoke) { spokes.push_back(spoke); });
+    const int leftToB = mesh.twin(SurfaceMesh::next(h));
+    const int aToLeft = mesh.twin(SurfaceMesh::previous(h));
+    const int rightToA = mesh.twin(SurfaceMesh::next(g));
+    const int bToRight = mesh.twin(SurfaceMesh::previous(g));
+    for (const int spoke : spokes) {
+        if (spoke / 3 != h / 3 && spoke / 3 != g / 3) {
+            mesh.setCorner(spoke / 3, spoke % 3, b);
+        }
+    }
+    mesh.link(leftToB, aToLeft);
+    mesh.link(rightToA, bToRight);
+    mesh.setOutgoing(b, aToLeft);
+    mesh.setOutgoing(left, leftToB);
+    mesh.setOutgoing(right, rightToA);
+    return {h / 3, g / 3};
+}
 
 class Collapse {
   public:
@@ -167,11 +289,47 @@ class Collapse {
     CollapsePlan plan_;
 };
 
+void mergeVertices(const CollapsePlan& plan, Workspace& workspace) {
+    SurfaceMesh& mesh = workspace.mesh;
+    for (const auto& [gone, kept] : plan.merges) {
+        for (const int t : collapseHalfEdge(mesh, mesh.findHalfEdge(gone, kept))) {
+            workspace.removeTriangle(t);
+        }
+        workspace.removeVertex(gone);
+    }
+}
+
+// What is left of the point that goes consists of copies of the one that stays.
+void joinMates(const CollapsePlan& plan, SurfaceMesh& mesh) {
+    for (const OneRing& ring : plan.rings) {
+        if (ring.joins) {
+            mesh.leaveCopies(ring.vertex);
+        }
+    }
+    for (const OneRing& ring : plan.rings) {
+        if (ring.joins) {
+            mesh.joinCopies(plan.to, ring.vertex);
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const SharedStar& from,
                                          const SharedStar& to, CollapseTarget target) {
     return Collapse(workspace, from, to, target).run();
+}
+
+void carryOut(const CollapsePlan& plan, Workspace& workspace) {
+    mergeVertices(plan, workspace);
+    joinMates(plan, workspace.mesh);
+    std::vector<int> copies;
+    for (const OneRing& ring : plan.rings) {
+        workspace.moveVertex(ring);
+        copies.push_back(ring.vertex);
+    }
+    workspace.setDeviation(copies, plan.deviation);
+    workspace.spend(plan.defect);
 }
 
 }  // namespace kerf::cut

@@ -1,7 +1,6 @@
 #include "sim/cut/patch/patch_surface.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "sim/body/body_state.h"
+#include "sim/body/body_model.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/solve/gpu_solver.h"
 

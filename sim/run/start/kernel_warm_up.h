@@ -4,7 +4,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/params.h"
-#include "sim/body/body_state.h"
+#include "sim/body/body_model.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/gpu_solver.h"
 

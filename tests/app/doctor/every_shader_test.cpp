@@ -12,7 +12,7 @@
 
 #include "gpu/data_path.h"
 #include "gpu/limits.h"
-#include "gpu/program_record.h"
+#include "gpu/program.h"
 #include "render/renderer.h"
 #include "tests/support/every_kernel.h"
 #include "tests/support/gl_fixture.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sim/body/body_updater.h"
-#include "sim/body/incidence.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/body/ispc_builder.h"
 #include "sim/mesh/invariants.h"
 #include "tests/sim/body/hand_cut.h"

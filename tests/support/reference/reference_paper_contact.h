@@ -2,7 +2,6 @@
 
 #include "shaders/shared/contact_records.h"
 #include "sim/body/body_model.h"
-#include "sim/body/body_state.h"
 
 namespace kerf {
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "sim/cut/blade_line.h"
 #include "sim/cut/plan/input/step.h"

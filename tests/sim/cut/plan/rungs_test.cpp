@@ -2,8 +2,8 @@
 
 #include "sim/cut/blade_line.h"
 #include "sim/cut/plan/strip/new_rung.h"
-#include "sim/cut/plan/strip/old_rung.h"
 #include "sim/cut/plan/strip/strip.h"
+#include "sim/cut/plan/strip/swept_strip.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"
 

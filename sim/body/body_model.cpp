@@ -1,4 +1,4 @@
-#include "sim/body/body_state.h"
+#include "sim/body/body_model.h"
 
 #include <numeric>
 
