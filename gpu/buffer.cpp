@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>

@@ -1,6 +1,8 @@
 #include "gpu/kernel_way.h"
 
 #include <cstdlib>
+#include <optional>
+#include <string_view>
 
 #include "gpu/context.h"
 

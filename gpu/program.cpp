@@ -6,9 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cstdlib>
-#include <memory>
 #include <optional>
-#include <utility>
 
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"

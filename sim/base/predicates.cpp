@@ -1,7 +1,6 @@
 #include "sim/base/predicates.h"
 
 #include <array>
-#include <cmath>
 
 namespace kerf {
 

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <numeric>
 
-#include "sim/base/pausing.h"
 #include "sim/body/constraint_builder.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/surface_tag.h"

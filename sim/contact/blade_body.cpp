@@ -1,8 +1,6 @@
 #include "sim/contact/blade_body.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace kerf {
 

@@ -7,7 +7,6 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/read_back.h"
-#include "shaders/shared/box_records.h"
 #include "sim/base/math.h"
 #include "sim/contact/blade_load.h"
 #include "sim/contact/contact_solver.h"

@@ -1,11 +1,9 @@
 #include "sim/contact/paper_contact.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "shaders/shared/body_records.h"
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/contact_bindings.h"
 

@@ -1,11 +1,6 @@
 #include "sim/mesh/box_tree.h"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <utility>
-
-#include "sim/base/growth_room.h"
 
 namespace kerf {
 

@@ -1,6 +1,7 @@
 #include "sim/mesh/piece_labels.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <utility>

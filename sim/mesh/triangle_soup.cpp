@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>

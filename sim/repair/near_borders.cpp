@@ -1,7 +1,6 @@
 #include "sim/repair/near_borders.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "sim/repair/remesher.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -9,7 +8,6 @@
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/nearest_triangle.h"
-#include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 
 namespace kerf::repair {

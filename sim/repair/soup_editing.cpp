@@ -1,6 +1,7 @@
 #include "sim/repair/soup_editing.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sim/mesh/union_find.h"
 

@@ -1,7 +1,6 @@
 #include "sim/repair/soup_inspection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 

@@ -1,9 +1,6 @@
 #include "sim/repair/soup_repair.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
 

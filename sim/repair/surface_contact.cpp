@@ -1,7 +1,6 @@
 #include "sim/repair/surface_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 

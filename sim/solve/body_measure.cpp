@@ -1,6 +1,6 @@
 #include "sim/solve/body_measure.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "shaders/shared/bindings.h"

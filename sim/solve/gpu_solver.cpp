@@ -1,6 +1,7 @@
 #include "sim/solve/gpu_solver.h"
 
 #include <cassert>
+#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "sim/base/pausing.h"

@@ -1,6 +1,5 @@
 #include "sim/solve/solver_model.h"
 
-#include <array>
 #include <type_traits>
 
 #include "sim/base/pausing.h"

@@ -1,6 +1,5 @@
 #include "sim/solve/time_stepper.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "sim/base/pausing.h"

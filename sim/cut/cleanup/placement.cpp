@@ -8,7 +8,6 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/mesh/triangle.h"
 

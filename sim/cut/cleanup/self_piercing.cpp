@@ -1,9 +1,7 @@
 #include "sim/cut/cleanup/self_piercing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "sim/base/predicates.h"
 #include "sim/base/sort_unique.h"

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/copies.h"
-#include "sim/cut/cleanup/limits.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
 

@@ -1,7 +1,6 @@
 #include "sim/cut/commit/commit.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 

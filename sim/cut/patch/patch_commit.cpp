@@ -1,7 +1,6 @@
 #include "sim/cut/patch/patch_commit.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "sim/cut/patch/patch_plan.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

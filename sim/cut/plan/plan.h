@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/step_plan.h"
 
 namespace kerf::cut {

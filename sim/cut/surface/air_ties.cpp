@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "sim/cut/surface/broad_phase.h"
 #include "sim/mesh/closest_point.h"

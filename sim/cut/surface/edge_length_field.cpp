@@ -1,9 +1,7 @@
 #include "sim/cut/surface/edge_length_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "sim/cut/wall_edge.h"
 #include "sim/mesh/triangle.h"

@@ -1,7 +1,6 @@
 #include "sim/cut/surface/surface_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #include "sim/run/start/kernel_warm_up.h"
 
-#include <utility>
-
 #include "gpu/program.h"
 #include "shaders/shared/small_body_bindings.h"
 #include "sim/body/solver_uniforms.h"

@@ -1,7 +1,6 @@
 #include "sim/run/start/memory_need.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "shaders/shared/body_records.h"

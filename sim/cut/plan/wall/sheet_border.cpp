@@ -1,7 +1,6 @@
 #include "sim/cut/plan/wall/sheet_border.h"
 
 #include <algorithm>
-#include <array>
 
 namespace kerf::cut {
 
