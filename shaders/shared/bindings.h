@@ -1,8 +1,7 @@
 // Storage bindings of the simulation kernels. Every number below 16 (what drivers guarantee a
 // compute shader in practice); buffers of one role share a binding, since no kernel needs two.
 // The same numbers are the texture units of buffers that a kernel fetches as texels.
-#ifndef KERF_BINDINGS_H
-#define KERF_BINDINGS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -41,4 +40,3 @@ SHARED_CONST uint kAllEntriesUnit = 22u;  // per constraint of a vertex: which
 SHARED_CONST uint kFoldsUnit = kAllRecordsUnit;
 
 SHARED_END
-#endif

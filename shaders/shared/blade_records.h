@@ -1,7 +1,6 @@
 // Records and bindings of the kernels for contact with the body of the blade, std430. They go with
 // those of boxes.
-#ifndef KERF_BLADE_RECORDS_H
-#define KERF_BLADE_RECORDS_H
+#pragma once
 #include "box_records.h"
 SHARED_BEGIN
 
@@ -28,4 +27,3 @@ struct VertexLoad {
 };
 
 SHARED_END
-#endif

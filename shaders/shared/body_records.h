@@ -1,6 +1,5 @@
 // Records of the running body, std430.
-#ifndef KERF_BODY_RECORDS_H
-#define KERF_BODY_RECORDS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -149,4 +148,3 @@ struct NearbyVertex {
 };
 
 SHARED_END
-#endif

@@ -1,6 +1,5 @@
 // Records and bindings of the kernels for contact with static boxes, std430.
-#ifndef KERF_BOX_RECORDS_H
-#define KERF_BOX_RECORDS_H
+#pragma once
 #include "contact_records.h"
 #include "shared_types.h"
 SHARED_BEGIN
@@ -58,4 +57,3 @@ struct BoxPlanes {
 };
 
 SHARED_END
-#endif

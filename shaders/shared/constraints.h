@@ -6,8 +6,7 @@
 //   Spokes     what each vertex works out anew for itself; there is no record on the GPU,
 //   WingPulls  two pulls per constraint, on the triangles beside an edge (BendRange),
 //   Shares     one pull per constraint, of which each vertex takes a share (ConstraintShare).
-#ifndef KERF_CONSTRAINTS_H
-#define KERF_CONSTRAINTS_H
+#pragma once
 #include "shared_types.h"
 
 // What follows the last in a sweep may share the dispatch in which it is gathered.
@@ -46,4 +45,3 @@ struct IspcConstraint {
 };
 
 SHARED_END
-#endif

@@ -1,6 +1,5 @@
 // Storage bindings of the contact kernels, which are dispatched on their own.
-#ifndef KERF_CONTACT_BINDINGS_H
-#define KERF_CONTACT_BINDINGS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -42,4 +41,3 @@ SHARED_CONST uint kPaperRangesBinding = 6u;     // as kContactRangesBinding
 SHARED_CONST uint kPaperIncidenceBinding = 7u;  // as kContactIncidenceBinding
 
 SHARED_END
-#endif

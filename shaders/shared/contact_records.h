@@ -1,6 +1,5 @@
 // Records and numbers of the contact kernels, std430.
-#ifndef KERF_CONTACT_RECORDS_H
-#define KERF_CONTACT_RECORDS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -155,4 +154,3 @@ struct PaperRequest {
 };
 
 SHARED_END
-#endif

@@ -1,6 +1,5 @@
 // Records and bindings of the kernels for the edge of a blade that presses on a body, std430.
-#ifndef KERF_EDGE_RECORDS_H
-#define KERF_EDGE_RECORDS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -30,4 +29,3 @@ struct EdgeState {
 };
 
 SHARED_END
-#endif

@@ -1,6 +1,5 @@
 // Where the renderer's shaders find their buffers and textures.
-#ifndef KERF_RENDER_BINDINGS_H
-#define KERF_RENDER_BINDINGS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -31,4 +30,3 @@ SHARED_CONST float kNoField = -1e30f;  // where a quantity has no value
 SHARED_CONST uint kNormalsGroupSize = 64u;
 
 SHARED_END
-#endif

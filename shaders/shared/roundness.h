@@ -1,6 +1,5 @@
 // How coarse skin is drawn round.
-#ifndef KERF_ROUNDNESS_H
-#define KERF_ROUNDNESS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -12,4 +11,3 @@ SHARED_CONST float kRoundness = 0.75f;
 SHARED_CONST float kLeastAgreement = 0.3f;
 
 SHARED_END
-#endif

@@ -1,7 +1,6 @@
 // Lets one header be valid C++20 and GLSL 4.50. Only vec4, uvec4, float, uint and int may be used
 // between SHARED_BEGIN and SHARED_END: vec3 and bool are laid out differently on the two sides.
-#ifndef KERF_SHARED_TYPES_H
-#define KERF_SHARED_TYPES_H
+#pragma once
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -21,6 +20,4 @@ struct alignas(16) uvec4 {
 #define SHARED_BEGIN
 #define SHARED_END
 #define SHARED_CONST const
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // Records of the model's own colours on the skin, std430.
-#ifndef KERF_SKIN_RECORDS_H
-#define KERF_SKIN_RECORDS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -21,4 +20,3 @@ struct SkinRecord {
 };
 
 SHARED_END
-#endif

@@ -1,7 +1,6 @@
 // Bindings of the kernel that solves a whole step of a small body. Storage of X, velocities and d
 // has the numbers of the other solver kernels; so have the images of them.
-#ifndef KERF_SMALL_BODY_BINDINGS_H
-#define KERF_SMALL_BODY_BINDINGS_H
+#pragma once
 #include "bindings.h"
 #include "shared_types.h"
 SHARED_BEGIN
@@ -29,4 +28,3 @@ SHARED_CONST uint kSmallNeighboursUnit = 18u;
 SHARED_CONST uint kSmallPlacesUnit = 19u;
 
 SHARED_END
-#endif

@@ -1,7 +1,6 @@
 // The numbers of one substep that hold for the whole body, as a std140 uniform block or std430
 // record. Filled by solverUniforms() (sim/body/solver_uniforms.h).
-#ifndef KERF_SOLVER_UNIFORMS_H
-#define KERF_SOLVER_UNIFORMS_H
+#pragma once
 #include "constraints.h"
 #include "shared_types.h"
 SHARED_BEGIN
@@ -57,4 +56,3 @@ struct SolverUniforms {
 };
 
 SHARED_END
-#endif

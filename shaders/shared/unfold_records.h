@@ -1,6 +1,5 @@
 // What unfolds the surface: see shaders/sim/unfold/goals.comp.
-#ifndef KERF_UNFOLD_RECORDS_H
-#define KERF_UNFOLD_RECORDS_H
+#pragma once
 #include "shared_types.h"
 SHARED_BEGIN
 
@@ -45,4 +44,3 @@ SHARED_CONST uint kUnfoldFoldSumsBinding = 9u;  // float per vertex: the sum ove
 SHARED_CONST uint kUnfoldGoalsBinding = 10u;    // UnfoldGoal per vertex
 
 SHARED_END
-#endif

@@ -1,5 +1,7 @@
 // Elements of buffers that a kernel reads through texture units (gpu::Buffer::bindTexels). A
 // buffer's unit has the number of its storage binding.
+#pragma once
+#include "body_records.h"
 
 // STATE_TEXELS declares what changes within a step; RECORD_QUADS, RECORD_PAIRS and RECORD_WORDS
 // what only a cut changes, by the words of a texel. With LOAD_IMAGES, for llvmpipe, all of these
@@ -26,7 +28,6 @@
 #define ENTRIES_OF_Shares(unit) RECORD_QUADS(unit)
 
 // No function takes a list: images have formats, which GLSL has no word for in parameters.
-#ifdef KERF_BODY_RECORDS_H
 Spoke spokeOf(uvec4 words) {
     return Spoke(words.x, uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
@@ -42,4 +43,3 @@ BendRecord bendOf(uvec4 v, uvec4 words) {
 BendRange bendRangeOf(uvec4 words) {
     return BendRange(words.x, words.y, words.z, 0u);
 }
-#endif

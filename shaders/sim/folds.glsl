@@ -1,5 +1,4 @@
-#ifndef KERF_FOLDS_GLSL
-#define KERF_FOLDS_GLSL
+#pragma once
 // How far the skin at a vertex is folded, 0 to 1, when the substep begins. Where it is, constraints
 // are not damped but bounded (a damped sweep gives way to a load 1 + gamma times as far), the floor
 // does not rub, and neither the walls of a slit nor others of the same piece touch: friction holds
@@ -16,4 +15,3 @@ float foldAt(uint v) { return 0.0; }
 float foldAt(uvec4 v) {
     return max(max(foldAt(v.x), foldAt(v.y)), max(foldAt(v.z), foldAt(v.w)));
 }
-#endif

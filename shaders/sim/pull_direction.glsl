@@ -1,5 +1,4 @@
-#ifndef KERF_PULL_DIRECTION_GLSL
-#define KERF_PULL_DIRECTION_GLSL
+#pragma once
 // Constraints pull along their gradient at X, the beginning of the substep, as SHAKE does: then no
 // sweep changes the angular momentum sum X x m d, which the velocities d / h carry on. Where the
 // gradient has turned too far meanwhile, as at slivers, the one at X + d is taken, and always in
@@ -76,4 +75,3 @@ vec3 pullDirection(vec3 before, vec3 now) {
     bool asBefore = pullsAsBefore() && turnedLittle(before, now);
     return (asBefore ? before : now) * inversesqrt(asBefore ? dot(before, before) : dot(now, now));
 }
-#endif
