@@ -4,15 +4,10 @@
 // Reads X, d, records. Writes the pulls of each constraint, which gather_corrections shares out
 // among its vertices. One thread per constraint. A storage barrier follows, then
 // gather_corrections.
-#include "bindings.h"
-#include "body_records.h"
 #include "constraints.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;
 RECORD_QUADS(kConstraintsBinding) records;

@@ -1,13 +1,8 @@
 // Ends a substep: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their velocity.
 // Reads d. Reads and writes X and velocities. One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) before;
 layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };

@@ -3,15 +3,10 @@
 // With ONTO_FLOOR it lifts the vertex onto the floor besides, as floor.comp does.
 // Reads X, corrections, links, lists. Reads and writes d.
 // One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
 #include "constraints.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {

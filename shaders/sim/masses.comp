@@ -2,12 +2,8 @@
 // after a cut all masses of a piece change, but only few areas.
 // Reads links, areas, pieces. Writes w of the positions. One thread per vertex. A storage barrier
 // follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };

@@ -5,17 +5,12 @@
 // rest positions, neighbours, places, pages, pieces, blocks, the state of contact, the query,
 // constraints. Writes block measures and records of nearby vertices. One group per block; sums in a
 // fixed order (see volume_gradient). The CPU reads the result.
-#include "bindings.h"
-#include "body_records.h"
 #include "constraints.h"
 #include "contact_records.h"
-#include "solver_uniforms.h"
 #include "unfold_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
-
 #include "sim/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;

@@ -3,12 +3,8 @@
 // (v - motion).
 // Reads X, pulls. Reads and writes d. One thread per pull; no two name one vertex.
 // A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };

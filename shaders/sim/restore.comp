@@ -1,11 +1,7 @@
 // Takes pieces that were lost back to the saved positions, at rest. Reads links, saved positions,
 // marks. Writes X and velocities. One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };

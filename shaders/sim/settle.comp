@@ -1,14 +1,9 @@
 // The end of a substep in which nothing but the floor is met: volume_correct, floor and finish of a
 // vertex in one go. Reads gradients, links, impulses, d. Reads and writes X and velocities; d stays
 // as it was. One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) before;
 layout(std430, binding = kPositionsBinding) writeonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };

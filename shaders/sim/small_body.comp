@@ -7,10 +7,8 @@
 // here. Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities,
 // d. Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A
 // storage barrier follows.
-#include "body_records.h"
 #include "constraints.h"
 #include "small_body_bindings.h"
-#include "solver_uniforms.h"
 const uint kSmallGroup = SMALL_GROUP;
 layout(local_size_x = SMALL_GROUP) in;
 

@@ -5,14 +5,9 @@
 // and predicts its neighbours from their velocities, so that no second buffer is needed.
 // With SWEEP_AGAIN it starts from a copy of d instead: the later sweeps of plain PBD.
 // A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kVelocitiesBinding) velocities;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {

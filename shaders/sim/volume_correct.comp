@@ -1,14 +1,9 @@
 // Brings each closed piece back to its target volume: see volume_gradient.
 // Reads X (inverse mass), gradients, links, impulses. Reads and writes d.
 // One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) before;
 layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {

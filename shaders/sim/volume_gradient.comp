@@ -6,14 +6,10 @@
 // impulse that brings the piece back to its target volume, as a rigid constraint (alpha = 0).
 // Reads X, d, neighbours, places, pages, pieces, blocks. Writes gradients, block sums, impulses.
 // One group of SUM_GROUP threads per block. A storage barrier follows, then volume_correct.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
-layout(local_size_x = SUM_GROUP) in;
-const uint kSumGroup = SUM_GROUP;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
+layout(local_size_x = SUM_GROUP) in;
+const uint kSumGroup = SUM_GROUP;
 
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;

@@ -1,10 +1,7 @@
 // Adds to d and X of each vertex what its touches sum up to, and clears the sums for the next
 // substep. One thread per vertex. A storage barrier follows.
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };

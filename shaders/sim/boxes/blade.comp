@@ -8,11 +8,9 @@
 // front and at the end of a slit, nothing is pushed. Skin belongs to the side that it is on.
 // Reads triangles around each vertex, X before any was pushed (other threads push the vertices
 // around), the blade. Reads and writes X and d. One thread per vertex. A storage barrier follows.
-#include "body_records.h"
 #include "blade_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };

@@ -1,11 +1,9 @@
 // Adds up what contact with the body of the blade has changed of each vertex in the substep: mass
 // times change of d, and the moment of that about the middle of the blade's box.
 // Reads X (inverse mass), d, d before the contact, the blade. Adds to loads. One thread per vertex.
-#include "body_records.h"
 #include "blade_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement {
     vec4 displacement[];

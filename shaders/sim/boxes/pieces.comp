@@ -1,11 +1,8 @@
 // The box around each piece, for vertices.comp. Reads X, links. Writes boxes of pieces, which begin
 // empty. One thread per vertex; a minimum does not mind the order in which threads come. A storage
 // barrier follows.
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kBoxPiecesBinding) buffer Bounds { PieceBounds bounds[]; };

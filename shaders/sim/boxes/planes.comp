@@ -8,11 +8,8 @@
 // out; of others each triangle keeps the three that leave the least.
 // Reads X at the beginning of the substep and ways since, triangles, boxes. Writes planes, marks
 // vertices in shares. One thread per triangle. A storage barrier follows, then sides.
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
 layout(std430, binding = kBoxRecordsBinding) writeonly buffer Planes { BoxPlanes planes[]; };

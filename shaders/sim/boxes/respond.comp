@@ -1,11 +1,8 @@
 // Solves each touch of a box and a triangle once: mass-splitting Jacobi, see mass_shares.glsl.
 // Reads X (inverse mass), touches, shares. Adds to sums. One thread per triangle. A storage barrier
 // follows, then apply.
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kBoxRecordsBinding) readonly buffer Records { BoxTouch records[]; };

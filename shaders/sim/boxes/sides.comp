@@ -4,11 +4,8 @@
 // them. Reads X at the beginning of the substep, planes, triangles around each vertex. Reads and
 // writes X and d, clears shares. One thread per vertex. A storage barrier follows.
 #include "blade_records.h"
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxRecordsBinding) readonly buffer Planes { BoxPlanes planes[]; };

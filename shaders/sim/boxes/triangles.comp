@@ -16,11 +16,8 @@
 // Reads X, d, triangles, boxes. Writes touches, what they take of each vertex. One thread
 // per triangle. A storage barrier follows, then respond.
 #include "blade_records.h"
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) readonly buffer Displacement {
     vec4 displacement[];

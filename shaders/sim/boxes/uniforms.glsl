@@ -1,4 +1,7 @@
 // Copied before anything branches, as those of the solver (sim/uniforms.glsl).
+#include "body_records.h"
+#include "box_records.h"
+
 layout(std430, binding = kBoxUniformsBinding) readonly buffer Uniforms {
     BoxUniforms storedUniforms;
 };

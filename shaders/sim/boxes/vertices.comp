@@ -5,11 +5,8 @@
 // Reads X, X at the beginning of the substep, links, boxes of pieces, boxes. Reads and writes d.
 // Writes the way since that beginning. One thread per vertex; boxes in their order. A storage
 // barrier follows.
-#include "body_records.h"
-#include "box_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/boxes/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };

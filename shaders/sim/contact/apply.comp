@@ -1,12 +1,8 @@
 // Adds to each vertex what its contacts sum up to: to d, which becomes velocity, and to X, which
 // does not. Clears the sums for the next sweep, and in the LAST_SWEEP of a substep the shares. One
 // thread per vertex. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kContactSharesBinding) buffer Shares { uint shares[]; };

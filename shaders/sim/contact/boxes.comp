@@ -1,12 +1,8 @@
 // The box of each triangle and its bucket in the grid, and how many triangles a bucket gets.
 // Reads X, triangles. Writes boxes, homes, counts, the levels in use and how large their boxes
 // are. One thread per triangle. A storage barrier follows, then scan.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactBoxesBinding) writeonly buffer Boxes { ContactBox boxes[]; };

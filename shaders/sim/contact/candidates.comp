@@ -7,12 +7,8 @@
 //
 // Reads X, velocities, rest shape, normals, reaches, the grid. Writes candidates, the list of
 // points with any and its length. One thread per vertex. A storage and a command barrier follow.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
     vec4 velocities[];

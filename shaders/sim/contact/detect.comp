@@ -9,12 +9,8 @@
 // Reads X, d, candidates, with UNFOLDS folds and links. Writes records, what contacts take of each
 // vertex, and their number. One thread per listed point. A storage barrier follows, then respond.
 #include "bindings.h"
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {
     vec4 displacement[];

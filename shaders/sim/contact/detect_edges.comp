@@ -5,12 +5,8 @@
 // Reads X, d, triangles, normals, pairs. Writes the records behind those of the points, what
 // contacts take of each vertex, and their number. One thread per listed point. A storage barrier
 // follows, then respond.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactEdgePairsBinding) readonly buffer Pairs { EdgePair pairs[]; };
 layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {

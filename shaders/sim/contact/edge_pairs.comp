@@ -5,12 +5,8 @@
 //
 // Reads X, the rest shape, triangles, what touches each vertex, candidates. Writes pairs. One
 // thread per listed point. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPositions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };

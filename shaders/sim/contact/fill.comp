@@ -2,12 +2,8 @@
 // hang on their order. Reads homes, starts, blocks. Writes entries; counts go down to zero, where
 // the next search wants them. One thread per triangle. A storage barrier follows, then
 // summarize.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactHomesBinding) readonly buffer Homes { uint homes[]; };
 layout(std430, binding = kContactStartsBinding) readonly buffer Starts { uint starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };

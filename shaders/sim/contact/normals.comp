@@ -3,12 +3,8 @@
 // as bits, what its triangles are.
 // Reads positions (current or rest), triangles and their incidence. Writes normals, and starts the
 // counts of a search anew. One thread per vertex. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kContactRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };

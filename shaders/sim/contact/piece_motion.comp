@@ -2,12 +2,8 @@
 // Reads X, velocities, the pieces of vertices. Writes motions, which begin with 0; a maximum does
 // not mind the order in which threads come. One thread per vertex. A storage barrier follows, then
 // piece_reach.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
     vec4 velocities[];

@@ -5,12 +5,8 @@
 // a speed that the body does not move with, since pushes take the way back.
 // Reads X (inverse mass), d, records, shares. Adds to sums, with SWEEP_AGAIN to the impulses of the
 // records. One thread per listed point. A storage barrier follows, then apply.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactDisplacementBinding) readonly buffer Displacement {
     vec4 displacement[];

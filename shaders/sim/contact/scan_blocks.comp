@@ -1,12 +1,8 @@
 // The sums of the blocks of buckets become the place of each block's first entry. One group: each
 // thread takes a run of blocks, the runs are summed over the group, and added. Reads and writes
 // blocks. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactBlocksBinding) buffer Blocks { uint blocks[]; };
 
 shared uint partial[kGroupSize];

@@ -1,12 +1,8 @@
 // What a search asks of a bucket before it looks at its triangles: where they lie, which way their
 // normals point, of which pieces they are. Reads boxes, starts, blocks, entries. Writes buckets.
 // One thread per bucket. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactBoxesBinding) readonly buffer Boxes { ContactBox boxes[]; };
 layout(std430, binding = kContactStartsBinding) readonly buffer Starts { uint starts[]; };
 layout(std430, binding = kContactBlocksBinding) readonly buffer Blocks { uint blocks[]; };

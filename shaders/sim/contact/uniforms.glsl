@@ -1,4 +1,8 @@
 // Copied before anything branches, as those of the solver (sim/uniforms.glsl).
+#include "body_records.h"
+#include "contact_bindings.h"
+#include "contact_records.h"
+
 layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms {
     ContactUniforms storedUniforms;
 };

@@ -2,12 +2,8 @@
 // paper's contact: the loss of velocity, which moves it too, and the push, which changes its
 // position alone. Reads requests, triangles around each vertex. Changes X and velocities of what
 // has mass, and the number of contacts. One thread per vertex. A storage barrier follows.
-#include "body_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) buffer Velocities { vec4 velocities[]; };
 layout(std430, binding = kPaperRequestsBinding) readonly buffer Requests {

@@ -5,13 +5,9 @@
 // Reads X, velocities, triangles, boxes of pieces, the grid. Adds to the requests of both, as
 // integers, which do not mind the order in which threads come, and to the number of contacts. One
 // thread per triangle. A storage barrier follows.
-#include "body_records.h"
 #include "box_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
     vec4 velocities[];

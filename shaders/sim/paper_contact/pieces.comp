@@ -1,13 +1,9 @@
 // The box around each piece of the body: the first part of the broad phase of the paper's contact.
 // Reads X, triangles. Writes boxes of pieces, which begin empty. One thread per triangle; a minimum
 // does not mind the order in which threads come. A storage barrier follows.
-#include "body_records.h"
 #include "box_records.h"
-#include "contact_bindings.h"
-#include "contact_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/contact/uniforms.glsl"
+layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kPaperPiecesBinding) buffer Bounds { PieceBounds bounds[]; };

@@ -1,14 +1,9 @@
 // The sum of the folds of the goals that a vertex is in: its own and those of its neighbours.
 // Reads folds, neighbours. Writes sums. One thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
 #include "unfold_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
 layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;

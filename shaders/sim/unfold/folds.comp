@@ -3,15 +3,10 @@
 // front of a slit must stay damped and in contact, else they crumple into the way of the blade.
 // Reads X, rest positions, bends. Writes folds, which are zero before. One thread per bend; the
 // largest of floats does not mind their order. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
 #include "unfold_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
 layout(binding = kUnfoldBendsBinding) uniform usamplerBuffer bends;

@@ -5,15 +5,10 @@
 // inverse mass, as at the front of a slit, the goal draws nothing.
 // Reads X, velocities, rest positions, folds, their sums, neighbours. Writes goals. One thread per
 // vertex. A storage barrier follows, then unfold.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
 #include "unfold_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;

@@ -3,15 +3,10 @@
 // without a fold near it keeps its bits.
 // Reads X, rest positions, folds, their sums, neighbours, goals. Reads and writes velocities. One
 // thread per vertex. A storage barrier follows.
-#include "bindings.h"
-#include "body_records.h"
-#include "solver_uniforms.h"
 #include "unfold_records.h"
-layout(local_size_x = kGroupSize) in;
-
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-
+layout(local_size_x = kGroupSize) in;
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer before;
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
