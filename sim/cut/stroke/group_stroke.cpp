@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kPast = 3;  // edge lengths behind the front: farther than what it may crumple
 
-constexpr double kLeastPassing = 1e-7;   // share of h
-constexpr double kTurningBack = 1e-3;  // share of h
-constexpr double kBackwards = -0.5;      // cosine
+constexpr double kLeastPassing = 1e-7;  // share of h
+constexpr double kTurningBack = 1e-3;   // share of h
+constexpr double kBackwards = -0.5;     // cosine
 constexpr double kBackwardShare = 0.5;
 
 Vec3 withoutComponent(const Vec3& p, const Vec3& direction) {
