@@ -8,24 +8,26 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/compare_verb.h"
-#include "app/cli/doctor_verb.h"
-#include "app/cli/experiment_verb.h"
-#include "app/cli/import_worker_verb.h"
-#include "app/cli/inspect_verb.h"
-#include "app/cli/materials_verb.h"
 #include "app/cli/program.h"
-#include "app/cli/replay_verb.h"
-#include "app/cli/schema_verb.h"
-#include "app/cli/sweep_verb.h"
-#include "app/cli/test_verb.h"
+#include "app/cli/verb.h"
 #include "app/editor/editor.h"
+#include "app/files/import/import_process.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/jobs/own_programs.h"
 
 namespace kerf::app {
 
 namespace {
+
+std::function<int()> describeImportWorker(CLI::App& verb) {
+    const auto file = std::make_shared<std::filesystem::path>();
+    verb.group("");  // hides it
+    verb.add_option("FILE", *file)->required();
+    return [file] { return runImportWorker(*file); };
+}
+
+/// Not for people: model_source runs it to keep the file readers in a process of their own.
+constexpr Verb kImportWorkerVerb{"import-worker", "", describeImportWorker};
 
 /// All verbs, in the order of `kerf --help`.
 const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb,  &kInspectVerb, &kCompareVerb,

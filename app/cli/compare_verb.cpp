@@ -12,6 +12,7 @@
 
 #include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/verb.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"

@@ -6,13 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/verb.h"
 #include "render/scene/picture_comparison.h"
 
 namespace kerf::app {
-
-/// `kerf compare A.png B.png`: whether two pictures look alike.
-extern const Verb kCompareVerb;
 
 /// The arguments of `kerf compare A.png B.png [--threshold T] [--tolerant] [--mask X,Y,W,H]...
 /// [--diff D.png] [--json]`, parsed.

@@ -1,5 +1,3 @@
-#include "app/cli/doctor_verb.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/option_checks.h"
+#include "app/cli/verb.h"
 #include "app/doctor/doctor.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"

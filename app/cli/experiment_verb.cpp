@@ -1,5 +1,3 @@
-#include "app/cli/experiment_verb.h"
-
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "app/cli/program.h"
+#include "app/cli/verb.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/jobs/own_programs.h"
 

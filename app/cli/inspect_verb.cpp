@@ -1,5 +1,3 @@
-#include "app/cli/inspect_verb.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
@@ -14,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/fault_picture.h"
 #include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/verb.h"
 #include "app/files/export/export.h"
 #include "app/files/import/builtin_models.h"
-#include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
 #include "app/files/import/mending.h"
+#include "app/files/import/model_faults.h"
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
 #include "app/files/import/shell_union.h"
@@ -29,14 +27,18 @@
 #include "app/files/io/file_io.h"
 #include "app/scene/document/editor_budgets.h"
 #include "app/scene/document/editor_document.h"
+#include "app/scene/document/faulty_scene.h"
 #include "app/scene/document/triangle_text.h"
 #include "gpu/context.h"
+#include "render/renderer.h"
+#include "render/scene/paste.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/mesh/triangle_quality.h"
-#include "ui/state/piece_row.h"
+#include "ui/fault_legend.h"
+#include "ui/piece_row.h"
 
 namespace kerf::app {
 
@@ -44,6 +46,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kMargin = 12;  // around the legend of a picture [px]
 constexpr int kIndent = 11;  // of what is told of a model, beside its name
 
 /// The arguments of `kerf inspect`, parsed.
@@ -385,6 +388,19 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     labelled(text, "cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
     printHelp(inspection, text);
     labelled(out, "file") << file.string() << "\n" << wrapped(text.str());
+}
+
+/// What is wrong with a model, under a legend headed by `title`. `file` tells what its numbers
+/// mean.
+render::Image faultPicture(const FoundFaults& found, const std::filesystem::path& file,
+                           const std::string& title, const PictureSize& size) {
+    const FaultyScene scene(found, file);
+    render::Renderer renderer(render::Quality::full);
+    renderer.draw(scene.view(), scene.camera(), size.width, size.height);
+    render::Image picture = renderer.readPicture();
+    render::paste(picture, ui::drawFaultLegend(title, ui::faultRows(scene.marks())), kMargin,
+                  kMargin);
+    return picture;
 }
 
 void writeFaultPicture(const Inspection& inspection, const std::filesystem::path& file,

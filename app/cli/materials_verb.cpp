@@ -1,5 +1,3 @@
-#include "app/cli/materials_verb.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -7,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_checks.h"
+#include "app/cli/verb.h"
 #include "app/files/io/exit_codes.h"
 #include "app/session/material.h"
 #include "sim/base/text.h"

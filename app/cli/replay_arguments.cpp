@@ -32,8 +32,9 @@ void describeReplayChanges(CLI::App& verb, ReplayArguments& arguments) {
                     "Give the body another material at the start: a name, or a file (.json)")
         ->check(refuseEmpty)
         ->type_name("NAME|FILE");
-    verb.add_flag("--fine", arguments.fine,
-                  "Take screenshots as with Fine picture: for looking at, not for comparing");
+    verb.add_flag_callback(
+        "--fine", [&arguments] { arguments.quality = render::Quality::full; },
+        "Take screenshots as with Fine picture: for looking at, not for comparing");
     verb.add_option("--until", arguments.until, "End after that many steps")
         ->check(CLI::Range(1, kMaxSteps))
         ->type_name("STEP");
@@ -47,7 +48,7 @@ void describeReplayChecks(CLI::App& verb, ReplayArguments& arguments) {
                   "Also write pieces.csv: volume and box of each piece after each step");
     verb.add_flag("--forces", arguments.forces,
                   "Measure force and moment on a blade that pushes, in metrics.csv");
-    verb.add_option("--verify", arguments.verify,
+    verb.add_option("--verify", arguments.verifyName,
                     "Compare each step with a hashes.csv; end at the first one that differs")
         ->check(refuseEmpty)
         ->type_name("FILE");

@@ -27,7 +27,7 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
 
 /// What the run writes or removes below its output folder.
 std::vector<fs::path> resultsOf(const Session& session, const ReplayArguments& arguments) {
-    const bool keepsHashes = !arguments.verify.empty() && !arguments.hashes;
+    const bool keepsHashes = !arguments.verifyName.empty() && !arguments.hashes;
     std::vector<fs::path> files;
     for (const char* name : kReplayFiles) {
         if (std::string_view(name) != kHashesFile || !keepsHashes) {
@@ -55,8 +55,8 @@ std::vector<fs::path> inputsOf(const Session& session, const ReplayArguments& ar
     if (fs::exists(arguments.material, error)) {
         files.emplace_back(arguments.material);
     }
-    if (!arguments.verify.empty()) {
-        files.push_back(arguments.verify);
+    if (!arguments.verifyName.empty()) {
+        files.emplace_back(arguments.verifyName);
     }
     if (!arguments.reference.empty()) {
         for (const std::string& picture : pictureFiles(session)) {

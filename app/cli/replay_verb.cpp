@@ -1,5 +1,3 @@
-#include "app/cli/replay_verb.h"
-
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
@@ -15,6 +13,8 @@
 #include "app/cli/replay_arguments.h"
 #include "app/cli/replay_targets.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/verb.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/jobs/progress_line.h"
 #include "app/journal/journal_text.h"
@@ -29,14 +29,6 @@ namespace kerf::app {
 namespace {
 
 constexpr PictureSize kGifSize{640, 360};
-
-/// The hashes that a replay shall have, where it is to be compared with any.
-std::optional<HashCourse> readExpectedHashes(const ReplayArguments& arguments) {
-    if (arguments.verify.empty()) {
-        return std::nullopt;
-    }
-    return HashCourse::read(arguments.verify);
-}
 
 ReplayListener listenerFor(const ReplayArguments& arguments, ProgressLine& line,
                            std::ostream& out) {
@@ -95,20 +87,12 @@ void takeFilms(ReplayArguments& arguments) {
 
 ReplayResult runHeadless(const Session& session, const ReplayArguments& arguments,
                          std::ostream& out) {
-    const std::optional<HashCourse> expected = readExpectedHashes(arguments);
-    const ReplayOptions options{
-        .hashes = arguments.hashes,
-        .pieces = arguments.pieces,
-        .forces = arguments.forces,
-        .verify = expected ? &*expected : nullptr,
-        .verifyName = arguments.verify.string(),
-        .until = arguments.until,
-        .keepGoing = arguments.keepGoing,
-        .hashChecks = arguments.hashChecks,
-        .film = arguments.film,
-        .strip = arguments.strip,
-        .sequence = arguments.sequence,
-        .quality = arguments.fine ? render::Quality::full : render::Quality::light};
+    ReplayOptions options = arguments;
+    HashCourse expected;
+    if (!options.verifyName.empty()) {
+        expected = HashCourse::read(options.verifyName);
+        options.verify = &expected;
+    }
     ReadOptions reading;
     reading.means = memoryMeans();
     ModelMesh model = loadSessionModel(session, reading);

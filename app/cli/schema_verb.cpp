@@ -1,10 +1,9 @@
-#include "app/cli/schema_verb.h"
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <string>
 
+#include "app/cli/verb.h"
 #include "app/files/io/exit_codes.h"
 #include "app/session/material.h"
 #include "app/session/session_schema.h"

@@ -1,5 +1,3 @@
-#include "app/cli/test_verb.h"
-
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
@@ -11,6 +9,7 @@
 
 #include "app/cli/option_checks.h"
 #include "app/cli/usage_error.h"
+#include "app/cli/verb.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/folder_lock.h"

@@ -21,4 +21,14 @@ struct Verb {
     int (*takeOver)(char** words) = nullptr;
 };
 
+extern const Verb kCompareVerb;     ///< two pictures: whether they look alike
+extern const Verb kDoctorVerb;      ///< the graphics driver: what is right and what not
+extern const Verb kExperimentVerb;  ///< the laboratory, a program of its own, kerf-lab
+extern const Verb kInspectVerb;     ///< what a model is and whether it can be cut
+extern const Verb kMaterialsVerb;   ///< the materials that come with Kerf
+extern const Verb kReplayVerb;      ///< a session headless, and what came of it
+extern const Verb kSchemaVerb;      ///< the JSON Schema of sessions or materials
+extern const Verb kSweepVerb;       ///< the runs of a study that are not done yet
+extern const Verb kTestVerb;        ///< sessions as regression tests
+
 }  // namespace kerf::app

@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/replay/run_files.h"
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/folder_lock.h"
@@ -17,6 +16,7 @@
 #include "app/session/running_session.h"
 #include "app/session/scene_view.h"
 #include "app/session/volume_watch.h"
+#include "app/session/session.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
@@ -68,6 +68,61 @@ void removeUnfinished(const OutputFolder& folder) {
 }
 
 /// Time that a step spends on pictures and files, which belongs to no frame.
+/// The tables that a replay writes as it goes: metrics.csv, and where they are wanted hashes.csv
+/// and pieces.csv. They appear under their names once they are complete.
+class RunFiles {
+  public:
+    /// Begins the tables. Throws OutputError, as all functions here.
+    RunFiles(OutputFolder& folder, bool hashes, bool pieces);
+
+    bool wantsHashes() const { return hashes_.has_value(); }
+    bool wantsPieces() const { return pieces_.has_value(); }
+    void write(const MetricsRow& row) { metrics_.write(formatMetrics(row)); }
+    void write(int step, const StateHashes& hashes) { hashes_->write(formatHashes(step, hashes)); }
+    void write(int step, const std::vector<Piece>& pieces, const std::vector<Bounds>& boxes,
+               const Vec3& from) {
+        pieces_->write(formatPieces(step, pieces, boxes, from));
+    }
+    /// Lets them appear.
+    void commit();
+
+  private:
+    OutputFolder& folder_;
+    AtomicFile metrics_;
+    std::optional<AtomicFile> hashes_;
+    std::optional<AtomicFile> pieces_;
+};
+
+void begin(std::optional<AtomicFile>& table, OutputFolder& folder, const char* name,
+           const std::string& header) {
+    table.emplace(folder.pathOf(name));
+    table->write(header);
+}
+
+RunFiles::RunFiles(OutputFolder& folder, bool hashes, bool pieces)
+    : folder_(folder), metrics_(folder.pathOf(kMetricsFile)) {
+    metrics_.write(metricsHeader());
+    if (hashes) {
+        begin(hashes_, folder, kHashesFile, hashesHeader());
+    }
+    if (pieces) {
+        begin(pieces_, folder, kPiecesFile, piecesHeader());
+    }
+}
+
+void RunFiles::commit() {
+    metrics_.commit();
+    folder_.noteWritten(kMetricsFile);
+    if (hashes_) {
+        hashes_->commit();
+        folder_.noteWritten(kHashesFile);
+    }
+    if (pieces_) {
+        pieces_->commit();
+        folder_.noteWritten(kPiecesFile);
+    }
+}
+
 class TimeOutside {
   public:
     /// Runs `work` and returns how long it took [ms].
