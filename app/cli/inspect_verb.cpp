@@ -31,7 +31,7 @@
 #include "app/scene/document/triangle_text.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
-#include "render/scene/paste.h"
+#include "render/scene/image.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"

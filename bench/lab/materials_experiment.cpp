@@ -14,8 +14,8 @@
 #include "app/session/material.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "render/scene/paste.h"
-#include "ui/plots/picture_strip.h"
+#include "render/scene/image.h"
+#include "ui/picture_strip.h"
 
 namespace kerf::app {
 

@@ -38,7 +38,7 @@ struct BodyLook {
     FleshPattern pattern = FleshPattern::rings;
     float mottle = 0.15f;  ///< strength of the skin's broad colour variation, 0 to 1
     float spots = 0.6F;    ///< strength of the spots of a spotted skin, 0 to 1
-    Finish skinFinish;
+    Finish skinFinish{};
     Finish cutFinish{.roughness = 0.42F, .gloss = 0.7F, .glow = 0.35F};
     Shading shading = Shading::lit;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -78,6 +79,21 @@ void divideByAlpha(Image& image) {
             const int color = (255 * image.pixels[k] + alpha / 2) / alpha;
             image.pixels[k] = static_cast<std::uint8_t>(std::min(color, 255));
         }
+    }
+}
+
+void paste(Image& target, const Image& picture, int left, int top) {
+    const int firstX = std::max(0, -left);
+    const int firstY = std::max(0, -top);
+    const int endX = std::min(picture.width, target.width - left);
+    const int endY = std::min(picture.height, target.height - top);
+    const auto placeOf = [](const Image& image, int x, int y) {
+        return 4 * (std::ptrdiff_t{y} * image.width + x);
+    };
+    for (int y = firstY; y < endY && firstX < endX; ++y) {
+        std::copy_n(picture.pixels.begin() + placeOf(picture, firstX, y),
+                    std::ptrdiff_t{4} * (endX - firstX),
+                    target.pixels.begin() + placeOf(target, left + firstX, top + y));
     }
 }
 

@@ -30,6 +30,10 @@ struct Image {
 /// Divides the colours of a picture that was blended onto nothing by their alpha, as PNG wants it.
 void divideByAlpha(Image& image);
 
+/// Copies a picture into `target`, its upper left corner at a pixel of that; what has no room is
+/// left out.
+void paste(Image& target, const Image& picture, int left, int top);
+
 /// The bytes of a PNG file. Throws std::runtime_error with one sentence.
 std::vector<std::uint8_t> encodePng(const Image& image);
 /// Throws std::runtime_error with one sentence.

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "render/scene/paste.h"
+#include "render/scene/image.h"
 
 namespace kerf::ui {
 namespace {

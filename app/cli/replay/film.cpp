@@ -4,8 +4,8 @@
 #include <numbers>
 #include <utility>
 
-#include "render/scene/paste.h"
-#include "ui/base/caption.h"
+#include "render/scene/image.h"
+#include "ui/caption.h"
 
 namespace kerf::app {
 namespace {
