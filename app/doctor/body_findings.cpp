@@ -1,16 +1,16 @@
-#include "app/doctor/body_findings.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "app/doctor/findings.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/session/running_session.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
+#include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/doctor/body_findings.h"
-#include "app/doctor/kernel_findings.h"
-#include "app/doctor/meeting_findings.h"
+#include "app/doctor/findings.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/base/stopwatch.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/doctor/finding.h"
+#include "app/doctor/findings.h"
 #include "app/doctor/model_speed.h"
 #include "gpu/context.h"
 #include "gpu/limits.h"

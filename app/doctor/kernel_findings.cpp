@@ -1,9 +1,8 @@
-#include "app/doctor/kernel_findings.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <functional>
 
+#include "app/doctor/findings.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
 #include "sim/body/solver_uniforms.h"

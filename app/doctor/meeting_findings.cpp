@@ -1,12 +1,12 @@
-#include "app/doctor/meeting_findings.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "app/doctor/findings.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
+#include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "app/files/import/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "app/session/running_session.h"
 #include "gpu/context.h"

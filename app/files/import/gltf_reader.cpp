@@ -1,7 +1,5 @@
 // From top to bottom: places of nodes; materials; primitives; the scene.
 
-#include "app/files/import/gltf_reader.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -14,6 +12,7 @@
 #include "app/files/import/face_soup.h"
 #include "app/files/import/gltf_file.h"
 #include "app/files/import/import_appearance.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"

@@ -22,14 +22,10 @@
 #include <vector>
 
 #include "app/files/import/face_soup.h"
-#include "app/files/import/gltf_reader.h"
 #include "app/files/import/import_appearance.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
-#include "app/files/import/obj_reader.h"
-#include "app/files/import/off_reader.h"
-#include "app/files/import/ply_reader.h"
-#include "app/files/import/stl_reader.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
 #include "app/files/jobs/process_limits.h"

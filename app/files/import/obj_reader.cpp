@@ -1,5 +1,3 @@
-#include "app/files/import/obj_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,6 +9,7 @@
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"
 #include "app/files/import/obj_materials.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

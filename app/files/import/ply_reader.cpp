@@ -1,7 +1,5 @@
 // From top to bottom: the header; numbers; elements; what becomes of them.
 
-#include "app/files/import/ply_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -16,6 +14,7 @@
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

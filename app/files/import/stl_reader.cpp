@@ -1,11 +1,10 @@
-#include "app/files/import/stl_reader.h"
-
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 
 #include "app/files/import/face_soup.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

@@ -6,9 +6,7 @@
 #include <optional>
 #include <ostream>
 
-#include "app/doctor/body_findings.h"
-#include "app/doctor/kernel_findings.h"
-#include "app/doctor/meeting_findings.h"
+#include "app/doctor/findings.h"
 #include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 #include "tests/support/gl_fixture.h"

@@ -1,11 +1,10 @@
-#include "app/files/import/gltf_reader.h"
-
 #include <gmock/gmock.h>
 
 #include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "app/files/import/readers.h"
 #include "app/files/io/base64.h"
 #include "app/files/io/errors.h"
 #include "sim/base/boxes.h"

@@ -1,5 +1,3 @@
-#include "app/files/import/ply_reader.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "app/files/import/readers.h"
 #include "tests/app/files/import/box_reader_test.h"
 #include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"

@@ -4,8 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "app/files/import/off_reader.h"
-#include "app/files/import/stl_reader.h"
+#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
 #include "sim/repair/soup_inspection.h"
