@@ -39,115 +39,119 @@ Json toJson(const SubdivisionCounts& counts) {
     return json;
 }
 
-std::string textOf(double value) {
-    return formatNumber(value);
-}
-std::string textOf(int value) {
-    return std::to_string(value);
-}
-std::string textOf(long value) {
-    return std::to_string(value);
-}
-std::string textOf(bool value) {
-    return value ? "1" : "0";
-}
-std::string textOf(const std::optional<double>& value) {
-    return value ? textOf(*value) : "";
+std::string textOf(const MetricsValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return formatNumber(*number);
+    if (const auto* count = std::get_if<long>(&value)) return std::to_string(*count);
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "1" : "0";
+    return "";
 }
 
-/// A column of metrics.csv.
-struct Column {
-    std::string_view name;
-    std::string (*text)(const MetricsRow& row);
-};
+MetricsValue valueOf(const std::optional<double>& value) {
+    return value ? MetricsValue(*value) : MetricsValue();
+}
+template <class Value>
+MetricsValue valueOf(const Value& value) {
+    return value;
+}
 
-template <auto member>
-std::string reported(const MetricsRow& row) {
-    return textOf(row.report.*member);
+/// A member of the report, or of a part of it.
+template <auto... members>
+MetricsValue reported(const MetricsRow& row) {
+    return valueOf((row.report.*....*members));
 }
 template <auto member>
-std::string measured(const MetricsRow& row) {
-    return textOf(row.*member);
-}
-template <auto member>
-std::string removed(const MetricsRow& row) {
-    return textOf(row.report.debris.*member);
-}
-template <auto member>
-std::string swept(const MetricsRow& row) {
-    return textOf(row.report.swept.*member);
-}
-template <auto member>
-std::string searched(const MetricsRow& row) {
-    return textOf(row.report.search.*member);
+MetricsValue measured(const MetricsRow& row) {
+    return valueOf(row.*member);
 }
 template <SubdivisionPattern pattern>
-std::string divided(const MetricsRow& row) {
-    return textOf(row.report.subdivisions[static_cast<std::size_t>(pattern)]);
+MetricsValue divided(const MetricsRow& row) {
+    return valueOf(row.report.subdivisions[static_cast<std::size_t>(pattern)]);
 }
-std::string dividedOtherwise(const MetricsRow& row) {
-    return textOf(otherPatterns(row.report.subdivisions));
+MetricsValue dividedOtherwise(const MetricsRow& row) {
+    return valueOf(otherPatterns(row.report.subdivisions));
 }
-
-template <auto member>
-std::string held(const MetricsRow& row) {
-    return textOf(row.report.heldEdge.*member);
-}
-std::string fractureEnergyOf(const MetricsRow& row) {
-    return row.namesToughness ? textOf(row.report.fractureEnergy) : "";
+MetricsValue fractureEnergyOf(const MetricsRow& row) {
+    return row.namesToughness ? valueOf(row.report.fractureEnergy) : MetricsValue();
 }
 template <Vec3 BladeLoad::*part, int axis>
-std::string felt(const MetricsRow& row) {
+MetricsValue felt(const MetricsRow& row) {
     const std::optional<BladeLoad>& load = row.report.bladeLoad;
-    return load ? textOf(((*load).*part)[axis]) : "";
+    return load ? valueOf(((*load).*part)[axis]) : MetricsValue();
 }
 
 /// The columns in their order (docs/session-format.md).
-constexpr Column kColumns[] = {
-    {"step", reported<&StepReport::step>},
-    {"time", reported<&StepReport::time>},
-    {"volume", reported<&StepReport::volume>},
-    {"volume_ratio", reported<&StepReport::volumeRatio>},
-    {"pieces", reported<&StepReport::pieces>},
-    {"vertices", reported<&StepReport::vertices>},
-    {"triangles", reported<&StepReport::triangles>},
-    {"ispcs", reported<&StepReport::ispcs>},
-    {"touched_triangles", reported<&StepReport::touchedTriangles>},
-    {"closed", reported<&StepReport::closed>},
-    {"deform_ms", reported<&StepReport::deformMs>},
-    {"collide_ms", reported<&StepReport::collideMs>},
-    {"cut_ms", reported<&StepReport::cutMs>},
-    {"render_ms", measured<&MetricsRow::renderMs>},
-    {"frame_ms", measured<&MetricsRow::frameMs>},
-    {"contacts", reported<&StepReport::contacts>},
-    {"one_to_four", divided<SubdivisionPattern::oneToFour>},
-    {"one_to_three_a", divided<SubdivisionPattern::oneToThreeA>},
-    {"one_to_two", divided<SubdivisionPattern::oneToTwo>},
-    {"one_to_three_b", divided<SubdivisionPattern::oneToThreeB>},
-    {"other_patterns", dividedOtherwise},
-    {"seeds", reported<&StepReport::seeds>},
-    {"kinetic_energy", reported<&StepReport::kineticEnergy>},
-    {"potential_energy", reported<&StepReport::potentialEnergy>},
-    {"debris_pieces", removed<&Debris::pieces>},
-    {"debris_volume", removed<&Debris::volume>},
-    {"strain_energy", reported<&StepReport::strainEnergy>},
-    {"lost_pieces", reported<&StepReport::lostPieces>},
-    {"search_ms", searched<&SearchWork::milliseconds>},
-    {"search_walk_ms", searched<&SearchWork::walkMilliseconds>},
-    {"search_seeds", searched<&SearchWork::seeds>},
-    {"search_tests", searched<&SearchWork::tests>},
-    {"swept_area", swept<&SweptArea::asItLay>},
-    {"swept_area_at_rest", swept<&SweptArea::atRest>},
-    {"fracture_energy", fractureEnergyOf},
+constexpr MetricsColumn kColumns[] = {
+    {"step", reported<&StepReport::step>, "Number of the step, from 0."},
+    {"time", reported<&StepReport::time>, "Simulated time at its end [s]."},
+    {"volume", reported<&StepReport::volume>, "Of all pieces together [m³]."},
+    {"volume_ratio", reported<&StepReport::volumeRatio>,
+     "Share of the volume in that of the uncut shape at rest."},
+    {"pieces", reported<&StepReport::pieces>, "Number of pieces after the step."},
+    {"vertices", reported<&StepReport::vertices>, "Number of vertices after the step."},
+    {"triangles", reported<&StepReport::triangles>, "Number of triangles after the step."},
+    {"ispcs", reported<&StepReport::ispcs>,
+     "Number of internal shape-preserving constraints after the step."},
+    {"touched_triangles", reported<&StepReport::touchedTriangles>,
+     "Triangles that the cut divided in the step."},
+    {"closed", reported<&StepReport::closed>,
+     "Whether the mesh is a closed, oriented 2-manifold after the step."},
+    {"deform_ms", reported<&StepReport::deformMs>, "Wall-clock time of the solver [ms]."},
+    {"collide_ms", reported<&StepReport::collideMs>, "Wall-clock time of contact [ms]."},
+    {"cut_ms", reported<&StepReport::cutMs>, "Wall-clock time of the cut [ms]."},
+    {"render_ms", measured<&MetricsRow::renderMs>,
+     "Wall-clock time of the pictures before the step [ms]."},
+    {"frame_ms", measured<&MetricsRow::frameMs>,
+     "Wall-clock time of the step with its events [ms]."},
+    {"contacts", reported<&StepReport::contacts>,
+     "Contacts of the body with itself in the last substep."},
+    {"one_to_four", divided<SubdivisionPattern::oneToFour>,
+     "Touched triangles that were divided by the paper's pattern 1:4."},
+    {"one_to_three_a", divided<SubdivisionPattern::oneToThreeA>,
+     "Touched triangles that were divided by the paper's pattern 1:3A."},
+    {"one_to_two", divided<SubdivisionPattern::oneToTwo>,
+     "Touched triangles that were divided by the paper's pattern 1:2."},
+    {"one_to_three_b", divided<SubdivisionPattern::oneToThreeB>,
+     "Touched triangles that were divided by the paper's pattern 1:3B."},
+    {"other_patterns", dividedOtherwise,
+     "Touched triangles that were divided in none of the paper's ways."},
+    {"seeds", reported<&StepReport::seeds>, "Groups of neighbours among the touched triangles."},
+    {"kinetic_energy", reported<&StepReport::kineticEnergy>,
+     "Of the vertices that are not pinned [J]."},
+    {"potential_energy", reported<&StepReport::potentialEnergy>,
+     "In the field of gravity, above the floor, or above 0 without one [J]."},
+    {"debris_pieces", reported<&StepReport::debris, &Debris::pieces>,
+     "Pieces removed in the step, being smaller than debris_volume."},
+    {"debris_volume", reported<&StepReport::debris, &Debris::volume>, "Their volume at rest [m³]."},
+    {"strain_energy", reported<&StepReport::strainEnergy>,
+     "Of the strained material [J]; None with the solver \"pbd\"."},
+    {"lost_pieces", reported<&StepReport::lostPieces>,
+     "Pieces that ran away in the step and were taken back to where it began."},
+    {"search_ms", reported<&StepReport::search, &SearchWork::milliseconds>,
+     "Part of cut_ms: finding the triangles near the blade [ms]."},
+    {"search_walk_ms", reported<&StepReport::search, &SearchWork::walkMilliseconds>,
+     "Part of search_ms, with cut_search \"adjacency\": until the first walk was over [ms]."},
+    {"search_seeds", reported<&StepReport::search, &SearchWork::seeds>,
+     "With cut_search \"adjacency\": groups of neighbours near the blade."},
+    {"search_tests", reported<&StepReport::search, &SearchWork::tests>,
+     "Triangles that were tested in the search."},
+    {"swept_area", reported<&StepReport::swept, &SweptArea::asItLay>,
+     "That the blade swept inside of the material, one side, where the body lies [m²]."},
+    {"swept_area_at_rest", reported<&StepReport::swept, &SweptArea::atRest>,
+     "The same, at rest [m²]."},
+    {"fracture_energy", fractureEnergyOf,
+     "That the new surface of the step takes, by the toughness [J]; None where nobody named one."},
     {"blade_force_x", felt<&BladeLoad::force, 0>},
     {"blade_force_y", felt<&BladeLoad::force, 1>},
     {"blade_force_z", felt<&BladeLoad::force, 2>},
     {"blade_moment_x", felt<&BladeLoad::moment, 0>},
     {"blade_moment_y", felt<&BladeLoad::moment, 1>},
     {"blade_moment_z", felt<&BladeLoad::moment, 2>},
-    {"blade_work", held<&HeldEdge::work>},
-    {"blade_energy", held<&HeldEdge::energy>},
-    {"blade_lag", held<&HeldEdge::lag>},
+    {"blade_work", reported<&StepReport::heldEdge, &HeldEdge::work>,
+     "Of what led the blade in the step against its edge [J]; 0 unless the blade feels."},
+    {"blade_energy", reported<&StepReport::heldEdge, &HeldEdge::energy>,
+     "In the spring that holds the edge back [J]."},
+    {"blade_lag", reported<&StepReport::heldEdge, &HeldEdge::lag>,
+     "How far the edge is behind where the blade is led, a mean [m]."},
 };
 
 }  // namespace
@@ -168,22 +172,26 @@ bool namesToughness(const Session& session, const Params& now) {
            !session.material.empty() || std::ranges::any_of(session.events, setsIt);
 }
 
+std::span<const MetricsColumn> metricsColumns() {
+    return kColumns;
+}
+
 std::string metricsHeader() {
-    return joined(kColumns, ",", &Column::name) + "\n";
+    return joined(kColumns, ",", &MetricsColumn::name) + "\n";
 }
 
 std::string formatMetrics(const MetricsRow& row) {
     std::string line;
-    for (const Column& column : kColumns) {
-        line += (line.empty() ? "" : ",") + column.text(row);
+    for (const MetricsColumn& column : kColumns) {
+        line += (line.empty() ? "" : ",") + textOf(column.value(row));
     }
     return line + "\n";
 }
 
 std::string formatJsonLine(const MetricsRow& row) {
     std::string line;
-    for (const Column& column : kColumns) {
-        const std::string text = column.text(row);
+    for (const MetricsColumn& column : kColumns) {
+        const std::string text = textOf(column.value(row));
         line.append(line.empty() ? "{\"" : ",\"").append(column.name).append("\":");
         line += Json::accept(text) ? text : "null";
     }

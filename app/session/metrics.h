@@ -2,7 +2,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "app/session/cut_report.h"
@@ -40,6 +43,17 @@ struct MetricsRow {
 /// an event sets it, it is not the parameter's default, or the blade feels it. `now`: the
 /// parameters of the coming step.
 bool namesToughness(const Session& session, const Params& now);
+
+/// What a cell of metrics.csv holds; nothing where it is empty.
+using MetricsValue = std::variant<std::monostate, bool, long, double>;
+/// A column of metrics.csv.
+struct MetricsColumn {
+    std::string_view name;
+    MetricsValue (*value)(const MetricsRow& row);
+    const char* meaning = "";  ///< a sentence; of the parts of a vector "", which Python has whole
+};
+/// The columns in their order (docs/session-format.md).
+std::span<const MetricsColumn> metricsColumns();
 
 /// First line of metrics.csv and its rows, each with its line break.
 std::string metricsHeader();
