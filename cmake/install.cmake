@@ -38,6 +38,9 @@ install(TARGETS kerf-unite RUNTIME DESTINATION libexec/kerf)  # Kerf alone start
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/assets
         DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
         PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "README.md" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/session.schema.json
+              ${PROJECT_SOURCE_DIR}/docs/material.schema.json
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf/docs)
 if(KERF_PYTHON)
   set(KERF_PYTHON_DIR lib/python3/dist-packages CACHE STRING
       "Where the Python module is installed, below the prefix")

@@ -11,7 +11,7 @@
 #include "app/files/io/output_folder.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
-#include "app/session/session_action.h"
+#include "app/session/session.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/triangle_quality.h"
 

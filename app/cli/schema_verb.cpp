@@ -5,23 +5,21 @@
 
 #include "app/cli/verb.h"
 #include "app/files/io/exit_codes.h"
-#include "app/session/material.h"
-#include "app/session/session_schema.h"
+#include "app/files/io/file_io.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 
 namespace {
 
-// Kinds of files that have a schema.
-constexpr const char* kSessionKind = "session";
-constexpr const char* kMaterialKind = "material";
+constexpr std::uintmax_t kMostBytes = 1u << 20;
 
 std::function<int()> describeSchema(CLI::App& verb) {
-    const auto kind = std::make_shared<std::string>(kSessionKind);
+    const auto kind = std::make_shared<std::string>("session");
     verb.add_option("KIND", *kind, "session (where left out) or material")
-        ->check(CLI::IsMember({kSessionKind, kMaterialKind}));
+        ->check(CLI::IsMember({"session", "material"}));
     return [kind] {
-        std::cout << (*kind == kMaterialKind ? materialSchema() : sessionSchema());
+        std::cout << readInputFile(gpu::dataPath("docs/" + *kind + ".schema.json"), kMostBytes);
         return kExitDone;
     };
 }

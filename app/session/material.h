@@ -83,8 +83,6 @@ Material readMaterial(const std::filesystem::path& file);
 Material parseMaterial(const std::string& text);
 /// Text of a material file.
 std::string formatMaterial(const Material& material);
-/// The JSON Schema (draft 7) of material files, made from the table of the reader.
-std::string materialSchema();
 
 /// The materials that come with Kerf, by label: the files of assets/materials.
 const std::vector<Material>& builtinMaterials();

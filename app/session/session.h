@@ -166,6 +166,13 @@ void requireModelsOfParams(const Session& session);
 /// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
+/// Reads an event of a session that stands alone, without its step: {"type": "lift"}. What is no
+/// mistake but means nothing is told in `warnings`. Throws InputError naming the type and the key
+/// ("grab.radius: expected a number (1e-09 to 1e+06).").
+SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings);
+/// Reads the camera of a `view` that stands alone; the colours of one belong to the whole session.
+/// Throws InputError ("view.eye: expected three numbers.").
+render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings);
 
 /// An event as it stands in the list of a session file, on one line. Throws InputError as
 /// formatSession().

@@ -6,7 +6,7 @@
 #include "app/files/import/builtin_models.h"
 #include "app/files/io/file_io.h"
 #include "app/session/material_table.h"
-#include "app/session/session_action.h"
+#include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"
 

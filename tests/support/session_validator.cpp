@@ -5,8 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/session/session_schema.h"
+#include "app/session/session.h"
 #include "tests/paths.h"
+#include "tests/support/session_schema.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {

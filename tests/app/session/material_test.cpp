@@ -9,6 +9,7 @@
 #include "tests/paths.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/session_samples.h"
+#include "tests/support/session_schema.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -261,8 +262,8 @@ TEST(MaterialSettings, MakeAMaterialFromTheValuesAsTheyAre) {
 }
 
 TEST(MaterialSchema, IsThatOfTheProgramAndNamesEveryKey) {
-    EXPECT_EQ(test::readBytes(KERF_SOURCE_DIR "/docs/material.schema.json"), materialSchema())
-        << "Renew it: build/kerf schema material > docs/material.schema.json";
+    EXPECT_EQ(schemaFile("material.schema.json", materialSchema()), materialSchema())
+        << "Renew it: KERF_RENEW=1 build/kerf_app_tests --gtest_filter='*Schema*'";
     const test::ProgramRun run = test::runKerf({"schema", "material"});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(run.out, materialSchema());

@@ -1,4 +1,4 @@
-#include "app/session/session_schema.h"
+#include "tests/support/session_schema.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "app/files/io/errors.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "tests/paths.h"
@@ -120,8 +121,8 @@ class SessionSchema : public ::testing::Test {
 };
 
 TEST(SessionSchemaFile, IsThatOfTheProgram) {
-    EXPECT_EQ(test::readBytes(KERF_SOURCE_DIR "/docs/session.schema.json"), sessionSchema())
-        << "Renew it: build/kerf schema > docs/session.schema.json";
+    EXPECT_EQ(schemaFile("session.schema.json", sessionSchema()), sessionSchema())
+        << "Renew it: KERF_RENEW=1 build/kerf_app_tests --gtest_filter='*Schema*'";
 }
 
 TEST(SessionSchemaFile, IsWhatTheVerbPrints) {

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/session/session_schema.h"
+#include "app/files/io/errors.h"
+#include "app/session/session.h"
 #include "app/session/session_table.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"
 #include "tests/support/session_samples.h"
+#include "tests/support/session_schema.h"
 
 namespace kerf::test {
 

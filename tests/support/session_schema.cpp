@@ -1,11 +1,14 @@
-#include "app/session/session_schema.h"
+#include "tests/support/session_schema.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/files/import/builtin_models.h"
 #include "app/session/material_table.h"
 #include "sim/base/text.h"
+#include "tests/paths.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 
@@ -364,10 +367,6 @@ Json objectSchema(Item item, const Rule&... rule) {
     return schema;
 }
 
-}  // namespace
-
-namespace {
-
 std::string schemaText(const std::string& kind, const FileFormat& format, const Json& object) {
     Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                 {"title", kind + ", version " + std::to_string(format.version)}};
@@ -385,6 +384,14 @@ std::string sessionSchema() {
 
 std::string materialSchema() {
     return schemaText("Kerf material", kMaterialFormat, objectSchema(Material{}));
+}
+
+std::string schemaFile(const std::string& name, const std::string& text) {
+    const std::string file = KERF_SOURCE_DIR "/docs/" + name;
+    if (std::getenv("KERF_RENEW") != nullptr) {
+        test::writeText(file, text);
+    }
+    return test::readBytes(file);
 }
 
 }  // namespace kerf::app
