@@ -10,8 +10,9 @@
 #include <GLFW/glfw3.h>
 #include <spdlog/spdlog.h>
 
-#include "app/window/window_icon.h"
+#include "app/files/io/file_io.h"
 #include "gpu/context.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 namespace {
@@ -244,6 +245,10 @@ void Window::State::connect() {
     glfwSetWindowFocusCallback(window, onFocus);
     glfwSetWindowRefreshCallback(window, onRefresh);
     glfwSetFramebufferSizeCallback(window, onResize);
+}
+
+render::Image windowIcon() {
+    return readPicture(gpu::dataPath("assets/window/icon.png"));
 }
 
 Window::Window(const std::string& title) : state_(std::make_unique<State>()) {

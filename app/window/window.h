@@ -5,13 +5,18 @@
 #include <string>
 
 #include "gpu/framebuffer.h"
-#include "ui/base/cursor.h"
-#include "ui/base/input.h"
+#include "render/scene/image.h"
+#include "ui/cursor.h"
+#include "ui/input.h"
 
 namespace kerf::app {
 
 /// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
 /// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
+/// The icon of the window, 64 x 64 pixels: a fruit with a bright blade through it, on nothing.
+/// Throws InputError where it is missing.
+render::Image windowIcon();
+
 /// One at a time.
 class Window {
   public:

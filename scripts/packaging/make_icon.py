@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the icon of the desktop entry: that of the window (app/window/window_icon.cpp), in lines.
+"""Makes the icon of the desktop entry: that of the window (assets/window/icon.png), in lines.
 
   make_icon.py FILE.svg
 """

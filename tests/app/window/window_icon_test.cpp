@@ -1,6 +1,6 @@
-#include "app/window/window_icon.h"
-
 #include <gtest/gtest.h>
+
+#include "app/window/window.h"
 
 namespace kerf::app {
 namespace {
