@@ -1,6 +1,7 @@
 #include "app/journal/journal_writer.h"
 
 #include <fcntl.h>
+#include <spdlog/fmt/chrono.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -17,13 +18,8 @@ namespace fs = std::filesystem;
 /// By time, process and number: no two windows take the same.
 std::string newName() {
     static std::atomic<int> count = 0;
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    char moment[32];
-    std::strftime(moment, sizeof moment, "%Y%m%d-%H%M%S", &local);
-    return std::string(moment) + "-" + std::to_string(::getpid()) + "-" + std::to_string(++count) +
-           ".journal";
+    return fmt::format("{:%Y%m%d-%H%M%S}-{}-{}.journal", fmt::localtime(std::time(nullptr)),
+                       ::getpid(), ++count);
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <tuple>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/files/io/state_folder.h"
 #include "gpu/data_path.h"
 #include "sim/base/text.h"
 
@@ -276,12 +276,8 @@ std::string describeMaterial(const Material& material) {
 }
 
 fs::path defaultMaterialFolder() {
-    // A relative path there means nothing, by the XDG base directory specification.
-    if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && data[0] == '/') {
-        return fs::path(data) / "kerf" / "materials";
-    }
-    const char* const home = std::getenv("HOME");
-    return home == nullptr ? fs::path() : fs::path(home) / ".local/share/kerf/materials";
+    const fs::path data = baseFolder("XDG_DATA_HOME", ".local/share");
+    return data.empty() ? data : data / "materials";
 }
 
 }  // namespace kerf::app

@@ -12,7 +12,7 @@ namespace kerf::test {
 class FileFault {
   public:
     FileFault(int number, int error, bool lasting = false) {
-        app::setFileFault([this, number, error, lasting](app::FileCall) {
+        app::setFileFault([this, number, error, lasting] {
             const int now = ++calls_;
             return now == number || (lasting && now > number) ? error : 0;
         });

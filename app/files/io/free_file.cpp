@@ -1,5 +1,7 @@
 #include "app/files/io/free_file.h"
 
+#include <spdlog/fmt/chrono.h>
+
 #include <algorithm>
 #include <ctime>
 
@@ -17,12 +19,8 @@ std::string plainName(const std::string& name) {
 
 std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
                                const std::string& ending) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    char moment[32];
-    std::strftime(moment, sizeof moment, "-%Y%m%d-%H%M%S", &local);
-    const std::string stem = plainName(name) + moment;
+    const std::tm now = fmt::localtime(std::time(nullptr));
+    const std::string stem = fmt::format("{}-{:%Y%m%d-%H%M%S}", plainName(name), now);
     std::filesystem::path file = folder / (stem + ending);
     std::error_code unknown;  // a folder that can't be looked into: writing will say so
     for (int n = 2; std::filesystem::exists(file, unknown); ++n) {

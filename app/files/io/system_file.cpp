@@ -16,7 +16,7 @@ namespace {
 /// The fault of the tests, which any thread may ask for.
 struct Fault {
     std::mutex mutex;
-    std::function<int(FileCall)> ask;
+    std::function<int()> ask;
 };
 
 Fault& fault() {
@@ -25,9 +25,9 @@ Fault& fault() {
 }
 
 /// Whether the call may be made; otherwise errno says why not.
-bool mayCall(FileCall call) {
+bool mayCall() {
     const std::lock_guard hold(fault().mutex);
-    if (const int error = fault().ask ? fault().ask(call) : 0; error != 0) {
+    if (const int error = fault().ask ? fault().ask() : 0; error != 0) {
         errno = error;
         return false;
     }
@@ -56,12 +56,12 @@ const char* adviceOn(int error) {
 }
 
 int opened(const std::filesystem::path& file, int flags, unsigned mode) {
-    return mayCall(FileCall::open) ? ::open(file.c_str(), flags | O_CLOEXEC, mode) : -1;
+    return mayCall() ? ::open(file.c_str(), flags | O_CLOEXEC, mode) : -1;
 }
 
 }  // namespace
 
-void setFileFault(std::function<int(FileCall)> ask) {
+void setFileFault(std::function<int()> ask) {
     const std::lock_guard hold(fault().mutex);
     fault().ask = std::move(ask);
 }
@@ -83,22 +83,22 @@ void SystemFile::require(bool succeeded) const {
 void SystemFile::write(std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written =
-            mayCall(FileCall::write) ? ::write(descriptor_.get(), bytes.data(), bytes.size()) : -1;
+            mayCall() ? ::write(descriptor_.get(), bytes.data(), bytes.size()) : -1;
         require(written >= 0 || errno == EINTR);
         bytes.remove_prefix(written >= 0 ? static_cast<std::size_t>(written) : 0);
     }
 }
 
 void SystemFile::sync() {
-    require(mayCall(FileCall::sync) && ::fsync(descriptor_.get()) == 0);
+    require(mayCall() && ::fsync(descriptor_.get()) == 0);
 }
 
 void SystemFile::syncContent() {
-    require(mayCall(FileCall::sync) && ::fdatasync(descriptor_.get()) == 0);
+    require(mayCall() && ::fdatasync(descriptor_.get()) == 0);
 }
 
 void SystemFile::close() {
-    const bool may = mayCall(FileCall::close);
+    const bool may = mayCall();
     const int error = errno;
     const bool closed = descriptor_.close();
     errno = may ? errno : error;
@@ -106,7 +106,7 @@ void SystemFile::close() {
 }
 
 void SystemFile::rename(const std::filesystem::path& from, const std::filesystem::path& to) {
-    require(mayCall(FileCall::rename) && ::rename(from.c_str(), to.c_str()) == 0);
+    require(mayCall() && ::rename(from.c_str(), to.c_str()) == 0);
 }
 
 bool SystemFile::lockFile(int descriptor) {

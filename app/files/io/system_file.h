@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -10,12 +9,10 @@
 
 namespace kerf::app {
 
-/// A call of the system by which a file is written.
-enum class FileCall : std::uint8_t { open, write, sync, close, rename };
-
-/// For tests: before each such call, on whatever thread, `fault` says with which errno it fails
-/// instead of being made; 0 for none. An empty function lets all calls happen again.
-void setFileFault(std::function<int(FileCall)> fault);
+/// For tests: before each call of the system by which a file is written, on whatever thread,
+/// `fault` says with which errno it fails instead of being made; 0 for none. An empty function lets
+/// all calls happen again.
+void setFileFault(std::function<int()> fault);
 
 /// A file that is being written. All files that Kerf writes go through the calls of this class.
 class SystemFile {
