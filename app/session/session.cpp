@@ -235,20 +235,22 @@ bool undoesAnything(const Session& session) {
 }
 
 SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
-    collectPoseSegments();
+    collectBladeMoves();
     collectHandMoves();
 }
 
-void SessionPlayer::collectPoseSegments() {
+void SessionPlayer::collectBladeMoves() {
     const SessionEvent* lastKey = nullptr;
     for (const SessionEvent& event : session_->events) {
         if (takesBladeAway(event.action)) {
             lastKey = nullptr;
         } else if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
-            if (lastKey != nullptr && lastKey->step < event.step) {
-                poseSegments_.push_back({lastKey->step, event.step,
-                                         std::get<MoveBlade>(lastKey->action).blade, *move,
-                                         event.number});
+            if (lastKey != nullptr && lastKey->step + 1 < event.step) {
+                moves_.push_back(
+                    {lastKey->step, event.step, event.number,
+                     [from = std::get<MoveBlade>(lastKey->action), to = *move](double share) {
+                         return MoveBlade{interpolate(from.blade, to.blade, share), to.seconds};
+                     }});
             }
             lastKey = &event;
         }
@@ -267,8 +269,10 @@ void SessionPlayer::collectHandMoves() {
         } else if (const auto* drag = std::get_if<Drag>(&event.action)) {
             const auto last = keys.find(drag->hand);
             if (last != keys.end() && last->second.step + 1 < event.step) {
-                handMoves_.push_back({drag->hand, last->second.step, event.step, last->second.at,
-                                      drag->to, event.number});
+                moves_.push_back({last->second.step, event.step, event.number,
+                                  [from = last->second.at, to = *drag](double share) {
+                                      return Drag{to.hand, from + share * (to.to - from)};
+                                  }});
             }
             keys[drag->hand] = {event.step, drag->to};
         } else if (const auto* release = std::get_if<Release>(&event.action)) {
@@ -293,37 +297,13 @@ std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
 
 std::vector<PlayedAction> SessionPlayer::posesBetweenKeys(int step) const {
     std::vector<PlayedAction> poses;
-    if (const auto pose = poseBetweenKeys(step)) {
-        poses.push_back(*pose);
-    }
-    std::ranges::copy(dragsBetweenKeys(step), std::back_inserter(poses));
-    return poses;
-}
-
-std::vector<PlayedAction> SessionPlayer::dragsBetweenKeys(int step) const {
-    std::vector<PlayedAction> drags;
-    for (const HandMove& move : handMoves_) {
+    for (const KeyMove& move : moves_) {
         if (step > move.firstStep && step < move.lastStep) {
-            const double t = double(step - move.firstStep) / (move.lastStep - move.firstStep);
-            drags.push_back({Drag{move.hand, move.from + t * (move.to - move.from)}, move.number});
+            const double share = double(step - move.firstStep) / (move.lastStep - move.firstStep);
+            poses.push_back({move.at(share), move.number});
         }
     }
-    return drags;
-}
-
-std::optional<PlayedAction> SessionPlayer::poseBetweenKeys(int step) const {
-    const auto endsBefore = [](const PoseSegment& segment, int value) {
-        return segment.lastStep <= value;
-    };
-    const auto segment =
-        std::lower_bound(poseSegments_.begin(), poseSegments_.end(), step, endsBefore);
-    if (segment == poseSegments_.end() || step <= segment->firstStep) {
-        return std::nullopt;
-    }
-    const double t =
-        double(step - segment->firstStep) / double(segment->lastStep - segment->firstStep);
-    const auto& [blade, seconds] = segment->to;
-    return PlayedAction{MoveBlade{interpolate(segment->from, blade, t), seconds}, segment->number};
+    return poses;
 }
 
 }  // namespace kerf::app

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -208,31 +209,18 @@ class SessionPlayer {
     std::vector<PlayedAction> posesBetweenKeys(int step) const;
 
   private:
-    /// The blade moves from one key pose to the next.
-    struct PoseSegment {
+    /// The blade, or a hand, moves from one key pose to the next.
+    struct KeyMove {
         int firstStep = 0;
         int lastStep = 0;
-        Blade from;
-        MoveBlade to;
-        int number = -1;  ///< of the later key pose
+        int number = -1;                                ///< of the later key pose
+        std::function<SessionAction(double share)> at;  ///< the pose after a share of the way
     };
-    /// A hand moves from one key pose to the next, with steps between.
-    struct HandMove {
-        int hand = 0;
-        int firstStep = 0;
-        int lastStep = 0;
-        Vec3 from = Vec3::Zero();
-        Vec3 to = Vec3::Zero();
-        int number = -1;  ///< of the later key pose
-    };
-    void collectPoseSegments();
+    void collectBladeMoves();
     void collectHandMoves();
-    std::optional<PlayedAction> poseBetweenKeys(int step) const;
-    std::vector<PlayedAction> dragsBetweenKeys(int step) const;
 
     const Session* session_;
-    std::vector<PoseSegment> poseSegments_;  ///< by step, not overlapping
-    std::vector<HandMove> handMoves_;
+    std::vector<KeyMove> moves_;  ///< the blade's first
 };
 
 }  // namespace kerf::app
