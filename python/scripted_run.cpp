@@ -264,12 +264,7 @@ std::vector<std::string> ScriptedRun::exportMesh(const std::filesystem::path& fo
     std::vector<std::string> warnings;
     const auto wanted = only<app::ExportEvent>(app::parseAction(event, warnings));
     app::OutputFolder output(folder);
-    const app::ExportTarget target{wanted.file, wanted.filePerPiece,
-                                   app::coordinatesOf(wanted, simulation().placement()),
-                                   output.pathOf(wanted.file).parent_path()};
-    for (const app::ExportedFile& file : running_->encode(target)) {
-        output.write(file.file.generic_string(), file.bytes);
-    }
+    running_->write(wanted, output);
     return output.written();
 }
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/files/export/export.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
 #include "app/session/scene_origin.h"
@@ -110,11 +112,17 @@ render::Image RunningSession::draw(const render::Camera& camera, int width, int 
     return renderer_->readPicture();
 }
 
-std::vector<ExportedFile> RunningSession::encode(const ExportTarget& target) {
+void RunningSession::write(const ExportEvent& event, OutputFolder& folder) {
     const SurfaceMesh& mesh = simulation_.mesh();
-    return encodeExport(target, mesh, simulation_.pieces(),
-                        {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
-                        {simulation_.placement(), session_.origin});
+    const Placement& placement = simulation_.placement();
+    const ExportTarget target{event.file, event.filePerPiece, coordinatesOf(event, placement),
+                              folder.pathOf(event.file).parent_path()};
+    for (const ExportedFile& file :
+         encodeExport(target, mesh, simulation_.pieces(),
+                      {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
+                      {placement, session_.origin})) {
+        folder.write(file.file.generic_string(), file.bytes);
+    }
 }
 
 std::vector<std::string> RunningSession::problemsWith(const CheckEvent& check,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/export/export.h"
+#include "app/files/io/output_folder.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"
@@ -61,8 +61,9 @@ class RunningSession {
     void show(const render::Camera& camera, int width, int height);
     /// The same, as a picture.
     render::Image draw(const render::Camera& camera, int width, int height);
-    /// The files of an export, with the looks of the model.
-    std::vector<ExportedFile> encode(const ExportTarget& target);
+    /// Writes the files of an export into a folder, with the looks of the model. Throws
+    /// OutputError.
+    void write(const ExportEvent& event, OutputFolder& folder);
 
     /// Where a check before the coming step does not hold, that as clauses; the state hash counts
     /// where it is `withHash`.

@@ -206,14 +206,7 @@ class Replay {
         });
     }
     void take(const ExportEvent& event) {
-        outside_.measure([&] {
-            const ExportTarget target{event.file, event.filePerPiece,
-                                      coordinatesOf(event, simulation().placement()),
-                                      folder_.pathOf(event.file).parent_path()};
-            for (const ExportedFile& file : running_.encode(target)) {
-                folder_.write(file.file.generic_string(), file.bytes);
-            }
-        });
+        outside_.measure([&] { running_.write(event, folder_); });
     }
     void take(const CameraEvent& /*event*/) const {}  // films know all of them from the start
     void take(const CheckEvent& event) {
