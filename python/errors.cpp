@@ -1,15 +1,10 @@
 #include "python/errors.h"
 
 #include <exception>
-#include <filesystem>
-#include <new>
 #include <string>
 
-#include "app/files/io/file_io.h"
-#include "app/files/io/memory_means.h"
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/program.h"
+#include "app/cli/program.h"
+#include "app/files/io/exit_codes.h"
 #include "python/gl_thread.h"
 #include "python/scripted_run.h"
 #include "sim/base/text.h"
@@ -43,30 +38,19 @@ void raise(PyObject* kind, const std::string& sentence) {
     PyErr_SetString(kind, printable(sentence).c_str());
 }
 
-/// As runVerbSafely() of the command line.
 void translate(std::exception_ptr thrown) {
     try {
         std::rethrow_exception(std::move(thrown));
     } catch (const CheckFailure& error) {
         raise(classes.check, error.what());
-    } catch (const app::InputError& error) {
-        raise(classes.input, error.what());
-    } catch (const gpu::ContextError& error) {
-        raise(classes.openGl, error.what());
-    } catch (const gpu::ShaderError& error) {
-        raise(classes.openGl, error.what());
-    } catch (const gpu::OutOfMemory& error) {
-        raise(classes.limit, error.what());
-    } catch (const app::MemoryShortage& error) {
-        raise(classes.limit, error.what());
-    } catch (const app::OutputError& error) {
-        raise(classes.limit, error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        raise(classes.input, error.path1().string() + ": " + error.code().message() + ".");
-    } catch (const std::bad_alloc&) {
-        raise(classes.limit, app::outOfMemory("Kerf"));
     } catch (const ForkedProcess& error) {
         raise(classes.any, error.what());
+    } catch (...) {
+        const auto [sentence, exitCode] = app::complaintAboutThrown();
+        raise(exitCode == app::kExitInput      ? classes.input
+              : exitCode == app::kExitNoOpenGl ? classes.openGl
+                                               : classes.limit,
+              sentence);
     }
 }
 

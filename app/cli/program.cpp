@@ -69,22 +69,31 @@ int runSafely(const std::function<int()>& verb) {
         return checkStandardOutput(verb());
     } catch (const UsageError& error) {
         return complain(error.what() + std::string("; see kerf --help."), kExitUsage);
+    } catch (...) {
+        const auto [sentence, exitCode] = complaintAboutThrown();
+        return complain(sentence, exitCode);
+    }
+}
+
+Complaint complaintAboutThrown() {
+    try {
+        throw;
     } catch (const InputError& error) {
-        return complain(error.what(), kExitInput);
+        return {error.what(), kExitInput};
     } catch (const gpu::ContextError& error) {
-        return complain(error.what(), kExitNoOpenGl);
+        return {error.what(), kExitNoOpenGl};
     } catch (const gpu::ShaderError& error) {
-        return complain(error.what(), kExitNoOpenGl);
+        return {error.what(), kExitNoOpenGl};
     } catch (const gpu::OutOfMemory& error) {
-        return complain(error.what(), kExitLimit);
+        return {error.what(), kExitLimit};
     } catch (const MemoryShortage& error) {
-        return complain(error.what(), kExitLimit);
+        return {error.what(), kExitLimit};
     } catch (const OutputError& error) {
-        return complain(error.what(), kExitLimit);
+        return {error.what(), kExitLimit};
     } catch (const std::filesystem::filesystem_error& error) {
-        return complain(error.path1().string() + ": " + error.code().message() + ".", kExitInput);
+        return {error.path1().string() + ": " + error.code().message() + ".", kExitInput};
     } catch (const std::bad_alloc&) {
-        return complain(outOfMemory("Kerf"), kExitLimit);
+        return {outOfMemory("Kerf"), kExitLimit};
     }
 }
 

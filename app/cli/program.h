@@ -19,6 +19,13 @@ void setUpProgram();
 std::optional<int> parseWords(CLI::App& parser, int argc, char** argv);
 /// What the verb returns; every error of it as a sentence and an exit code.
 int runSafely(const std::function<int()>& verb);
+/// What people are told of an error of a verb, and the exit code for it.
+struct Complaint {
+    std::string sentence;
+    int exitCode;
+};
+/// That of the exception that is being handled; one that no verb throws is thrown on.
+Complaint complaintAboutThrown();
 /// Says the sentence on standard error; returns the code.
 int complain(const std::string& sentence, int exitCode);
 

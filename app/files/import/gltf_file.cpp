@@ -124,34 +124,6 @@ int hexDigit(char c) {
 
 }  // namespace
 
-template <class T>
-T valueOf(const Json& object, const char* key, T otherwise) {
-    const auto found = object.find(key);
-    if (found == object.end()) {
-        return otherwise;
-    }
-    try {
-        if (std::is_unsigned_v<T> && found->is_number() && found->template get<double>() < 0) {
-            throw InputError("its \"" + std::string(key) + "\" is negative");
-        }
-        if (std::is_integral_v<T> && found->is_number_float() &&
-            found->template get<double>() != std::floor(found->template get<double>())) {
-            throw InputError("its \"" + std::string(key) + "\" is no whole number");
-        }
-        return found->template get<T>();
-    } catch (const Json::exception&) {
-        throw InputError("its \"" + std::string(key) + "\" is not what glTF has there");
-    }
-}
-template int valueOf(const Json&, const char*, int);
-template bool valueOf(const Json&, const char*, bool);
-template double valueOf(const Json&, const char*, double);
-template std::uint64_t valueOf(const Json&, const char*, std::uint64_t);
-template std::string valueOf(const Json&, const char*, std::string);
-template std::vector<double> valueOf(const Json&, const char*, std::vector<double>);
-template std::vector<std::uint64_t> valueOf(const Json&, const char*, std::vector<std::uint64_t>);
-template std::vector<std::string> valueOf(const Json&, const char*, std::vector<std::string>);
-
 std::string unescaped(std::string_view uri) {
     std::string name;
     for (std::size_t i = 0; i < uri.size(); ++i) {

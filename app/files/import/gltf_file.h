@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
+
+#include "app/files/io/errors.h"
 
 namespace kerf::app {
 
@@ -45,7 +49,24 @@ class GltfFile {
 
 /// The value of a key; `otherwise` where it is left out. Throws InputError for another type.
 template <class T>
-T valueOf(const nlohmann::json& object, const char* key, T otherwise);
+T valueOf(const nlohmann::json& object, const char* key, T otherwise) {
+    const auto found = object.find(key);
+    if (found == object.end()) {
+        return otherwise;
+    }
+    try {
+        if (std::is_unsigned_v<T> && found->is_number() && found->template get<double>() < 0) {
+            throw InputError("its \"" + std::string(key) + "\" is negative");
+        }
+        if (std::is_integral_v<T> && found->is_number_float() &&
+            found->template get<double>() != std::floor(found->template get<double>())) {
+            throw InputError("its \"" + std::string(key) + "\" is no whole number");
+        }
+        return found->template get<T>();
+    } catch (const nlohmann::json::exception&) {
+        throw InputError("its \"" + std::string(key) + "\" is not what glTF has there");
+    }
+}
 
 /// A URI without its escapes, such as %20.
 std::string unescaped(std::string_view uri);

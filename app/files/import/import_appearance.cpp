@@ -68,17 +68,12 @@ class AppearanceReader {
     AppearanceReader(const aiScene& scene, const fs::path& file, ImportedModel& model)
         : scene_(scene), model_(model), images_(file, model) {}
 
-    /// Number of a material among those of the model; -1 where a file named none.
-    int numberOf(unsigned index) {
-        const auto [place, isNew] = numbers_.try_emplace(index, -1);
-        if (isNew && index < scene_.mNumMaterials) {
-            place->second = add(*scene_.mMaterials[index]);
+    /// Returns its number among those of the model; -1 where a file named none.
+    int add(unsigned index) {
+        if (index >= scene_.mNumMaterials) {
+            return -1;
         }
-        return place->second;
-    }
-
-  private:
-    int add(const aiMaterial& from) {
+        const aiMaterial& from = *scene_.mMaterials[index];
         render::Material material;
         material.name = from.GetName().C_Str();
         material.baseColor = colorOf(from);
@@ -96,6 +91,7 @@ class AppearanceReader {
         return static_cast<int>(model_.appearance.materials.size()) - 1;
     }
 
+  private:
     render::ModelImage readImage(const std::string& name, const std::string& material) const {
         if (const aiTexture* within = scene_.GetEmbeddedTexture(name.c_str())) {
             return embedded(*within, material);
@@ -117,7 +113,6 @@ class AppearanceReader {
     const aiScene& scene_;
     ImportedModel& model_;
     ModelImages images_;
-    std::map<unsigned, int> numbers_;
 };
 
 }  // namespace
@@ -186,14 +181,25 @@ std::optional<fs::path> fileBeside(const fs::path& model, std::string name) {
     return std::nullopt;
 }
 
-void addAppearance(const aiScene& scene, const fs::path& file, ImportedModel& model) {
-    AppearanceReader reader(scene, file, model);
+void takeMaterials(ImportedModel& model, const std::function<int(int)>& add) {
+    std::map<int, int> numbers;
     for (int& material : model.soup.skin.materials) {
-        material = reader.numberOf(material);
+        if (material >= 0) {
+            const auto [place, isNew] = numbers.try_emplace(material, -1);
+            if (isNew) {
+                place->second = add(material);
+            }
+            material = place->second;
+        }
     }
     if (model.appearance.materials.empty()) {
         model.soup.skin.materials.clear();
     }
+}
+
+void addAppearance(const aiScene& scene, const fs::path& file, ImportedModel& model) {
+    AppearanceReader reader(scene, file, model);
+    takeMaterials(model, [&](int number) { return reader.add(static_cast<unsigned>(number)); });
 }
 
 }  // namespace kerf::app

@@ -20,6 +20,11 @@ namespace kerf::app {
 /// numbers in the model then. `file` names the model.
 void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
+/// Numbers the materials that triangles name by their numbers in the file anew, in the order in
+/// which these first use them. `add` takes one of the file into the model and returns its number
+/// there; -1 for none.
+void takeMaterials(ImportedModel& model, const std::function<int(int number)>& add);
+
 /// The roughness for the exponent of a highlight, as Blender converts it.
 float roughnessOfHighlight(double exponent);
 

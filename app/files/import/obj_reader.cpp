@@ -220,32 +220,22 @@ void readLines(std::string_view text, ObjModel& read, Libraries& libraries) {
     });
 }
 
-/// Numbers the materials that triangles have anew, in the order in which these first use them.
 void addMaterials(const std::vector<std::string>& names, Libraries& libraries,
                   const std::filesystem::path& file, ImportedModel& model) {
-    constexpr int kNew = -2;
-    std::vector<int> numbers(names.size(), kNew);
     ModelImages images(file, model);
-    for (int& material : model.soup.skin.materials) {
-        if (material < 0) {
-            continue;
+    takeMaterials(model, [&](int number) {
+        const ObjMaterial* const found = libraries.find(names[number]);
+        if (found == nullptr) {
+            return -1;
         }
-        int& number = numbers[material];
-        if (number == kNew) {
-            const ObjMaterial* const found = libraries.find(names[material]);
-            number = found == nullptr ? -1 : images.add(found->material, found->image);
-            if (found != nullptr && !found->leftOut.empty()) {
-                model.remarks.push_back("The image of the material \"" +
-                                        printable(names[material]) +
-                                        "\" is shown as it is: what its .mtl file says by " +
-                                        found->leftOut + " was left out.");
-            }
+        const int added = images.add(found->material, found->image);
+        if (!found->leftOut.empty()) {
+            model.remarks.push_back("The image of the material \"" + printable(names[number]) +
+                                    "\" is shown as it is: what its .mtl file says by " +
+                                    found->leftOut + " was left out.");
         }
-        material = number;
-    }
-    if (model.appearance.materials.empty()) {
-        model.soup.skin.materials.clear();
-    }
+        return added;
+    });
 }
 
 void tellUnknown(const std::set<std::string>& words, std::vector<std::string>& remarks) {
