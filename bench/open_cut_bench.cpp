@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/import/model_source.h"
 #include "app/session/session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/memory_means.h"
 #include "gpu/context.h"
 #include "python/bindings.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/memory_means.h"
 #include "app/files/io/output_folder.h"
@@ -13,7 +14,8 @@
 #include "app/session/scene_origin.h"
 #include "app/session/session.h"
 #include "sim/base/stopwatch.h"
-#include "sim/mesh/triangle_quality.h"
+#include "sim/body/body_model.h"
+#include "sim/mesh/triangle_strain.h"
 
 namespace kerf::python {
 namespace {

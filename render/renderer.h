@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "gpu/framebuffer.h"
+#include "render/quality.h"
 #include "render/scene/camera.h"
 #include "render/scene/depth_field.h"
 #include "render/scene/image.h"

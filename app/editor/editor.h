@@ -78,8 +78,4 @@ class Editor {
     std::unique_ptr<State> state_;
 };
 
-/// The editor in a window, until it is closed; returns 0. What is wrong with `file` is said there.
-/// Throws InputError where it is missing, gpu::ContextError without a window or OpenGL 4.5.
-int runEditor(const std::optional<std::filesystem::path>& file);
-
 }  // namespace kerf::app

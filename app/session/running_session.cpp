@@ -8,6 +8,7 @@
 #include "app/files/io/memory_means.h"
 #include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
+#include "render/renderer.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/start/body_upload.h"
@@ -47,6 +48,8 @@ RunningSession::RunningSession(const Session& session, ModelMesh model, std::siz
       camera_(sessionCamera(session_, restBounds_)) {
     simulation_.setUndoBudget(undoBudget);
 }
+
+RunningSession::~RunningSession() = default;
 
 std::string RunningSession::execute(const Command& command) {
     std::string problem = simulation_.execute(command);
@@ -94,7 +97,7 @@ void RunningSession::followPlacement() {
 
 void RunningSession::preparePictures() {
     if (!renderer_) {
-        renderer_.emplace(quality_);
+        renderer_ = std::make_unique<render::Renderer>(quality_);
         renderer_->setRestShape(uncut_->mesh);
     }
 }

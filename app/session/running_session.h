@@ -10,8 +10,13 @@
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"
-#include "render/renderer.h"
+#include "render/quality.h"
+#include "render/scene/image.h"
 #include "sim/run/simulation.h"
+
+namespace kerf::render {
+class Renderer;
+}
 
 namespace kerf::app {
 
@@ -28,6 +33,7 @@ class RunningSession {
     /// gpu::OutOfMemory.
     RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                    render::Quality quality);
+    ~RunningSession();
     RunningSession(const RunningSession&) = delete;  // parts of it refer to one another
     RunningSession& operator=(const RunningSession&) = delete;
 
@@ -89,7 +95,7 @@ class RunningSession {
     const render::Quality quality_;
     const OwnLooks looks_;  ///< of the uncut body
     SkinFollower skin_{looks_};
-    std::optional<render::Renderer> renderer_;  ///< where pictures are taken
+    std::unique_ptr<render::Renderer> renderer_;  ///< where pictures are taken
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
     Bounds restBounds_;                       ///< of it

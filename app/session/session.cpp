@@ -146,6 +146,10 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
     return joined(std::move(models));
 }
 
+ModelMesh loadSessionModel(const Session& session) {
+    return loadSessionModel(session, {});
+}
+
 render::Camera sessionCamera(const Session& session, const Bounds& bounds) {
     if (session.view) {
         return *session.view;

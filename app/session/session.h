@@ -9,15 +9,22 @@
 #include <variant>
 #include <vector>
 
-#include "app/files/export/export.h"
-#include "app/files/import/model_source.h"
+#include "app/files/export/mesh_formats.h"
+#include "app/files/import/mending.h"
 #include "render/scene/body_look.h"
 #include "render/scene/camera_path.h"
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
 #include "sim/run/parts/command.h"
 
+namespace kerf {
+class SurfaceMesh;
+}
+
 namespace kerf::app {
+
+struct ModelMesh;
+struct ReadOptions;
 
 /// Limits of a session file; beyond them it is refused.
 inline constexpr std::uintmax_t kMaxSessionBytes = 64u << 20;
@@ -159,6 +166,13 @@ Session readSession(const std::filesystem::path& file);
 /// Reads and checks the text of a session, whose model paths are relative to `baseFolder`. Throws
 /// InputError naming the place in it.
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
+/// Reads an event of a session that stands alone, without its step: {"type": "lift"}. What is no
+/// mistake but means nothing is told in `warnings`. Throws InputError naming the type and the key
+/// ("grab.radius: expected a number (1e-09 to 1e+06).").
+SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings);
+/// Reads the camera of a `view` that stands alone; the colours of one belong to the whole session.
+/// Throws InputError ("view.eye: expected three numbers.").
+render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings);
 /// Sets a parameter to a value that is written as in a session: 0.5, [0, -9.81, 0], null, "pbd". A
 /// bare word is a text. Throws InputError, naming the parameter; none has changed then.
 void setParamFromText(Params& params, const std::string& name, const std::string& value);
@@ -167,13 +181,6 @@ void requireModelsOfParams(const Session& session);
 /// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
 /// is given). Throws InputError rather than write what parseSession would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
-/// Reads an event of a session that stands alone, without its step: {"type": "lift"}. What is no
-/// mistake but means nothing is told in `warnings`. Throws InputError naming the type and the key
-/// ("grab.radius: expected a number (1e-09 to 1e+06).").
-SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings);
-/// Reads the camera of a `view` that stands alone; the colours of one belong to the whole session.
-/// Throws InputError ("view.eye: expected three numbers.").
-render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings);
 
 /// An event as it stands in the list of a session file, on one line. Throws InputError as
 /// formatSession().
@@ -182,7 +189,8 @@ std::string formatEvent(const SessionEvent& event);
 /// The models of a session, placed in the scene, as one, about ModelMesh::origin. Throws
 /// InputError, also where a sha256 differs or where a model would be too small, or too far from the
 /// others, for floats.
-ModelMesh loadSessionModel(const Session& session, const ReadOptions& options = {});
+ModelMesh loadSessionModel(const Session& session, const ReadOptions& options);
+ModelMesh loadSessionModel(const Session& session);
 
 /// The session's view, or the default one: from the front right above, `bounds` in the middle and
 /// room around it for what falls.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/mesh/invariants.h"
+
 namespace kerf::app {
 
 const StepReport& SessionRunner::step() {

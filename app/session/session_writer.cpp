@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/files/io/errors.h"
 #include "app/session/material_table.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session_json.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/files/import/model_source.h"
+#include "app/files/import/own_looks.h"
 #include "render/scene/skin_paint.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gpu/framebuffer.h"
@@ -11,12 +13,12 @@
 
 namespace kerf::app {
 
-/// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
-/// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
 /// The icon of the window, 64 x 64 pixels: a fruit with a bright blade through it, on nothing.
 /// Throws InputError where it is missing.
 render::Image windowIcon();
 
+/// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
+/// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
 /// One at a time.
 class Window {
   public:
@@ -53,5 +55,9 @@ class Window {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// The editor in a window, until it is closed; returns 0. What is wrong with `file` is said there.
+/// Throws InputError where it is missing, gpu::ContextError without a window or OpenGL 4.5.
+int runEditor(const std::optional<std::filesystem::path>& file);
 
 }  // namespace kerf::app

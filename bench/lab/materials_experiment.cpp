@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/files/import/model_source.h"
 #include "app/session/paper_experiments.h"
 #include "tests/paths.h"
 

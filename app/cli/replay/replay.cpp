@@ -9,14 +9,15 @@
 #include <utility>
 
 #include "app/files/export/export.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/folder_lock.h"
 #include "app/files/io/output_folder.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/running_session.h"
 #include "app/session/scene_view.h"
-#include "app/session/volume_watch.h"
 #include "app/session/session.h"
+#include "app/session/volume_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "sim/base/stopwatch.h"
@@ -67,7 +68,6 @@ void removeUnfinished(const OutputFolder& folder) {
     }
 }
 
-/// Time that a step spends on pictures and files, which belongs to no frame.
 /// The tables that a replay writes as it goes: metrics.csv, and where they are wanted hashes.csv
 /// and pieces.csv. They appear under their names once they are complete.
 class RunFiles {
@@ -123,6 +123,7 @@ void RunFiles::commit() {
     }
 }
 
+/// Time that a step spends on pictures and files, which belongs to no frame.
 class TimeOutside {
   public:
     /// Runs `work` and returns how long it took [ms].

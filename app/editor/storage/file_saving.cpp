@@ -6,6 +6,7 @@
 #include "app/files/io/file_io.h"
 #include "app/regression/test_maker.h"
 #include "sim/base/text.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 namespace {

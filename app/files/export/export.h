@@ -36,14 +36,6 @@ std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshForm
 std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                            const ExportLooks& looks = {}, const Vec3& from = Vec3::Zero());
 
-/// The coordinates that a mesh is written in.
-enum class Coordinates {
-    model,  ///< those of the model's own file: its unit, axes and place
-    scene,  ///< metres, +y up, as the body lies in the scene
-};
-/// In the order of the enumerators.
-inline constexpr std::string_view kCoordinatesNames[] = {"model", "scene"};
-
 /// The file, or the files, that a body is exported to; its extension names the format.
 struct ExportTarget {
     std::filesystem::path file;

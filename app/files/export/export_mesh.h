@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/import/model_source.h"
+#include "app/files/import/own_looks.h"
 #include "render/scene/appearance.h"
 #include "render/scene/body_look.h"
 #include "sim/mesh/invariants.h"

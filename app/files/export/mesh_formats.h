@@ -22,4 +22,12 @@ std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& file);
 /// The row of a format.
 const MeshFormatInfo& infoOf(MeshFormat format);
 
+/// The coordinates that a mesh is written in.
+enum class Coordinates {
+    model,  ///< those of the model's own file: its unit, axes and place
+    scene,  ///< metres, +y up, as the body lies in the scene
+};
+/// In the order of the enumerators.
+inline constexpr std::string_view kCoordinatesNames[] = {"model", "scene"};
+
 }  // namespace kerf::app

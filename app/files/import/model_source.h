@@ -10,15 +10,14 @@
 
 #include "app/files/import/mending.h"
 #include "app/files/import/model_faults.h"
+#include "app/files/import/own_looks.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
 #include "app/files/jobs/work_progress.h"
-#include "render/scene/appearance.h"
-#include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/soup_inspection.h"
-#include "sim/run/start/prepared_body.h"
+#include "sim/run/start/placed_model.h"
 
 namespace kerf::app {
 
@@ -43,15 +42,6 @@ class ModelFault : public InputError {
   private:
     ModelHelp help_;
     std::shared_ptr<const FoundFaults> found_;
-};
-
-/// The looks that a model brings along.
-struct OwnLooks {
-    SkinAttributes skin;                                             ///< by triangle slot
-    std::shared_ptr<const render::Appearance> appearance = nullptr;  ///< none: no materials
-
-    /// Whether it has colours to show.
-    bool colored() const { return appearance != nullptr || !skin.colors.empty(); }
 };
 
 /// A model as it is cut, and what it keeps of its looks.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/files/import/model_source.h"
 #include "app/files/jobs/background_job.h"
 #include "app/scene/document/editor_document.h"
 #include "render/scene/depth_field.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
 #include "app/session/session.h"
 #include "render/scene/camera.h"

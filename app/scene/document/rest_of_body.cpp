@@ -2,6 +2,7 @@
 
 #include "app/session/scene_view.h"
 #include "sim/mesh/piece_figures.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 namespace {

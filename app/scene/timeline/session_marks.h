@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/import/model_faults.h"
 #include "app/scene/timeline/session_journal.h"
 #include "ui/state/panel_model.h"
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/files/jobs/progress_line.h"
 #include "bench/lab/hollow_session.h"
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/files/io/errors.h"
 #include "gpu/data_path.h"
 
 namespace kerf::app {

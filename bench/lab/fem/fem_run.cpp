@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/files/export/export.h"
+#include "app/files/import/model_source.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/session_runner.h"
 #include "sim/mesh/invariants.h"

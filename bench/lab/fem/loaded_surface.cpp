@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/files/import/model_source.h"
 #include "sim/base/region.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"

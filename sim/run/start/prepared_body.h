@@ -5,23 +5,16 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/placement.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/solve/solver_pieces.h"
+#include "sim/run/start/placed_model.h"
+#include "sim/solve/vertex_pages.h"
 
 namespace kerf {
 
 /// Told the name of each part of a long piece of work before it begins; may throw to end the work.
 using StageListener = std::function<void(const char* stage)>;
-
-/// A model of a scene, as it lies in the mesh of all of them.
-struct PlacedModel {
-    Placement placement = {};  ///< how the numbers of its file became metres of the scene
-    int firstVertex = 0;       ///< of the uncut mesh; those of the next model follow its own
-    bool operator==(const PlacedModel&) const = default;
-};
 
 /// A body before anything was done to it, to come back to.
 struct UncutBody {

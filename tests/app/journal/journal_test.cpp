@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/journal/journal_folder.h"
 #include "app/journal/journal_writer.h"

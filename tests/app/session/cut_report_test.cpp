@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
 #include "tests/paths.h"

@@ -1,6 +1,7 @@
 // The sessions of the repository, cut with each way to search for triangles.
 #include <gtest/gtest.h>
 
+#include "app/files/import/model_source.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "tests/paths.h"

@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "app/files/io/errors.h"
 #include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/temporary_folder.h"

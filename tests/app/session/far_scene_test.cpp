@@ -9,6 +9,7 @@
 
 #include "app/cli/replay/replay.h"
 #include "app/files/export/export.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/files/import/model_source.h"
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "sim/mesh/piece_labels.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "app/files/import/model_source.h"
 #include "app/files/io/sha256.h"
 #include "app/session/session.h"
 #include "sim/mesh/invariants.h"

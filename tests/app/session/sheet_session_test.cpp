@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "app/files/import/model_source.h"
 #include "tests/app/session/replayed_session.h"
 #include "tests/paths.h"
 #include "tests/support/fuzz_seed.h"

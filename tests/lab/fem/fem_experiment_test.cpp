@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/files/import/model_source.h"
 #include "app/session/session.h"
 #include "render/scene/image.h"
 #include "sim/mesh/box_surface.h"

@@ -1,3 +1,4 @@
+#include "app/files/io/errors.h"
 #include "app/journal/journal_text.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "app/cli/replay/replay.h"
+#include "app/files/import/model_source.h"
 #include "app/session/session_runner.h"
 #include "sim/run/simulation.h"
 #include "tests/paths.h"
