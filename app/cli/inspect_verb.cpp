@@ -37,8 +37,8 @@
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/mesh/triangle_quality.h"
-#include "ui/fault_legend.h"
-#include "ui/piece_row.h"
+#include "ui/state/fault_legend.h"
+#include "ui/state/piece_row.h"
 
 namespace kerf::app {
 

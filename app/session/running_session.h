@@ -10,8 +10,8 @@
 #include "app/session/session.h"
 #include "app/session/session_runner.h"
 #include "app/session/skin_follower.h"
-#include "render/quality.h"
 #include "render/scene/image.h"
+#include "render/scene/quality.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::render {

@@ -8,8 +8,8 @@
 
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
-#include "ui/cursor.h"
-#include "ui/input.h"
+#include "ui/base/cursor.h"
+#include "ui/base/input.h"
 
 namespace kerf::app {
 

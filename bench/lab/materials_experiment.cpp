@@ -16,7 +16,7 @@
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "render/scene/image.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::app {
 

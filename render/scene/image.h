@@ -7,10 +7,6 @@
 
 namespace kerf::render {
 
-/// The tier of a picture. The light one leaves out multisampling, the soft edge of the shadow and
-/// ambient occlusion.
-enum class Quality { light, full };
-
 /// A rectangle of pixels, from the top left corner of the picture.
 struct PixelRect {
     int x = 0;

@@ -1,11 +1,11 @@
 #include "ui/state/action_table.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
 #include "tests/paths.h"
-#include "ui/state/panel_model.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::ui {

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "render/scene/body_look.h"
-#include "render/scene/image.h"
 #include "render/scene/overlays.h"
+#include "render/scene/quality.h"
 #include "render/scene/section_plane.h"
 #include "render/scene/surface_field.h"
 #include "sim/body/skin_normals.h"

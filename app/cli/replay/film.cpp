@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "render/scene/image.h"
-#include "ui/caption.h"
+#include "ui/base/caption.h"
 
 namespace kerf::app {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/session/hash_course.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
-#include "render/quality.h"
+#include "render/scene/quality.h"
 
 namespace kerf::app {
 
