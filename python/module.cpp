@@ -6,7 +6,8 @@
 
 #include "app/files/import/builtin_models.h"
 #include "app/session/material.h"
-#include "gpu/data_path.h"
+#include "app/session/paper_experiments.h"
+#include "gpu/program_folder.h"
 #include "python/bindings.h"
 #include "python/errors.h"
 #include "python/log.h"
@@ -38,6 +39,20 @@ py::list parameters() {
     return rows;
 }
 
+py::list paperExperiments() {
+    py::list rows;
+    for (const app::PaperExperiment& experiment : app::paperExperiments()) {
+        py::dict row;
+        row["name"] = experiment.name;
+        row["label"] = experiment.label;
+        row["triangles"] = experiment.triangles;
+        row["mean_volume"] = experiment.meanVolume;
+        row["mean_fps"] = experiment.meanFps;
+        rows.append(row);
+    }
+    return rows;
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_native, module) {
@@ -55,6 +70,9 @@ PYBIND11_MODULE(_native, module) {
                "The names of the models that come with Kerf.");
     module.def("builtin_materials", app::materialNames,
                "The names of the materials that come with Kerf.");
+    module.def("paper_experiments", paperExperiments,
+               "The paper's experiments in its order: `name` of model and session, `label`, "
+               "`triangles`, `mean_volume` in percent and `mean_fps`, 0 where it has no figure.");
     module.def("parameters", parameters,
                "All parameters: `name`, `unit`, `meaning`, `low`, `high`, `choices`.");
 }

@@ -206,6 +206,8 @@ void addRun(py::module_& module) {
              [](RunHandle& h) { return h.on([](auto& run) { return run.cutReport(); }); })
         .def("messages",
              [](RunHandle& h) { return h.on([](auto& run) { return run.messages(); }); })
+        .def("too_few_iterations",
+             [](RunHandle& h) { return h.on([](auto& run) { return run.tooFewIterations(); }); })
         .def("picture", pictureOf)
         .def("export",
              [](RunHandle& h, const std::string& folder, const std::string& event) {

@@ -127,6 +127,7 @@ void ScriptedRun::take(const app::CheckEvent& check) {
 const app::MetricsRow& ScriptedRun::step() {
     const Stopwatch watch;
     running_->runner().applyActions(*player_, *this);
+    iterations_.add(stepCount(), simulation().bodyModel(), simulation().params());
     const StepReport& report = running_->step();
     row_ = {report, 0, watch.milliseconds(),
             app::namesToughness(session_, running_->simulation().params())};

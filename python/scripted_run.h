@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/scene/timeline/session_journal.h"
+#include "app/session/iteration_watch.h"
 #include "app/session/metrics.h"
 #include "app/session/running_session.h"
 #include "gpu/context.h"
@@ -106,6 +107,8 @@ class ScriptedRun {
     std::string cutReport() const;
     /// Sentences about what went wrong in steps, from the start.
     const std::vector<std::string>& messages() const { return messages_; }
+    /// See IterationWatch::sentence(), of all steps that were run.
+    std::string tooFewIterations() const { return iterations_.sentence(); }
 
     // Files and pictures.
     /// A picture through `view`, JSON as in a session, or the session's own where it is empty. The
@@ -141,6 +144,7 @@ class ScriptedRun {
     app::SessionJournal journal_;
     app::MetricsRow row_;
     std::vector<std::string> messages_;
+    app::IterationWatch iterations_;
     // What was asked for last, and of which revision it is.
     SharedArray<double> positions_;
     int positionsRevision_ = -1;

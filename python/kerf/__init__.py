@@ -18,7 +18,7 @@ _interpreter.refuse_another()
 
 from . import _program
 from ._native import CheckFailed, Error, InputError, LimitError, OpenGLError, Report, Snapshot
-from ._native import builtin_materials, builtin_models, parameters
+from ._native import builtin_materials, builtin_models, paper_experiments, parameters
 from ._native import version as __version__
 from .replay import replay
 from .simulation import Mesh, Pieces, Simulation
@@ -29,5 +29,5 @@ _program.tell_native()
 __all__ = [
     "CheckFailed", "Error", "InputError", "LimitError", "Mesh", "OpenGLError", "Pieces", "Report",
     "Simulation", "Snapshot", "Study", "__version__", "builtin_materials", "builtin_models",
-    "parameters", "replay",
+    "paper_experiments", "parameters", "replay",
 ]

@@ -127,6 +127,14 @@ class Simulation:
         return self._run.messages()
 
     @property
+    def too_few_iterations(self) -> str:
+        """That steps so far had too few iterations for the stiffness, as a sentence, or "".
+
+        The body is softer than its modulus then: the same remark as in summary.json.
+        """
+        return self._run.too_few_iterations()
+
+    @property
     def state_hash(self) -> str:
         """A checksum of the state, the same as that of `kerf replay`: 16 hexadecimal digits."""
         return self._run.state_hash()

@@ -276,6 +276,20 @@ class Errors(TestCase):
             kerf.Simulation.from_session({**text, "colour": "red"})
         self.assertIn("colour: unknown key, ignored.", logs.output[0])
 
+    def test_too_few_iterations_are_told_as_by_a_replay(self):
+        stiff = {"iterations": 1, "youngs_modulus": 1e7}
+        sim = kerf.Simulation.from_session(SPHERE, params=stiff)
+        self.assertEqual(sim.too_few_iterations, "")
+        sim.step(3)
+        self.assertIn("1 iteration is too few", sim.too_few_iterations)
+        self.assertIn(sim.too_few_iterations,
+                      kerf.replay(SPHERE, params=stiff, until=3)["remarks"])
+
+    def test_the_papers_experiments_are_sessions(self):
+        names = [paper["name"] for paper in kerf.paper_experiments()]
+        self.assertEqual(names, ["sphere20", "sphere80", "sphere768", "octopus", "banana"])
+        self.assertLessEqual(set(names), set(kerf.builtin_models()))
+
     def test_a_fork_is_refused(self):
         sim, _ = halved()
         child = os.fork()
