@@ -72,10 +72,9 @@ function(kerf_headers_of target other)
 endfunction()
 
 # kerf_library(FOLDER <link arguments>): every .cpp below FOLDER becomes one library, named after it:
-# kerf_gpu, kerf_sim_mesh; that of bench/lab is kerf_lab.
+# kerf_gpu, kerf_sim_mesh.
 function(kerf_library folder)
   string(REPLACE / _ name kerf_${folder})
-  string(REPLACE kerf_bench_ kerf_ name ${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp
        ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(FILTER sources EXCLUDE REGEX main.cpp$)  # of programs

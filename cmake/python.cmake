@@ -33,3 +33,14 @@ foreach(source ${kerf_python_sources})
   get_filename_component(name ${source} NAME)
   file(CREATE_LINK ${source} ${kerf_python_folder}/${name} SYMBOLIC)
 endforeach()
+
+# The laboratory: `kerf experiment` starts it. Nothing that is installed needs it.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/kerf-lab @ONLY CONTENT [[
+#!@Python_EXECUTABLE@ -B
+import sys
+sys.path[:0] = ["@PROJECT_BINARY_DIR@/python", "@PROJECT_SOURCE_DIR@/bench"]
+from lab.start import main
+sys.exit(main())
+]])
+file(CHMOD ${PROJECT_BINARY_DIR}/kerf-lab PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+     GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

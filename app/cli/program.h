@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-// How the programs kerf and kerf-lab begin and end.
+// How the program kerf begins and ends.
 namespace kerf::app {
 
 inline constexpr const char* kExitCodes =

@@ -8,18 +8,14 @@ namespace kerf::app {
 namespace {
 
 constexpr std::array<PaperExperiment, 5> kExperiments{{
-    {"sphere20", "Sphere 20", 0.005, 30, 20, 99.6, 172.1, 0, kNegligibleChange},
-    {"sphere80", "Sphere 80", 0.005, 30, 80, 98.5, 166.1, 0, kNegligibleChange},
-    {"sphere768", "Sphere 768", 0.005, 20, 768, 98.0, 160.5, 48.06, "drops at impact, recovers"},
-    {"octopus", "Octopus", 0.003, 20, 0, 91.1, 81.1, 56.87, "drops at impact, stays lost"},
-    {"banana", "Banana", 0.003, 10, 0, 98.3, 51.8, 61.37, kNegligibleChange},
+    {"sphere20", "Sphere 20", 0.005, 30, 20, 99.6, 172.1},
+    {"sphere80", "Sphere 80", 0.005, 30, 80, 98.5, 166.1},
+    {"sphere768", "Sphere 768", 0.005, 20, 768, 98.0, 160.5},
+    {"octopus", "Octopus", 0.003, 20, 0, 91.1, 81.1},
+    {"banana", "Banana", 0.003, 10, 0, 98.3, 51.8},
 }};
 
 }  // namespace
-
-std::optional<double> PaperExperiment::previousFps() const {
-    return gain > 0 ? std::optional(meanFps / (1 + gain / 100)) : std::nullopt;
-}
 
 std::span<const PaperExperiment> paperExperiments() {
     return kExperiments;

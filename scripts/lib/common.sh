@@ -40,6 +40,10 @@ python3-dev         compiles modules for Python
 pybind11-dev        makes the module of C++
 python3-numpy       is the arrays of the module, and remakes the builtin models
 '
+lab_packages='
+python3-matplotlib  plots in the reports of experiments, and in the examples for Python
+python3-scipy       solves the finite elements beside Kerf
+'
 bare_packages='
 debootstrap         makes a bare Debian
 '
@@ -49,7 +53,6 @@ libgmock-dev        offers the tests matchers
 xvfb                is a display for the window tests
 xauth               lets programs onto that display
 xdotool             moves the mouse in the window tests
-python3-matplotlib  plots in the examples for Python
 python3-jsonschema  checks sessions by their JSON Schema
 glslang-tools       is the reference compiler of shaders
 ffmpeg              makes films, and reads them again

@@ -1,5 +1,5 @@
 // Includes look back along the data flow only. Everybody may include shaders/shared; tests and
-// benchmarks, with the laboratory in bench/lab, may include everything and nobody includes them.
+// benchmarks may include everything and nobody includes them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,8 +147,8 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_FALSE(mayInclude("app/files/io/file_io.h", "app/files/import/model_source.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
-    EXPECT_FALSE(mayInclude("app/cli/cli.cpp", "bench/lab/experiment_verb.h"));
-    EXPECT_TRUE(mayInclude("bench/lab/experiment_verb.h", "app/session/session.h"));
+    EXPECT_FALSE(mayInclude("app/cli/cli.cpp", "bench/timing.h"));
+    EXPECT_TRUE(mayInclude("bench/timing.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("sim/reference/reference_solver.h", "ui/panel.h"));
     EXPECT_TRUE(mayInclude("sim/reference/reference_solver.h", "sim/run/simulation.h"));
     EXPECT_TRUE(mayInclude("tests/app/some_test.cpp", "app/session/session.h"));
