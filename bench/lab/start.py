@@ -2,23 +2,26 @@
 
 import sys
 
-NO_INPUT = 3  # exit code: see program.py
+NO_INPUT, INTERRUPTED = 3, 130  # exit codes
+
+
+def lack(error):
+    """What can't be imported, as a sentence."""
+    module = (error.name or "").split(".", maxsplit=1)[0]
+    if not module:  # this is another Python than kerf is for: it says so itself
+        return str(error)
+    what = ("the Python module kerf" if module == "kerf"
+            else f"the Python module {module}, of Debian's package python3-{module}")
+    return f"experiments need {what}, which is not there; scripts/build brings all that they need."
 
 
 def main():
     try:
         from .program import main as run
-    except ModuleNotFoundError as missing:
-        name = str(missing.name).split(".", maxsplit=1)[0]
-        what = ("the Python module kerf" if name == "kerf"
-                else f"the Python module {name}, of Debian's package python3-{name}")
-        print(f"kerf: experiments need {what}, which is not there; scripts/build brings all that "
-              "they need.", file=sys.stderr)
-        return NO_INPUT
-    except ImportError as error:  # this is another Python than the module is for
-        print(f"kerf: {error}", file=sys.stderr)
+    except ImportError as error:
+        print(f"kerf: {lack(error)}", file=sys.stderr)
         return NO_INPUT
     try:
         return run()
     except KeyboardInterrupt:
-        return 130
+        return INTERRUPTED
