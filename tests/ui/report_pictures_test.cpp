@@ -1,14 +1,11 @@
-// Strips and bar charts of reports.
+// Strips of pictures.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "tests/support/gl_fixture.h"
-#include "ui/plots/bar_chart.h"
-#include "ui/plots/picture_strip.h"
+#include "ui/picture_strip.h"
 
 namespace kerf::ui {
 namespace {
@@ -73,28 +70,6 @@ TEST_F(ReportPicturesTest, AStripTakesPicturesOfOneSizeOnly) {
     const std::vector<StripPicture> pictures{{filled(60, 40, 1), ""}, {filled(61, 40, 1), ""}};
     EXPECT_THROW(drawStrip(*painter, "", pictures), std::invalid_argument);
     EXPECT_THROW(drawStrip(*painter, "", {}), std::invalid_argument);
-}
-
-TEST_F(ReportPicturesTest, BarsAreAsHighAsTheirValues) {
-    BarChart chart{"rates", {{"paper", Hue::gray}, {"ours", Hue::blue}}, {}, 1};
-    chart.groups = {{"one", {Bar{100, {}}, Bar{50, {}}}}, {"none", {std::nullopt, std::nullopt}}};
-    const render::Image picture = drawBarChart(*painter, chart, 600, 400);
-    painter->makeCurrent();
-    const auto pixelsOf = [&](Hue hue) {
-        const ImVec4 c = ImGui::ColorConvertU32ToFloat4(palette().of(hue));
-        const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255)); };
-        return count(picture, {byte(c.x), byte(c.y), byte(c.z), 255});
-    };
-    EXPECT_GT(pixelsOf(Hue::blue), 1000);
-    EXPECT_NEAR(pixelsOf(Hue::gray), 2.0 * pixelsOf(Hue::blue), 0.05 * pixelsOf(Hue::gray));
-}
-
-TEST_F(ReportPicturesTest, ABarShowsItsSpread) {
-    const auto draw = [&](double low, double high) {
-        const BarChart chart{"", {{"ours", Hue::blue}}, {{"one", {Bar{50, {{low, high}}}}}}, 1};
-        return drawBarChart(*painter, chart, 400, 300);
-    };
-    EXPECT_NE(draw(40, 60).pixels, draw(45, 60).pixels);
 }
 
 }  // namespace

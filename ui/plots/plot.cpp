@@ -352,9 +352,8 @@ PlotRange shownValues(const PlotSpec& spec, const PlotRange& x) {
         range.low = std::min(range.low, own.low);
         range.high = std::max(range.high, own.high);
     }
-    if (spec.reference && (spec.showsReference || range.low > range.high)) {
-        range.low = std::min(range.low, spec.reference->value);
-        range.high = std::max(range.high, spec.reference->value);
+    if (spec.reference && range.low > range.high) {
+        range = {spec.reference->value, spec.reference->value};
     }
     PlotRange padded = paddedRange(range, spec.minSpan);
     if (range.low >= 0 && padded.low < 0) {

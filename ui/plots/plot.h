@@ -38,7 +38,6 @@ struct PlotSpec {
     std::vector<PlotCurve> curves;
     std::span<const PlotMark> marks;  ///< by rising x
     std::optional<PlotReference> reference;
-    bool showsReference = false;        ///< the y axis reaches to the reference
     double minSpan = 1;                 ///< the y axis never shows less than this
     std::optional<PlotRange> yRange{};  ///< what the y axis shows, whatever the values
     int readoutDecimals = 1;            ///< of the last value, and of the one under the pointer

@@ -15,7 +15,7 @@ namespace {
 constexpr float kWidth = 180;  // of the bar [px at scale 1]
 constexpr float kHeight = 12;
 
-ImU32 packed(const render::DisplayColor& c) {
+ImU32 asHue(const render::DisplayColor& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
@@ -25,8 +25,8 @@ void drawBar(const render::ColorMap& map, const ImVec2& at, float width, float h
     const float part = width / static_cast<float>(map.size() - 1);
     for (std::size_t i = 0; i + 1 < map.size(); ++i) {
         const float left = at.x + part * static_cast<float>(i);
-        const ImU32 from = packed(map[i]);
-        const ImU32 to = packed(map[i + 1]);
+        const ImU32 from = asHue(map[i]);
+        const ImU32 to = asHue(map[i + 1]);
         draw.AddRectFilledMultiColor({left, at.y}, {left + part, at.y + height}, from, to, to,
                                      from);
     }
