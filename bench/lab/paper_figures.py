@@ -129,7 +129,7 @@ def finish_course(panel, r):
     time, pieces = r.rows["time"], r.rows["pieces"]
     for i in np.flatnonzero(np.diff(pieces)) + 1:
         panel.axvline(time[i], color=GRAY, linewidth=0.8)
-        panel.annotate(f"{pieces[i]:.0f} pieces", (time[i], 1), (0, 3), color=GRAY, ha="center",
+        panel.annotate(f"{pieces[i]:.0f} pieces", (time[i], 1), (2, 3), color=GRAY,
                        xycoords=("data", "axes fraction"), textcoords="offset points")
     panel.set(xlabel="time, s", xlim=(0, time[-1]))
     panel.legend(loc="best")
