@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "tests/support/gl_fixture.h"
-#include "ui/picture_strip.h"
+#include "ui/plots/picture_strip.h"
 
 namespace kerf::ui {
 namespace {
