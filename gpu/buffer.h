@@ -9,20 +9,20 @@
 
 namespace kerf::gpu {
 
-/// GPU memory could not be had: the message names the bytes asked for and the limit.
+/// Out of GPU memory: the message names the requested bytes and the limit.
 class OutOfMemory : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// How shaders see the elements of a buffer that they read through a texture unit.
+/// The element format of a buffer that shaders read through a texture unit.
 enum class TexelFormat { uint32, uint32x2, uint32x4, float32x2, float32x4 };
 
 /// An OpenGL buffer object (move only) with a size in use and a capacity with headroom.
 class Buffer {
   public:
-    /// Who reads it: shader storage, which some drivers hold small (llvmpipe: 128 MiB), or texels
-    /// alone. The size of the latter is bound by the driver's texture buffers.
+    /// How it is read: as shader storage, which some drivers limit (llvmpipe: 128 MiB), or as
+    /// texels only, limited by the driver's texture buffers.
     enum class Readers { storage, texels };
 
     explicit Buffer(Readers readers = Readers::storage) : readers_(readers) {}
@@ -32,9 +32,8 @@ class Buffer {
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
 
-    /// Makes room for `bytes` (keeps the content, copied on the GPU; grows by half again) and sets
-    /// the size in use; bytes that come into use are zero. Throws OutOfMemory, the buffer then
-    /// unchanged.
+    /// Sets the size in use, and grows the capacity if needed (by half again; keeps the content,
+    /// copied on the GPU); new bytes are zero. Throws OutOfMemory, the buffer then unchanged.
     void resize(std::size_t bytes);
 
     /// resize(data.size_bytes()) and write. An empty span leaves a buffer of 16 zero bytes, since
@@ -84,7 +83,7 @@ class Buffer {
     }
     /// Binds as a texture buffer to `unit`, for kernels that only read it, here and there: Mesa's
     /// llvmpipe fetches a texel about four times as fast as it reads four words of storage, other
-    /// drivers as fast. Throws OutOfMemory where the driver's texture buffers are too small.
+    /// drivers as fast. Throws OutOfMemory if the driver's texture buffers are too small.
     void bindTexels(std::uint32_t unit, TexelFormat format) const;
 
     /// Binds the texels as an image to read from, for kernels that write it as storage too.
@@ -110,7 +109,7 @@ class Buffer {
     std::size_t size_ = 0;
     std::size_t capacity_ = 0;
 
-    /// A view for texture units, made when it is first asked for.
+    /// A view for texture units, made on first use.
     struct Texels {
         std::uint32_t texture = 0;
         std::uint32_t buffer = 0;  ///< whose storage it shows

@@ -19,7 +19,7 @@ inline constexpr int kNeededMinor = 5;
 /// Whether the variable KERF_FORCE_NO_GL forbids making a context, for tests of what then happens.
 bool isContextForbidden();
 
-/// The words of the driver about itself.
+/// The driver's description of itself.
 struct DeviceInfo {
     std::string vendor;
     std::string renderer;
@@ -37,7 +37,7 @@ class EglContext {
     ~EglContext();
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
-    /// Makes it the current one again where another took its place. Throws ContextError.
+    /// Makes it current again after another one was. Throws ContextError.
     void makeCurrent();
 
   private:
@@ -49,7 +49,7 @@ class EglContext {
 using ProcLoader = void (*(*)(const char* name))();
 
 /// Loads the OpenGL functions of the context that is current on this thread, through
-/// `getProcAddress` (glfwGetProcAddress, eglGetProcAddress). Throws ContextError where it is older
+/// `getProcAddress` (glfwGetProcAddress, eglGetProcAddress). Throws ContextError if it is older
 /// than 4.5 core.
 void loadFunctions(ProcLoader getProcAddress);
 

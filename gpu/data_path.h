@@ -5,9 +5,9 @@
 
 namespace kerf::gpu {
 
-/// Where data of the project lies, such as "assets/models": below $KERF_DATA_DIR where that is
-/// set, else beside or one above the folder of the executable, else where it is installed, in
-/// ../share/kerf of that folder, else in the source tree that it was built from.
+/// The path of data such as "assets/models": below $KERF_DATA_DIR if set, else beside or one above
+/// the folder of the executable, else in ../share/kerf of that folder (installed), else in the
+/// source tree that it was built from.
 std::filesystem::path dataPath(std::string_view relative);
 
 /// dataPath("shaders").

@@ -5,7 +5,7 @@
 
 namespace kerf::gpu {
 
-/// Drops the OpenGL errors that are pending, so that the next check speaks of one call only.
+/// Drops pending OpenGL errors, so that the next check reports one call only.
 void forgetErrors();
 
 /// Throws OutOfMemory naming `what` and `bytes` where the driver reports GL_OUT_OF_MEMORY.
@@ -17,7 +17,7 @@ std::size_t storageLimit();
 std::size_t texelLimit();
 
 /// The capacity of a buffer that is to grow to `bytes`: half as much again as `capacity`, at least
-/// `bytes`, at most `limit`. Throws OutOfMemory where `bytes` are beyond that.
+/// `bytes`, at most `limit`. Throws OutOfMemory if `bytes` are beyond that.
 std::size_t grownCapacity(std::size_t capacity, std::size_t bytes, std::size_t limit);
 
 }  // namespace kerf::gpu

@@ -10,10 +10,10 @@ enum class KernelWay : std::uint8_t {
     shared,  ///< as texels, through shared memory, in groups of hundreds: fast on GPUs
 };
 
-/// The way that the variable KERF_KERNELS names, or else the one that suits the driver of the
-/// current context.
+/// The way set by the variable KERF_KERNELS, or else the best one for the driver of the current
+/// context.
 KernelWay kernelWay();
-/// What is wrong with KERF_KERNELS, in a sentence; null where nothing is.
+/// The problem with KERF_KERNELS, in a sentence; null for none.
 const char* problemWithKernelWay();
 
 }  // namespace kerf::gpu

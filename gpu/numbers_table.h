@@ -10,9 +10,9 @@ namespace kerf::gpu {
 /// Words that a kernel gets with a dispatch: the block of shaders/sim/numbers.glsl.
 using DispatchNumbers = std::array<std::uint32_t, 4>;
 
-/// The numbers that one program was dispatched with, each combination once, in a buffer of which a
-/// dispatch sees a part. A part is written once, before anything reads it, so that no driver can
-/// give a dispatch the numbers of another one.
+/// The numbers of a program's dispatches, each combination once, in a buffer of which a dispatch
+/// sees a part. A part is written once, before anything reads it, so that no driver can mix up the
+/// numbers of dispatches.
 class NumbersTable {
   public:
     NumbersTable() = default;
@@ -20,7 +20,7 @@ class NumbersTable {
     NumbersTable(const NumbersTable&) = delete;
     NumbersTable& operator=(const NumbersTable&) = delete;
 
-    /// What bind() binds from now on. Throws OutOfMemory.
+    /// Selects what bind() binds from now on. Throws OutOfMemory.
     void choose(const DispatchNumbers& numbers);
     /// Binds the chosen numbers as that block; nothing before any were chosen.
     void bind() const;

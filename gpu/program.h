@@ -24,9 +24,9 @@ class ShaderError : public std::runtime_error {
 /// Preprocessor definitions put behind #version: name and value.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-/// While it lives, programs are compiled once each: the same sources with the same definitions give
-/// the same program, to whoever asks. Of several, the one made last serves. It belongs to the
-/// context that is current.
+/// During its lifetime programs are compiled once each: the same sources with the same definitions
+/// give the same program. Of several shelves, the last one is used. It belongs to the current
+/// context.
 class ProgramShelf {
   public:
     ProgramShelf();
@@ -35,16 +35,16 @@ class ProgramShelf {
     ProgramShelf& operator=(const ProgramShelf&) = delete;
 };
 
-/// While it lives, no more than `count` programs are dispatched for the first time, and dispatches
-/// of others that never were are left out. Software drivers compile with the first dispatch, so
-/// work whose result nobody needs can compile a little at a time.
+/// During its lifetime at most `count` programs are dispatched for the first time; first dispatches
+/// of others are skipped. Software drivers compile with the first dispatch, so work without needed
+/// results can compile a little at a time.
 class FirstDispatches {
   public:
     explicit FirstDispatches(int count);
     ~FirstDispatches();
     FirstDispatches(const FirstDispatches&) = delete;
     FirstDispatches& operator=(const FirstDispatches&) = delete;
-    /// Whether any dispatch was left out, or was the first of its program.
+    /// Whether any dispatch was skipped, or was the first of its program.
     bool foundAny() const;
 };
 
@@ -76,22 +76,22 @@ class Program {
     void set(std::string_view name, const Eigen::Vector4f& value) const;
     void set(std::string_view name, const Eigen::Matrix4f& value) const;
 
-    /// What the next dispatches of the program find as their numbers. They lie in a buffer: drivers
-    /// are known that compile a loop over a plain uniform for its first value and keep that.
+    /// Sets the numbers of the next dispatches of the program. They are in a buffer: some drivers
+    /// compile a loop over a plain uniform for its first value and keep that.
     void setNumbers(const DispatchNumbers& numbers) const;
 
-    /// One dispatch of so many work groups along x that there are `threads`, none for 0. Whatever
-    /// draws or computes later sees what it wrote.
+    /// One dispatch of enough work groups along x for `threads`, none for 0. Later drawing and
+    /// computing sees what it wrote.
     void dispatch(std::uint32_t threads) const;
-    /// One dispatch of so many work groups along x, whatever their size; else as dispatch().
+    /// One dispatch of `groups` work groups along x; else like dispatch().
     void dispatchGroups(std::uint32_t groups) const;
-    /// One dispatch of as many work groups as three words (x, y, z) of a buffer say, from this byte
-    /// on, which kernels may have written; else as dispatch().
+    /// One dispatch with the number of work groups from three words (x, y, z) of a buffer, from
+    /// this byte on, which kernels may have written; else like dispatch().
     void dispatchIndirect(const Buffer& groups, std::size_t offset) const;
 
     std::uint32_t id() const { return linked_ ? linked_->id : 0; }
 
-    /// What OpenGL knows by a number, as long as a program needs it.
+    /// The OpenGL objects of a program.
     struct Linked {
         explicit Linked(std::uint32_t number) : id(number) {}
         ~Linked();
@@ -115,12 +115,12 @@ class Program {
     std::shared_ptr<Linked> linked_;
 };
 
-/// Lets what draws next take from buffers how much it draws, which kernels may have written.
+/// Makes buffers written by kernels visible to indirect drawing.
 void beforeDrawingIndirect();
-/// Waits until the GPU has done all that it was told; for measurements.
+/// Waits until the GPU has done all commands; for measurements.
 void finish();
 
-/// A shader as a driver compiled it, on its way into a program.
+/// A compiled shader of a program.
 struct LinkedStage {
     std::string file;  ///< below shaderRoot(): "sim/floor.comp"
     std::string text;  ///< with all that it includes, definitions in front
@@ -132,8 +132,8 @@ struct LinkedProgram {
     std::vector<LinkedStage> stages;
 };
 
-/// While it lives, notes each program that is linked, also those that come from the cache; not
-/// those that a ProgramShelf gives again. Of several, the one made last notes.
+/// During its lifetime records each linked program, also from the cache, but not those reused by a
+/// ProgramShelf. Of several, the last one records.
 class ProgramRecord {
   public:
     ProgramRecord();
@@ -143,7 +143,7 @@ class ProgramRecord {
 
     const std::vector<LinkedProgram>& programs() const { return programs_; }
 
-    /// The record that notes now; null for none.
+    /// The active record; null for none.
     static ProgramRecord* current();
     void note(LinkedProgram program) { programs_.push_back(std::move(program)); }
 

@@ -6,21 +6,21 @@
 
 namespace kerf::gpu {
 
-/// Linked programs as the driver writes them, in files of a folder, so that a start need not
-/// compile what an earlier one has. A file is named by the sources, the driver and this program's
-/// version. What is damaged, or what the driver does not take, is passed over.
+/// A cache of the driver's program binaries in files of a folder, so that a start need not
+/// recompile. A file is named by the sources, the driver and this program's version. Damaged or
+/// rejected files are ignored.
 class ProgramBinaries {
   public:
     /// Keeps nothing.
     ProgramBinaries() = default;
-    /// Files go into `folder`, which is made. Needs a current context. Keeps nothing where its
-    /// driver has no such binaries.
+    /// Files go into `folder`, which is made. Needs a current context. Keeps nothing if its driver
+    /// has no such binaries.
     ProgramBinaries(std::filesystem::path folder, const std::string& version);
 
-    /// Fills a program, new and without shaders, with what was saved for these sources. False where
-    /// nothing was, and the program is as it was.
+    /// Loads a new program without shaders from what was saved for these sources. False if there is
+    /// nothing, with the program unchanged.
     bool load(std::uint32_t program, const std::string& sources) const;
-    /// Saves a linked program; where that fails nothing is saved.
+    /// Saves a linked program; ignores failures.
     void save(std::uint32_t program, const std::string& sources) const;
 
     /// The cache that Program uses: none at first.

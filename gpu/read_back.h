@@ -9,9 +9,9 @@
 
 namespace kerf::gpu {
 
-/// Results of kernels on their way to the CPU: asked for one by one, sent together into memory that
-/// stays mapped, and waited for once, by whoever reads first. Until then the CPU is free. A mark
-/// follows what is sent: a driver whose fence tells too early is waited for again.
+/// Asynchronous read-back of kernel results: requested one by one, copied together into mapped
+/// memory, and waited for once, by the first read. Until then the CPU is free. A mark follows the
+/// data, for drivers whose fence signals too early.
 class ReadBack {
   public:
     ReadBack() = default;
@@ -19,15 +19,14 @@ class ReadBack {
     ReadBack(const ReadBack&) = delete;
     ReadBack& operator=(const ReadBack&) = delete;
 
-    /// Has the coming send() take the first `bytes` of a buffer, which lives until then. Returns
-    /// the place of what was asked for.
+    /// Requests the first `bytes` of a buffer, which must live until send(). Returns their place.
     std::size_t ask(const Buffer& from, std::size_t bytes);
-    /// Copies on the GPU what was asked for since the last time, as the kernels told so far leave
-    /// it. What was sent before is gone then. Throws OutOfMemory; nothing is asked for then.
+    /// Copies the requested data on the GPU, after all kernels so far. Earlier data is lost. Throws
+    /// OutOfMemory, and drops the requests.
     void send();
 
-    /// `count` elements of what was asked for, as sent last; waits for the GPU the first time.
-    /// They stay until the next send(). Throws std::runtime_error where they never come.
+    /// `count` elements of a request in the last send(); waits for the GPU the first time. They
+    /// stay until the next send(). Throws std::runtime_error if they never arrive.
     template <class T>
     std::span<const T> read(std::size_t place, std::size_t count) const {
         return {reinterpret_cast<const T*>(awaited(place, count * sizeof(T))), count};
@@ -53,8 +52,8 @@ class ReadBack {
     std::uint32_t id_ = 0;
     const std::byte* memory_ = nullptr;
     std::size_t capacity_ = 0;       ///< [bytes]
-    mutable void* fence_ = nullptr;  ///< GLsync of what was sent; null once it is there
-    std::size_t markPlace_ = 0;      ///< behind what was sent
+    mutable void* fence_ = nullptr;  ///< GLsync of the data; null once it has arrived
+    std::size_t markPlace_ = 0;      ///< after the data
     std::uint32_t serial_ = 0;       ///< of the send(), which its mark bears
 };
 

@@ -9,8 +9,8 @@
 
 namespace kerf::gpu {
 
-/// A shader file with its includes written out. #line directives tell explainLog() which of
-/// `files` a line is from.
+/// A shader file with its includes expanded. #line directives tell explainLog() which of `files` a
+/// line is from.
 struct ShaderSource {
     std::string text;
     std::vector<std::string>

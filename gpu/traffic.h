@@ -4,20 +4,20 @@
 
 namespace kerf::gpu {
 
-/// What was asked of the driver, for whoever counts what a GPU would cost.
+/// Counts of driver calls, to estimate the cost on a GPU.
 struct Traffic {
     std::uint64_t dispatches = 0;  ///< of kernels, indirect ones too
-    std::uint64_t indirect = 0;    ///< of these: such that read from a buffer how many groups
+    std::uint64_t indirect = 0;    ///< of these: those with the number of groups in a buffer
     std::uint64_t barriers = 0;    ///< calls of glMemoryBarrier
     std::uint64_t waits = 0;       ///< for a fence
     std::uint64_t reads = 0;       ///< of a buffer, each of which waits for all before it
     std::uint64_t bytesUp = 0;     ///< written into buffers
-    std::uint64_t bytesDown = 0;   ///< of those reads, and of what was waited for
+    std::uint64_t bytesDown = 0;   ///< of reads and waits
 };
-/// What happened between two counts.
+/// The difference of two counts.
 Traffic operator-(const Traffic& now, const Traffic& before);
 
-/// The count of this process since it began. One thread at a time may use OpenGL, and this.
+/// The counts of this process. One thread at a time may use OpenGL and this.
 Traffic& traffic();
 
 /// glMemoryBarrier with these bits, counted.
