@@ -2,9 +2,9 @@
 
 namespace kerf {
 
-/// How the triangles near the blade's strip are found. All ways find the same.
+/// How the triangles near the blade's strip are found. All find the same.
 enum class CutSearch {
-    tree,       ///< by where they lie, in a tree of boxes or as the GPU lists them
+    tree,       ///< by position, in a tree of boxes or as listed by the GPU
     adjacency,  ///< as in the paper: a seed, then from neighbour to neighbour
     all,        ///< each triangle of the body is tested, as before the paper
 };

@@ -18,7 +18,7 @@ enum class SolverMode {
     pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
 };
 
-/// What a model of a scene has of its own; what it has not is that of all models.
+/// The parameters of a single model of a scene; those without a value are those of all models.
 struct OwnMaterial {
     std::optional<double> youngsModulus;  ///< [Pa]
     std::optional<double> density;        ///< [kg/m^3]
@@ -27,7 +27,7 @@ struct OwnMaterial {
 /// Models that a scene may consist of.
 inline constexpr int kMostModels = 64;
 
-/// Everything that a person can tune. Names, ranges and meanings stand once, in paramTable().
+/// Everything that a person can tune. paramTable() has names, ranges and meanings.
 struct Params {
     SolverMode solver = SolverMode::smallSteps;
     double timeStep = 0.005;            ///< [s]
@@ -42,28 +42,28 @@ struct Params {
     double bendingStiffness = 1;        ///< factor on the bends' modulus; stiffness k in pbd
     double airDrag = 1;                 ///< velocity decay c in v exp(-c t) [1/s]
     double damping = 0.001;             ///< stiffness-proportional damping time beta [s]
-    double skinThickness = 0;           ///< of a skin of its own over the flesh; 0: none [m]
+    double skinThickness = 0;           ///< of a skin layer over the flesh; 0: none [m]
     double skinModulus = 1e6;           ///< its Young's modulus [Pa]
     double wallCoarsening = 1;          ///< edge length inside finished walls over that at the rim
-    double debrisVolume = 1e-5;         ///< share of the body below which what comes off goes
+    double debrisVolume = 1e-5;         ///< share of the body below which pieces are removed
     int openCut = 0;                    ///< 1: the paper's course, hollow until the stroke ends
     CutSearch cutSearch = CutSearch::tree;  ///< how triangles near the blade are found
     double friction = 0.5;                  ///< Coulomb coefficient of all contacts
-    int contact = 1;                        ///< 1: pieces, slits and arms meet one another; 0: not
+    int contact = 1;                        ///< 1: pieces, slits and limbs collide; 0: not
     int paperContact = 0;                   ///< 1: the paper's response of pieces instead
     double contactThickness = 0.05;  ///< distance kept, as a share of the edge length of walls
-    double depenetrationSpeed = 1;   ///< at which penetrations are taken back [m/s]
-    int bladePush = 0;               ///< 1: the blunt body of the blade pushes; 0: it only cuts
-    double bladeWidth = 0.15;        ///< of that body, as a share of the uncut body's diagonal
+    double depenetrationSpeed = 1;   ///< at which penetrations are resolved [m/s]
+    int bladePush = 0;               ///< 1: the plate behind the edge pushes; 0: not
+    double bladeWidth = 0.15;        ///< of that plate, as a share of the uncut body's diagonal
     double bladeThickness = 0.01;    ///< the same of its thickness
-    int bladeFeels = 0;              ///< 1: the edge opens only what its force suffices for
-    double toughness = 100;          ///< energy that new surface takes then [J/m^2]
-    double bladeBluntness = 0.5;     ///< what breaking in takes beyond going on, as a share
-    int sleeps = 0;                  ///< 1: a body that lies still is not solved until it is met
+    int bladeFeels = 0;              ///< 1: the edge cuts only where its force suffices
+    double toughness = 100;          ///< energy per area of new surface then [J/m^2]
+    double bladeBluntness = 0.5;     ///< extra share of force for crack initiation
+    int sleeps = 0;                  ///< 1: a body at rest is not solved until it is disturbed
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
 };
 
-/// A number, a vector, nothing (for parameters that may be absent, as the floor), or a choice.
+/// A number, a vector, nothing (for parameters that may be absent, like the floor), or a choice.
 using ParamValue = std::variant<double, Vec3, std::monostate, std::string>;
 
 /// Which kind of value a parameter takes.
@@ -80,9 +80,9 @@ struct ParamInfo {
     double high = 0;                                 ///< largest
     bool logarithmic = false;                        ///< slider scale
     std::span<const std::string_view> choices = {};  ///< what a choice may be
-    bool changesStates = true;                       ///< whether what comes hangs on it
-    bool perModel = false;  ///< a model may have one of its own: see ownName()
-    /// Whether it came after files of hashes were kept: at its default it is not hashed.
+    bool changesStates = true;                       ///< whether it affects later states
+    bool perModel = false;                           ///< a model may override it: see ownName()
+    /// Whether it was added after hash files existed: at its default it is not hashed.
     bool isNewer = false;
 };
 
@@ -93,7 +93,7 @@ std::span<const ParamInfo> paramTable();
 std::string ownName(std::string_view param, int model);
 /// The model whose own parameter has this name; 0 for one of all models.
 int modelOf(std::string_view param);
-/// The names of all that models have of their own, model by model.
+/// The names of all parameters of single models, model by model.
 std::vector<std::string> ownNames(const Params& params);
 /// The row of a parameter, or of one of a model's own; null for an unknown name.
 const ParamInfo* findParam(std::string_view name);

@@ -34,8 +34,8 @@ constexpr std::string_view nameOf(UpAxis up) {
 /// unit, the model's up axis is brought to +y; then scale, then rotate (about the scene's x, then
 /// y, then z axis; degrees), then translate [m].
 struct Placement {
-    std::optional<LengthUnit> unit;  ///< metres where nobody has said which
-    std::optional<UpAxis> up;        ///< y where nobody has said which
+    std::optional<LengthUnit> unit;  ///< metres if not set
+    std::optional<UpAxis> up;        ///< y if not set
     double scale = 1;
     Vec3 rotate = Vec3::Zero();
     Vec3 translate = Vec3::Zero();
@@ -63,18 +63,18 @@ class PlacementMap {
     Eigen::Matrix3d turn_;
 };
 
-/// Where the simulation has its zero, so that floats suffice where the models lie in `placed` [m]:
-/// 0 along each axis along which that is near, else a round number in their midst, from which
-/// coordinates differ without any rounding.
+/// The origin of the simulation, so that floats suffice for models in `placed` [m]: 0 along each
+/// axis where that is near, else a round number in their middle, from which coordinates differ
+/// without rounding.
 Vec3 originOf(const Bounds& placed);
 
-/// "", or one sentence, where a model that lies so about `origin` is too small, or too far from it,
-/// for floats: their steps grow with that distance.
+/// "", or one sentence if a model is too small, or too far from `origin`, for floats, whose spacing
+/// grows with that distance.
 std::string checkRoom(const Bounds& placed, const Vec3& origin = Vec3::Zero());
 
 /// Turns about the world's x, then y, then z axis [degrees].
 Eigen::Matrix3d turnOf(const Vec3& degrees);
-/// The angles of such turns that a rotation is made of, each from -180 to 180 [degrees].
+/// The angles of such turns that give a rotation, each from -180 to 180 [degrees].
 Vec3 turnsOf(const Eigen::Matrix3d& rotation);
 
 }  // namespace kerf

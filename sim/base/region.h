@@ -12,7 +12,7 @@ struct Ball {
     double radius = 0;
 };
 
-/// A part of space: what a brush or a box takes in.
+/// A part of space: that of a brush or a box.
 using Region = std::variant<Ball, Bounds>;
 
 inline bool contains(const Region& region, const Vec3& p) {

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// Sorts by one bit for each number that there could be, each once. False, and nothing done, where
-/// the numbers lie too far apart for that to be fast.
+/// Sorts with one bit for each possible number, without duplicates. Returns false, with nothing
+/// done, if the numbers are too far apart for that to be fast.
 inline bool sortUniqueByBits(std::vector<int>& numbers) {
     constexpr std::size_t kBits = 64;
     constexpr std::size_t kMostWordsPerNumber = 8;

@@ -10,7 +10,7 @@ class Stopwatch {
   public:
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     double milliseconds() const { return 1000 * seconds(); }
-    /// The seconds so far; from here on it counts anew.
+    /// The seconds so far; restarts it.
     double restart() {
         const Clock::time_point before = std::exchange(start_, Clock::now());
         return std::chrono::duration<double>(start_ - before).count();

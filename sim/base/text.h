@@ -36,8 +36,8 @@ std::string enumerated(const Words& words) {
     return text;
 }
 
-/// The text with '?' for each control character. Names of files may hold anything; nothing of it
-/// may break a line or steer the terminal.
+/// The text with '?' for each control character, since file names may hold anything that breaks a
+/// line or controls the terminal.
 inline std::string printable(std::string text) {
     for (char& c : text) {
         c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
@@ -45,7 +45,7 @@ inline std::string printable(std::string text) {
     return text;
 }
 
-/// At most so many bytes of a text, cut between two characters of UTF-8.
+/// At most the first `size` bytes of a text, cut between two characters of UTF-8.
 inline std::string beginningOf(const std::string& text, std::size_t size) {
     if (text.size() <= size) {
         return text;
@@ -54,14 +54,14 @@ inline std::string beginningOf(const std::string& text, std::size_t size) {
     return text.substr(0, size);
 }
 
-/// At most so many bytes of a text's end, cut between two characters of UTF-8.
+/// At most the last `size` bytes of a text, cut between two characters of UTF-8.
 inline std::string endOf(const std::string& text, std::size_t size) {
     std::size_t from = text.size() - std::min(size, text.size());
     while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0) == 0x80) ++from;
     return text.substr(from);
 }
 
-/// What a file holds as a sentence quotes it: printable, and where it is long its beginning.
+/// The text of a file for a quotation: printable, and shortened if it is long.
 inline std::string shortened(const std::string& text) {
     constexpr std::size_t kMost = 60;
     return printable(beginningOf(text, kMost)) + (text.size() > kMost ? "..." : "");

@@ -23,8 +23,8 @@ BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& ver
 /// The state of all vertices of `mesh`, rounded to float.
 BodyState stateOf(const SurfaceMesh& mesh);
 
-/// A piece of the body. Counts, areas and masses are those of what is present; the volume is that
-/// inside the closed mesh.
+/// A piece of the body. Counts, areas and masses are those of present triangles; the volume is that
+/// of the closed mesh.
 struct PieceModel {
     std::uint32_t triangleCount = 0;
     std::uint32_t vertexCount = 0;
@@ -32,15 +32,15 @@ struct PieceModel {
     double restArea = 0;     ///< [m^2]
     double leastArea = 0;    ///< of a vertex, as far as its mass goes [m^2]
     double massPerArea = 0;  ///< at density 1, times that of its member [m]
-    /// False for debris (less than 1e-4 of the uncut body, or less than a tetrahedron): a volume
-    /// constraint would throw it about. False for an open piece, too.
+    /// False for debris (less than 1e-4 of the uncut body, or less than a tetrahedron), which a
+    /// volume constraint would throw about, and for an open piece.
     bool holdsVolume = true;
-    bool open = false;   ///< walls of it are absent (SurfaceMesh::absent)
+    bool open = false;   ///< it has absent walls (SurfaceMesh::absent)
     int rimVertex = -1;  ///< of an open piece: on its border, its volume is measured about it
-    int member = 0;      ///< the model that it is of, among BodyModel::members
+    int member = 0;      ///< its model, among BodyModel::members
 };
 
-/// One of the models that a body consists of. None of their edges join them.
+/// One of the models that a body consists of. No edges join them.
 struct BodyMember {
     double thickness = 0;   ///< shell thickness t = V0 / S, uncut [m]
     double restVolume = 0;  ///< uncut [m^3]
@@ -50,8 +50,8 @@ struct BodyMember {
 };
 
 /// The constant set-up of a soft body: rest shape, constraints, masses. Built from a mesh in rest
-/// space; a BodyUpdater carries it through cuts. Vertex indices are the mesh's. Arrays have no gaps
-/// and no order that means anything.
+/// space; a BodyUpdater carries it through cuts. Vertex indices are the mesh's. Arrays have no
+/// gaps; their order has no meaning.
 struct BodyModel : ConstraintLists {
     std::vector<Vec3f> restPositions;  ///< [m], shape [vertexCount]
     /// A third of the rest area around each vertex [m^2]; its mass follows from it (see unitMass).
@@ -75,7 +75,7 @@ struct BodyModel : ConstraintLists {
     double diagonal = 0;              ///< of the uncut body's box at rest [m]
     double uncutRestVolume = 0;       ///< [m^3]
 
-    /// The member that a vertex of a piece is of.
+    /// The member that a vertex of a piece belongs to.
     const BodyMember& memberOf(std::uint32_t vertex) const {
         return members[pieces[pieceOfVertex[vertex]].member];
     }

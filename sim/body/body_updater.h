@@ -21,7 +21,7 @@ namespace kerf {
 /// The changes of an update, so that a copy of the model can follow. Lists are ascending, each
 /// entry once; arrays may have grown or shrunk besides.
 struct BodyChange {
-    /// Vertices that are new, died or belong to another piece, and where the pieces come from.
+    /// Vertices that are new, dead or in another piece, and the origins of the pieces.
     LabelChange pieces;
     /// Vertices of which the area, the skin normal, the piece or the number of constraints
     /// changed.
@@ -31,24 +31,24 @@ struct BodyChange {
     std::array<ListChange, kConstraintTypes> constraints;
 };
 
-/// What a member of a body is made of, as multiples of what the parameters say.
+/// The material of a member of a body, as multiples of the parameters.
 struct MemberMaterial {
     double modulus = 1;
     double density = 1;
     double skin = 0;  ///< see BodyMember::skin [m]
 };
 
-/// Carries the model of a body through cuts, at the cost of what each of them touches. As a set,
-/// what comes out is what buildBodyModel() would make of the cut mesh, but for the ISPCs: one is
-/// kept, bit for bit, unless its vertex is a corner of a new or changed triangle, its triangle
-/// died or changed, its rest segment crosses a new wall, or its ends fell into two pieces.
-/// Vertices whose ISPC is not kept get a new one, cast in rest space.
+/// Updates the model of a body through cuts, at the cost of what each of them touches. As a set,
+/// the result is that of buildBodyModel() for the cut mesh, except for the ISPCs: one is kept, bit
+/// for bit, unless its vertex is a corner of a new or changed triangle, its triangle died or
+/// changed, its rest segment crosses a new wall, or its ends are now in two pieces. Vertices whose
+/// ISPC is not kept get a new one, cast in rest space.
 class BodyUpdater {
   public:
-    /// The mesh must outlive the updater. `firstVertices`: where the vertices of each model begin
-    /// that the body consists of, ascending from 0; none: it is one model.
+    /// The mesh must outlive the updater. `firstVertices`: the first vertex of each model that the
+    /// body consists of, ascending from 0; empty for one model.
     explicit BodyUpdater(const SurfaceMesh& mesh, std::span<const int> firstVertices = {});
-    /// A copy goes on for the same mesh, as it was when the copy was made.
+    /// A copy is for the same mesh, in the state at the time of the copy.
     BodyUpdater(const BodyUpdater&) = default;
     BodyUpdater(BodyUpdater&&) = default;
     BodyUpdater& operator=(const BodyUpdater&) = delete;
@@ -56,16 +56,16 @@ class BodyUpdater {
     const BodyModel& model() const { return model_; }
     /// The piece of each vertex of the closed mesh, hidden ones too; -1 for unused ones.
     const std::vector<int>& pieceOfMeshVertex() const { return labels_.ofVertex(); }
-    /// Vertices with absent triangles alone, ascending.
+    /// Vertices with only absent triangles, ascending.
     std::vector<int> hiddenVertices() const;
     /// Follows a step of the cutter.
     BodyChange update(const CutDelta& delta);
-    /// Sets what the members are made of, one each. Returns whether that differs from before: then
-    /// all masses and compliances do.
+    /// Sets the material of each member. Returns whether any changed: then all masses and
+    /// compliances do.
     bool setMaterials(std::span<const MemberMaterial> materials);
     /// How ISPCs are cast; along the normal at first.
     IspcRays ispcRays() const { return ispcs_->rays(); }
-    /// Casts all ISPCs anew.
+    /// Recasts all ISPCs.
     BodyChange castIspcs(IspcRays rays);
 
   private:

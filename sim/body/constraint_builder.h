@@ -23,7 +23,7 @@ void forEachEdge(const SurfaceMesh& mesh, F&& f) {
 }
 
 /// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness`: of the
-/// shell [m]; `skin`: how much more it counts where it is no wall [m].
+/// shell [m]; `skin`: extra thickness where it is no wall [m].
 EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness,
                               double skin = 0);
 

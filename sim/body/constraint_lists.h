@@ -35,8 +35,8 @@ using shared::IspcConstraint;
 using shared::kConstraintTypes;
 
 /// The elements that touch each vertex, in a fixed order: entries[ranges[v].first .. ranges[v].end)
-/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. Between the
-/// lists there is room for them to grow.
+/// are 4 * element + slot (slot: which of the element's vertices v is), ascending. The lists have
+/// room to grow.
 struct Incidence {
     std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
     std::vector<std::uint32_t> entries;
@@ -107,7 +107,7 @@ inline std::array<std::uint32_t, 3> verticesOf(const std::array<std::uint32_t, 4
     return {triangle[0], triangle[1], triangle[2]};
 }
 
-/// The room that a list of `count` entries gets, with some to spare.
+/// The capacity of a list of `count` entries, with a reserve.
 inline std::uint32_t incidenceRoom(std::uint32_t count) {
     constexpr std::uint32_t kStep = 4;
     return (count + kStep - 1) / kStep * kStep;

@@ -15,11 +15,11 @@ struct CastIspc {
     int meshTriangle = -1;
 };
 
-/// Where the rays of ISPCs go.
+/// The directions of the rays of ISPCs.
 enum class IspcRays {
     alongNormal,  ///< one from each vertex, against its normal, as in the paper
-    /// Three from each vertex, turned from the normal, each vertex's another way: so they resist
-    /// shear, and all together they are as dense in all directions and everywhere.
+    /// Three from each vertex, turned from the normal in directions that vary by vertex: so they
+    /// resist shear, and are equally dense everywhere and in all directions.
     turned,
 };
 
@@ -37,9 +37,9 @@ class IspcCaster {
     IspcCaster(const SurfaceMesh& mesh, const RayTree& tree, const std::vector<int>& pieceOfVertex,
                double edgeLength, IspcRays rays);
 
-    /// Nothing where the vertex is unused, on a slit front (see VertexNormal::flatness), or where
-    /// the ray finds no opposite side. May end on an absent triangle, which can hold no ISPC.
-    /// `ray`: which of the vertex's, from 0; `vertexArea`: rest area of the vertex [m^2].
+    /// Nothing if the vertex is unused or on a slit front (see VertexNormal::flatness), or if the
+    /// ray finds no opposite side. May end on an absent triangle, which can hold no ISPC. `ray`:
+    /// its number, from 0; `vertexArea`: rest area of the vertex [m^2].
     std::optional<CastIspc> cast(int vertex, int ray, double vertexArea) const;
 
   private:

@@ -13,15 +13,15 @@
 
 namespace kerf {
 
-/// Finds the ISPCs that a cut spoils, and casts new ones: by a tree over the rest shape, a grid of
-/// their rest segments, and lists of those that end on each triangle.
+/// Finds the ISPCs that a cut invalidates, and casts new ones: with a tree over the rest shape, a
+/// grid of their rest segments, and lists of those that end on each triangle.
 class IspcSet {
   public:
-    /// Casts the ISPCs of all vertices into `model`, of which all but the ISPCs must be there.
+    /// Casts the ISPCs of all vertices into `model`, which must be complete except for them.
     IspcSet(const SurfaceMesh& mesh, BodyModel& model);
 
     IspcRays rays() const { return rays_; }
-    /// Casts all anew, as `rays` go.
+    /// Recasts all, in the directions of `rays`.
     void castAnew(BodyModel& model, IspcRays rays, RecordEditor<shared::IspcConstraint>& editor);
 
     /// Follows a change of the mesh; see BodyUpdater for what is kept.

@@ -16,9 +16,9 @@ class VertexAreas {
     /// How many vertices the piece has.
     int count() const;
 
-    /// Sets the mass of the piece: what unitMass() makes of it sums up to its rest volume, so
-    /// cutting neither makes nor loses mass. A vertex weighs at least about 5 % of the mean of its
-    /// piece: lighter ones are thrown about by slivers. `uncutRestVolume` [m^3].
+    /// Sets the mass of the piece so that unitMass() sums to its rest volume: cutting keeps the
+    /// mass. A vertex has at least about 5 % of the mean mass of its piece: lighter ones are thrown
+    /// about by slivers. `uncutRestVolume` [m^3].
     void setMasses(PieceModel& piece, double uncutRestVolume) const;
 
   private:

@@ -18,9 +18,8 @@ struct RayHit {
     double b2 = 0;
 };
 
-/// A bounding-volume tree over triangles of the rest shape, for rays, which divide it on their way.
-/// Answers do not depend on the shape of the tree, so one that was edited answers as one that was
-/// built anew.
+/// A bounding-volume tree over triangles of the rest shape, for rays, which refine it lazily.
+/// Results do not depend on the shape of the tree, so an edited one gives those of a new one.
 ///
 /// A triangle reaches 2e-5 of its edges beyond its border, so that a ray aimed at an edge or a
 /// corner (the rule on symmetric meshes) hits something.
@@ -29,7 +28,7 @@ class RayTree {
     /// `triangles`: living mesh slots. The mesh must outlive the tree and keep its rest shape.
     RayTree(const SurfaceMesh& mesh, std::span<const int> triangles);
 
-    /// Does at once what the first update would do. O(n).
+    /// Does in advance what the first update would do. O(n).
     void prepareToUpdate() { tree_.prepareToEdit(); }
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner or its rest position changed; each once.

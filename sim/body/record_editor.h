@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// Where the lists of an Incidence have room to grow, and which blocks of it lie idle.
+/// The room of the lists of an Incidence to grow, and its free blocks.
 class IncidenceRooms {
   public:
     IncidenceRooms() = default;
@@ -23,7 +23,7 @@ class IncidenceRooms {
     void remove(Incidence& incidence, std::uint32_t vertex, std::uint32_t entry);
     /// Makes `entries` the list of a vertex, in their order.
     void assign(Incidence& incidence, std::uint32_t vertex, std::span<const std::uint32_t> entries);
-    /// Makes room for vertices that have come up to `vertexCount`.
+    /// Makes room for new vertices up to `vertexCount`.
     void resize(Incidence& incidence, std::size_t vertexCount);
 
   private:
@@ -35,15 +35,15 @@ class IncidenceRooms {
     std::vector<std::vector<std::uint32_t>> idle_;  ///< first entries of blocks, by room / 4
 };
 
-/// What changed of records and of the lists of what touches each vertex, ascending.
+/// The changes of records and of the lists at vertices, ascending.
 struct ListChange {
     std::vector<std::uint32_t> slots;     ///< of the records that were written
     std::vector<std::uint32_t> vertices;  ///< whose list changed
 };
 
-/// One edit of an array of records without gaps, and of the lists of what touches each vertex.
-/// Remove first, then add, then close: new records fill the holes, and the last ones move into
-/// those that are left. So few records move, and slots follow from the history alone.
+/// One edit of an array of records without gaps, and of the lists at vertices. Remove first, then
+/// add, then close: new records fill the holes, and the last ones move into the remaining ones. So
+/// few records move, and slots depend only on the history.
 template <class Record>
 class RecordEditor {
   public:

@@ -25,8 +25,8 @@ struct VertexNormal {
 };
 VertexNormal restNormal(const SurfaceMesh& mesh, int vertex);
 
-/// The dihedral angle at a half-edge [rad], flat 0, convex > 0: now and at rest. None where a
-/// triangle beside it is degenerate.
+/// The dihedral angle at a half-edge [rad], flat 0, convex > 0: now and at rest. None if a triangle
+/// beside it is degenerate.
 std::optional<double> edgeAngle(const SurfaceMesh& mesh, int h);
 std::optional<double> restEdgeAngle(const SurfaceMesh& mesh, int h);
 

@@ -25,23 +25,23 @@ struct RigidMotion {
     Vec3 spin = Vec3::Zero();      ///< [rad/s]
 };
 
-/// Where the rest shape of a piece fits best to where the piece is.
+/// The best fit of the rest shape of a piece to its present positions.
 struct RestPose {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< never mirrors
     Vec3 middle = Vec3::Zero();                              ///< [m]
     Vec3 restMiddle = Vec3::Zero();                          ///< [m]
     double radius = 0;                                       ///< RMS distance from it at rest [m]
 
-    /// Where a vertex that rests there belongs [m].
+    /// The goal of a vertex with this rest position [m].
     Vec3 placeOf(const Vec3& rest) const { return middle + rotation * (rest - restMiddle); }
 };
 
-/// The pose with the least weighted squares of ways (shape matching, Mueller et al. 2005). Some
-/// weight must be above 0.
+/// The pose with the least weighted squares of distances (shape matching, Mueller et al. 2005).
+/// Some weight must be above 0.
 RestPose fitRestPose(std::span<const FittedVertex> vertices);
 /// The rigid motion with the weighted momenta of the vertices about `middle`, their mean.
 RigidMotion rigidMotionOf(std::span<const FittedVertex> vertices, const Vec3& middle);
-/// Root mean square of the ways from the vertices to their places [m].
+/// Root mean square of the distances from the vertices to their goals [m].
 double rmsWay(const RestPose& pose, std::span<const FittedVertex> vertices);
 
 }  // namespace kerf

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// Numbered segments by the cells of a grid that they pass. Segments are never taken out: who asks
-/// must look at those that it finds anyway.
+/// Numbered segments by the cells of a grid that they pass. Segments are never removed: callers
+/// must check those that they find.
 class SegmentGrid {
   public:
     SegmentGrid() = default;
@@ -19,7 +19,7 @@ class SegmentGrid {
     void add(int id, const Vec3& from, const Vec3& to);
     /// The ids of segments that pass a cell of one of the boxes. Ascending.
     std::vector<int> find(std::span<const Bounds> boxes) const;
-    /// Whether so many were added since the start that a new grid would be much smaller.
+    /// Whether it has grown until a new grid would be much smaller.
     bool overfull() const { return entries_ > kMostGrowth * entriesExpected_; }
 
   private:

@@ -9,27 +9,25 @@
 
 namespace kerf {
 
-/// The angle at which faces of the skin must meet at rest to have a hard edge between them, where
-/// nobody says otherwise [degrees].
+/// The default angle at rest above which faces of the skin have a hard edge between them [degrees].
 inline constexpr double kHardEdgeAngle = 40;
 
-/// The normals that smooth shading gives the skin at rest, carried through cuts: what is left of
-/// the triangles around a vertex at the border of a wound, or flat triangles around a vertex that a
-/// cut put into the middle of one, would give it another normal, and the cut would show though
-/// closed. Where faces meet at more than kHardEdgeAngle, each side of the edge has its own.
+/// The normals of smooth shading of the skin at rest, preserved through cuts: the remaining
+/// triangles around a vertex at the border of a wound, or flat triangles around a vertex that a cut
+/// put into the middle of one, would give another normal, and the closed cut would show. Where
+/// faces meet at more than kHardEdgeAngle, each side of the edge has its own.
 class SkinNormals {
   public:
     SkinNormals() = default;
     /// The normals of an uncut body, weighted by the angles of the triangles around each vertex.
     explicit SkinNormals(const SurfaceMesh& uncut);
 
-    /// Follows a step of the cutter: vertices of the skin from `firstNew` on get the normals that
-    /// shading had at their places on the skin triangles `old`, which the step removed or changed.
+    /// Follows a step of the cutter: vertices of the skin from `firstNew` on get the shading
+    /// normals at their positions on the skin triangles `old`, which the step removed or changed.
     void follow(const SurfaceMesh& mesh, int firstNew, std::span<const Triangle> old);
 
-    /// The normal at a cut, of length 1 + how far above it skin that is drawn round lies [m]; zero
-    /// of vertices whose triangles give it: those that no cut made or parted, and those at hard
-    /// edges.
+    /// The normal at a cut, of length 1 + the height of round skin above it [m]; zero for vertices
+    /// whose triangles give it: those that no cut made or separated, and those at hard edges.
     Vec3 ofCut(const SurfaceMesh& mesh, int vertex) const;
 
   private:

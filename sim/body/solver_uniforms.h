@@ -12,16 +12,16 @@ namespace kerf {
 /// firm as one solver iteration per substep gets). Rises strictly.
 double ispcModulusFactor(double stiffness);
 
-/// Whether the body is as stiff as its modulus says: `true_modulus`, which plain PBD has not.
+/// Whether the body is as stiff as its modulus says: `true_modulus`, without plain PBD.
 bool hasTrueModulus(const Params& params);
 
-/// Young's modulus of a type of constraints (shared::kStretch, ...) as a multiple of the body's:
-/// what its stiffness makes of it, times its share in carrying what the body does. That is 1, but
-/// with a true modulus less for edges and more for turned ISPCs.
+/// Young's modulus of a type of constraints (shared::kStretch, ...) as a multiple of the body's: by
+/// its stiffness, times its share of the load. That is 1, but with a true modulus less for edges
+/// and more for turned ISPCs.
 double modulusFactor(shared::uint type, const Params& params);
 
 /// With a true modulus: the least compliance over h^2 of a constraint of this type, as a multiple
-/// of 3/4 + gamma/2 of what a Jacobi sweep would add. All types together are stable then.
+/// of 3/4 + gamma/2 of what a Jacobi sweep would add. Then all types together are stable.
 double sweepRoom(shared::uint type);
 
 /// How ISPCs are cast: turned with a true modulus, else along the normal as in the paper.
@@ -32,11 +32,11 @@ IspcRays ispcRays(const Params& params);
 /// 0..1.
 double sweepStiffness(double stiffness, int sweeps);
 
-/// Whether pieces are held at their volumes: not in the paper's solver, and not without ISPCs,
-/// where what is hollow can be squeezed flat.
+/// Whether pieces keep their volumes: not in the paper's solver, and not without ISPCs, where a
+/// hollow body can be squeezed flat.
 bool holdsVolume(const Params& params);
 
-/// Whether a piece that is not loaded has its shape at rest: edges, bends and ISPCs are all on.
+/// Whether an unloaded piece has its rest shape: edges, bends and ISPCs are all on.
 bool keepsShape(const Params& params);
 
 /// The parameters as the solver reads them; counts are 0. SolverMode::smallSteps: `iterations`

@@ -9,23 +9,23 @@
 
 namespace kerf {
 
-/// How large the blunt body of a blade is [m].
+/// The size of the plate behind a blade's edge [m].
 struct BladeSize {
     double width = 0;      ///< how far it reaches back from the edge AB
-    double thickness = 0;  ///< of the plate, once the ground bevel behind the edge has ended
+    double thickness = 0;  ///< of the plate, behind the bevel
 };
 
-/// How a blade was led since it was placed, which decides where its body lies. The body trails the
-/// edge as a towed point does, as long as the edge is led ahead within 45 degrees; drawn back or
-/// aside, the blade keeps its direction. The body comes out of the place where the blade was put
-/// down: it is never wider than the way ahead so far, so that it lies in what the edge has swept.
+/// The motion of a blade since it was placed, which determines the place of its body. The body
+/// trails the edge like a towed point, as long as the edge moves ahead within 45 degrees; drawn
+/// back or sideways, the blade keeps its direction. The body is never wider than the distance ahead
+/// so far, so it stays in what the edge has swept.
 struct BladeCourse {
     Blade edge;
     Vec3 back = Vec3::Zero();  ///< from the edge to the back, unit, square to AB; zero at first
-    double way = 0;            ///< ahead since it was placed, less what was drawn back [m]
+    double way = 0;            ///< ahead since it was placed, less that drawn back [m]
     double farthest = 0;       ///< the largest way so far [m]
 
-    /// The width that has come out.
+    /// The present width.
     double widthOf(const BladeSize& size) const { return std::min(size.width, farthest); }
 };
 
@@ -52,8 +52,7 @@ struct BladeMotion {
 
     /// Half of the thickness at y [m].
     double halfAt(double y) const;
-    /// y where the box begins that stands for the plate: behind the bevel, if that leaves much of
-    /// it.
+    /// y where the box of the plate begins: behind the bevel, if that leaves much of it.
     double shoulder() const;
     /// The middle of that box, as a mean over the step.
     Vec3 middle() const;
@@ -61,9 +60,8 @@ struct BladeMotion {
     Bounds bounds() const;
 };
 
-/// The body of a blade that goes through `courses` (at least one) in a time step of so many
-/// substeps, evenly. It begins `front` behind the edge, and where the bevel ends in any case
-/// `leastBevel` farther on [m].
+/// The body of a blade that passes `courses` (at least one) evenly in a time step of `substeps`. It
+/// begins `front` behind the edge, and its bevel is at least `leastBevel` long [m].
 BladeMotion motionOf(std::span<const BladeCourse> courses, const BladeSize& size, double front,
                      double leastBevel, int substeps);
 

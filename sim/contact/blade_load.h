@@ -4,19 +4,19 @@
 
 namespace kerf {
 
-/// What a body did to the body of the blade, as a mean over a time step.
+/// The mean load of a body on the blade over a time step.
 struct BladeLoad {
     Vec3 force = Vec3::Zero();  ///< [N]
-    /// About the middle of the plate behind the bevel; without a plate of the edge as it is led
-    /// [N m].
+    /// About the middle of the plate behind the bevel; without a plate, of the commanded edge [N
+    /// m].
     Vec3 moment = Vec3::Zero();
 };
 
-/// How the material holds the edge of a blade back that feels it, after a time step.
+/// The resistance of the material against the edge after a time step, with `blade_feels`.
 struct HeldEdge {
-    double lag = 0;     ///< of the edge behind where it is led, a mean [m]
+    double lag = 0;     ///< mean lag of the edge behind its command [m]
     double energy = 0;  ///< in the spring between both [J]
-    double work = 0;    ///< of what led the blade in the step, against the edge alone [J]
+    double work = 0;    ///< of the blade in the step, against the edge only [J]
 };
 
 }  // namespace kerf

@@ -29,25 +29,25 @@ struct ContactBody {
     std::uint32_t pieceCount = 0;
 };
 
-/// How surfaces answer to one another.
+/// How surfaces respond to contact.
 struct ContactSettings {
     bool enabled = false;
     bool paper = false;         ///< instead, as PaperContact
     double thickness = 0.05;    ///< distance kept, as a share of the edge length of walls
-    double liftSpeed = 1;       ///< at which a sweep takes penetrations back [m/s]
+    double liftSpeed = 1;       ///< at which a sweep resolves penetrations [m/s]
     int sweeps = 1;             ///< of a substep
     double friction = 0.5;      ///< Coulomb coefficient
     double substep = 0;         ///< [s]
     int substeps = 1;           ///< of a time step
     double inverseDensity = 0;  ///< [m^3/kg]
-    bool edges = true;          ///< whether edges answer to edges, and not vertices alone
+    bool edges = true;          ///< whether edges collide with edges, too
 
     bool operator==(const ContactSettings&) const = default;
 };
 
 ContactSettings contactSettings(const Params& params);
 
-/// A step of the fixed-point numbers that displacements are summed up in [m].
+/// The resolution of the fixed-point numbers that sum displacements [m].
 double fixedUnit(const ContactSettings& settings);
 
 /// The edge length of walls, the unit of lengths in a contact: that of the skin, at most a twelfth
@@ -59,10 +59,10 @@ double contactEdgeLength(const BodyModel& model);
 shared::ContactUniforms contactUniforms(const ContactSettings& settings, double edgeLength,
                                         double relativeSpeed);
 
-/// How the parts of a body move against one another.
+/// The relative motion of the parts of a body.
 struct RelativeMotion {
     double speed = 0;  ///< no two vertices differ by more in velocity [m/s]
-    /// Nor have moved by more against each other since candidates were found [m].
+    /// No two have moved by more relative to each other since candidates were found [m].
     double drift = 0;
     bool touching =
         false;  ///< there are contacts: the nearest triangles must be known, not just some
@@ -79,58 +79,56 @@ struct ContactMemory {
     RelativeMotion motion;
 };
 
-/// Contact of a body with itself, on the GPU: pieces, both walls of a slit, arms. Vertices against
+/// Contact of a body with itself, on the GPU: pieces, both walls of a slit, limbs. Vertices against
 /// triangles and edges against edges, with the same bits for any number of threads. Candidates are
-/// found in a hash grid and kept while little moves, else looked for once or a few times a time
-/// step; in each substep a vertex answers to the nearest of its own. Where there are none, a
-/// substep dispatches no work.
+/// found in a hash grid and reused while little moves, else searched once or a few times a time
+/// step; in each substep a vertex collides with its nearest one. Without any, a substep dispatches
+/// no work.
 class ContactSolver {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
     ContactSolver();
 
-    /// A new body, or one of which the rest shape or the triangles changed. Throws
-    /// gpu::OutOfMemory.
+    /// A new body, or one with a changed rest shape or changed triangles. Throws gpu::OutOfMemory.
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
     bool enabled() const { return settings_.enabled; }
 
-    /// The body has been put elsewhere.
+    /// For a body that was moved by other means than a step.
     void forgetCandidates() { hasCandidates_ = false; }
 
-    /// How far the skin at each vertex is folded, a float each, where the coming step unfolds; null
-    /// where it does not. What is folded does not touch what was beside it at rest, nor its own
-    /// piece.
+    /// The fold of the skin at each vertex, a float each, if the coming step unfolds; else null.
+    /// Folded skin does not collide with what was beside it at rest, nor with its own piece.
     void setFolds(const gpu::Buffer* folds);
 
     /// Begins a time step, before its first substep.
     void beginStep(const RelativeMotion& motion);
-    /// Whether something may be touched in this step. A search may find more.
+    /// Whether there may be contacts in this step. A search may find more.
     bool mayTouch() const { return enabled() && !(keepsCandidates_ && foundNone_); }
-    /// Whether candidates are to be looked for before this substep.
+    /// Whether candidates must be searched before this substep.
     bool searchesBefore(int substep) const {
         return enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0;
     }
-    /// Stops d where it leads into another surface, and moves X out of where it is inside one.
+    /// Limits d where it enters another surface, and moves X out of surfaces that it is inside.
     void respond();
 
-    /// Looks for candidates now, between substeps.
+    /// Searches for candidates now, between substeps.
     void search();
-    /// X when candidates were looked for last; of some size where they never were.
+    /// X at the last search; of any size if there was none.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
-    /// The memory of contact for a snapshot, and back: what follows is equal bit for bit.
-    /// remember() comes after setBody().
+    /// The state of contact for a snapshot, and its restoring, which continues bit for bit. Call
+    /// remember() after setBody().
     ContactMemory memory() const;
     void remember(const ContactMemory& memory);
     /// The candidates found last, nearest first, shape [vertexCount][]; waits for the GPU.
     std::vector<std::vector<shared::ContactCandidate>> readCandidates() const;
     /// Counts of the last search and the last substep.
     const gpu::Buffer& state() const { return state_; }
-    /// The records of what each point touched in the last substep, shape [state().points]; empty
-    /// before the first step with contact.
+    /// The contacts of each point in the last substep, shape [state().points]; empty before the
+    /// first step with contact.
     const gpu::Buffer& records() const { return records_; }
     shared::ContactState readState() const;
-    /// How often candidates have been looked for.
+    /// The number of searches so far.
     long searches() const { return searches_; }
 
   private:

@@ -12,31 +12,31 @@
 namespace kerf {
 
 /// The edge of a blade that presses on the material in front of it during a time step, as a spring
-/// between the edge and where it is led. The material around answers as a whole: each vertex by its
-/// mass and by how near it is.
+/// between the edge and its commanded place. The force is distributed over the material around it,
+/// by mass and distance.
 struct PressingEdge {
     Vec3 from = Vec3::Zero();   ///< ends of the part that touches the material [m]
     Vec3 to = Vec3::Zero();     ///< [m]
     Vec3 ahead = Vec3::Zero();  ///< unit: the direction in which it presses
-    double reach = 0;           ///< distance at which the material answers an eighth as much [m]
-    double lag = 0;        ///< how far the material holds it back as the step begins, a mean [m]
-    double way = 0;        ///< that it is led ahead in the time step [m]
-    double stiffness = 0;  ///< of the spring, > 0 [N/m]
-    double mostForce = 0;  ///< [N]
+    double reach = 0;           ///< distance at which the share falls to an eighth [m]
+    double lag = 0;             ///< mean lag at the start of the step [m]
+    double way = 0;             ///< commanded advance in the time step [m]
+    double stiffness = 0;       ///< of the spring, > 0 [N/m]
+    double mostForce = 0;       ///< [N]
 };
 
-/// What the edge did to the body in a time step.
+/// The load of the edge on the body in a time step.
 struct EdgeLoad {
     double force = 0;            ///< along PressingEdge::ahead, a mean over the step [N]
-    Vec3 middle = Vec3::Zero();  ///< of where it acts [m]
-    double work = 0;             ///< of what leads the edge [J]
+    Vec3 middle = Vec3::Zero();  ///< point of application [m]
+    double work = 0;             ///< of the command [J]
 };
 
-/// Lets the edge of a blade press on a body, on the GPU, with the same bits for any number of
-/// threads: one work group sums up in a fixed order.
+/// Presses the edge of a blade on a body, on the GPU, with the same bits for any number of threads:
+/// one work group sums up in a fixed order.
 class EdgePush {
   public:
-    /// None: nothing is pressed in the coming step. Compiles the kernels with the first: throws
+    /// None: no edge presses in the coming step. The first one compiles the kernels: throws
     /// gpu::ShaderError.
     void setEdge(const std::optional<PressingEdge>& edge);
     const std::optional<PressingEdge>& edge() const { return edge_; }
@@ -50,11 +50,11 @@ class EdgePush {
     bool mayTouch() const { return edge_.has_value(); }
     /// Changes d.
     void respond(int substep);
-    /// Asks for what it did in the last time step, where it pressed.
+    /// Requests the load of the last time step, if it pressed.
     void askForLoad(gpu::ReadBack& back);
-    /// Takes up what was sent; waits for the GPU.
+    /// Reads the requested load; waits for the GPU.
     void takeLoad(const gpu::ReadBack& back);
-    /// What was taken up last; nothing where it did not press.
+    /// The load read last; zero if it did not press.
     const EdgeLoad& load() const { return load_; }
 
   private:
@@ -68,7 +68,7 @@ class EdgePush {
     ContactBody body_;
     ContactSettings settings_;
     gpu::Buffer uniforms_, weights_, state_;
-    std::optional<std::size_t> place_;  ///< of the state that was asked for
+    std::optional<std::size_t> place_;  ///< of the requested state
     EdgeLoad load_;
 };
 

@@ -10,9 +10,9 @@
 
 namespace kerf {
 
-/// Whether the material of a body is thinner than its triangles are long, at a twentieth of its
-/// vertices at least, as in plates and shells of few triangles. Contact takes both sides of such a
-/// wall for one material, and nothing else keeps them apart. O(n).
+/// Whether the material of a body is thinner than its triangles are long at a twentieth of its
+/// vertices at least, as in plates and shells of few triangles. Contact can't tell the sides of
+/// such a wall apart. O(n).
 bool isThin(const BodyModel& model);
 
 /// A body that a step has moved.
@@ -23,11 +23,11 @@ struct MovedBody {
     std::span<const std::uint32_t> pinned{};  ///< vertices that stay, ascending
 };
 
-/// Lets no triangles pass through each other that did not before the step, by rigid impact zones
-/// (Provot 1997): vertices of such triangles go on from where they were as one rigid body, with
-/// their momentum, on the floor at the lowest; so does what they would then pass through. Triangles
-/// on both sides of a slit don't count. Changes positions and velocities in `mesh`, that of the
-/// model. Returns whether it did.
+/// Keeps triangles from passing through each other in a step, by rigid impact zones (Provot 1997):
+/// vertices of such triangles continue from where they were as one rigid body, with their momentum,
+/// above the floor; so do those that they would then pass through. Triangles on both sides of a
+/// slit don't count. Changes positions and velocities in `mesh`, that of the model. Returns whether
+/// it did.
 bool stopCrossings(const MovedBody& body, SurfaceMesh& mesh);
 
 }  // namespace kerf

@@ -14,23 +14,23 @@
 
 namespace kerf {
 
-/// The place and the greatest speed of a body, which decide what obstacles it can reach.
+/// The bounds and the greatest speed of a body, which determine the obstacles in reach.
 struct BodyReach {
     Bounds bounds;            ///< [m]
     double speed = 0;         ///< no vertex is faster [m/s]
-    double margin = 0;        ///< what it may move besides in a time step [m]
+    double margin = 0;        ///< further motion in a time step [m]
     double floor = kNoFloor;  ///< height, below which nothing leaves an obstacle [m]
     static constexpr double kNoFloor = -1e30;
 };
 
 /// Contact of a body with obstacles of one kind, on the GPU, with the same bits for any number of
-/// threads: their corners and edges against triangles first, then vertices against them, which have
-/// the last word. Obstacles that the body cannot reach in a time step cost nothing.
+/// threads: their corners and edges against triangles first, then vertices against them. Obstacles
+/// that the body cannot reach in a time step cost nothing.
 class ObstacleContact {
   public:
     explicit ObstacleContact(ObstacleKind kind) : kind_(std::move(kind)) {}
 
-    /// All there are, of the kind; null: none. Compiles the kernels with the first: throws
+    /// All obstacles of the kind; null for none. The first compiles the kernels: throws
     /// gpu::ShaderError.
     void setObstacles(std::unique_ptr<const Obstacles> obstacles);
     /// A new body, or one that has more vertices or triangles. `edgeLength`: see
@@ -38,14 +38,14 @@ class ObstacleContact {
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
 
-    /// Measures from now on what the body does to obstacles of a kind with a kernel for that;
-    /// changes nothing else.
+    /// Measures from now on the load on obstacles of a kind that has a kernel for it; changes
+    /// nothing else.
     void measureLoad(bool wanted) { measuresLoad_ = wanted; }
-    /// Asks for what it did to them in the last time step, as far as it was measured.
+    /// Requests the load of the last time step, if it was measured.
     void askForLoad(gpu::ReadBack& back);
-    /// Takes up what was sent; waits for the GPU.
+    /// Reads the requested load; waits for the GPU.
     void takeLoad(const gpu::ReadBack& back);
-    /// What was taken up last; nothing where it was not measured.
+    /// The load read last; zero if it was not measured.
     const BladeLoad& load() const { return load_; }
 
     /// Begins a time step, before its first substep. Compiles what the first thin obstacle in reach
@@ -53,10 +53,10 @@ class ObstacleContact {
     void beginStep(const BodyReach& reach);
     /// Whether an obstacle is in reach in this step.
     bool mayTouch() const { return reached_; }
-    /// Begins a substep, before anything moves X: triangles are kept on the side of thin obstacles
-    /// where they are now.
+    /// Begins a substep, before anything moves X: triangles stay on their present side of thin
+    /// obstacles.
     void beginSubstep();
-    /// Changes d where it leads into an obstacle, and moves X out of where one is inside the body.
+    /// Limits d where it enters an obstacle, and moves X out of obstacles inside the body.
     void respond(int substep);
 
   private:
@@ -86,7 +86,7 @@ class ObstacleContact {
     gpu::Buffer around_;       ///< X before an obstacle moves any vertex
     gpu::Buffer before_;       ///< d before obstacles change it, where the load is measured
     gpu::Buffer loads_;        ///< VertexLoad
-    std::optional<std::size_t> place_;  ///< of the loads that were asked for
+    std::optional<std::size_t> place_;  ///< of the requested loads
     BladeLoad load_;
 };
 

@@ -16,9 +16,9 @@
 
 namespace kerf {
 
-/// The differences between the kernels of two kinds of obstacles.
+/// What differs between the kernels of two kinds of obstacles.
 struct ObstacleKind {
-    gpu::Defines triangles;  ///< for where they meet triangles
+    gpu::Defines triangles;  ///< for contact with triangles
     std::string vertices;    ///< path of the kernel that keeps vertices out of them
     std::string load;        ///< path of the kernel that measures the load on them; may be empty
     bool movesPiecesOut = false;  ///< as a whole: it wants the boxes of pieces
@@ -26,22 +26,22 @@ struct ObstacleKind {
     bool seesAround = false;      ///< vertices see others: it wants X before any has been moved
 };
 
-/// How near and how deep obstacles are touched [m].
+/// The distances of contact with obstacles [m].
 struct TouchDistances {
     float thickness = 0;  ///< distance kept from them
-    float depth = 0;      ///< farther behind a triangle, nothing of them touches it
+    float depth = 0;      ///< depth behind a triangle at which contact ends
 };
 
-/// Rigid things of one kind that a body collides with: boxes, or what the kernels take for one.
+/// Rigid obstacles of one kind: boxes, or what the kernels treat as such.
 class Obstacles {
   public:
     virtual ~Obstacles() = default;
     /// Writes the records of those that reach into `bounds` in the coming time step [m], for all of
-    /// its substeps. Returns how many a substep meets; 0: none, and nothing was written. Throws
+    /// its substeps. Returns the number in a substep; if 0, nothing was written. Throws
     /// gpu::OutOfMemory.
     virtual std::size_t write(const Bounds& bounds, gpu::Buffer& records) const = 0;
     /// Whether one that reaches into `bounds` is so thin that skin with edges of `edgeLength` may
-    /// bend around it as sharply as it can: then triangles are to be kept on their side of it.
+    /// bend sharply around it: then triangles must stay on their side of it.
     virtual bool mayPierce(const Bounds& /*bounds*/, double /*edgeLength*/) const { return false; }
     /// `edgeLength`: see contactEdgeLength() [m].
     virtual TouchDistances distances(const ContactSettings& settings, double edgeLength) const = 0;
@@ -68,15 +68,15 @@ class BoxObstacles final : public Obstacles {
     std::vector<StaticBox> boxes_;
 };
 
-/// The body of the blade as an obstacle: as a static box, but that the blade moves, tapers towards
-/// its edge, and stands in the slit that the edge has cut, whose walls it holds apart.
+/// The body of the blade as an obstacle: like a static box, but it moves, tapers towards its edge,
+/// and holds apart the walls of the slit that the edge has cut.
 class BladeObstacle final : public Obstacles {
   public:
     static ObstacleKind kind();
     /// Null where the blade does not push.
     static std::unique_ptr<const Obstacles> of(std::optional<BladeMotion> motion);
 
-    /// How the blade moves in the coming step, with a frame more than substeps.
+    /// The motion in the coming step, with one more frame than substeps.
     explicit BladeObstacle(BladeMotion motion) : motion_(std::move(motion)) {}
     std::size_t write(const Bounds& bounds, gpu::Buffer& records) const override;
     TouchDistances distances(const ContactSettings& settings, double edgeLength) const override;

@@ -30,17 +30,17 @@ class PaperContact {
   public:
     PaperContact();
 
-    /// A new body, or one of which triangles changed.
+    /// A new body, or one with changed triangles.
     void setBody(const ContactBody& body, double edgeLength);
     void setSettings(const ContactSettings& settings) { settings_ = settings; }
     bool enabled() const { return settings_.paper; }
 
-    /// Responds to where the body is between two time steps. `pieces`: how many it has. Compiles
-    /// the kernels with the first two pieces: throws gpu::ShaderError, gpu::OutOfMemory.
+    /// Responds to contact between two time steps. `pieces`: how many it has. Compiles the kernels
+    /// with the first two pieces: throws gpu::ShaderError, gpu::OutOfMemory.
     void respond(std::uint32_t pieces);
 
-    /// Counts of the last response: a ContactState, of which `last_contacts` is the number of pairs
-    /// of triangles that met.
+    /// Counts of the last response: a ContactState, of which `last_contacts` is the number of
+    /// intersecting pairs of triangles.
     const gpu::Buffer& state() const { return state_; }
 
   private:
@@ -57,7 +57,7 @@ class PaperContact {
     double edgeLength_ = 0;  ///< [m]
     gpu::Buffer uniforms_, state_;
     gpu::Buffer pieceBounds_;
-    gpu::Buffer asked_;  ///< what the partners of each triangle ask of it
+    gpu::Buffer asked_;  ///< response of each triangle to its partners
 };
 
 }  // namespace kerf

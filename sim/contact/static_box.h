@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A box that stands in the world and that bodies collide with (the paper's collidable cubes).
+/// A static box that bodies collide with (the paper's collidable cubes).
 struct StaticBox {
     Vec3 center = Vec3::Zero();  ///< [m]
     Vec3 size = Vec3::Ones();    ///< side lengths along its own axes [m]
@@ -24,7 +24,7 @@ struct StaticBox {
     bool operator==(const StaticBox&) const = default;
 };
 
-/// Limits of what checkBox() lets pass.
+/// Limits of checkBox().
 inline constexpr double kLeastBoxSize = 1e-6;     ///< [m]
 inline constexpr double kLargestBoxSize = 1e6;    ///< [m]
 inline constexpr double kFarthestBox = 1e8;       ///< of each coordinate [m]

@@ -8,16 +8,16 @@
 namespace kerf {
 
 /// The hierarchical hash grid over the triangles of a body on the GPU (shaders/sim/contact/
-/// grid.glsl), filled anew whenever something is looked for in it.
+/// grid.glsl), refilled for each search.
 class TriangleGrid {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
     TriangleGrid();
 
-    /// The number of buckets for so many triangles, a power of two.
+    /// The number of buckets for this many triangles, a power of two.
     static std::uint32_t bucketsFor(std::uint32_t triangles);
 
-    /// Makes room for so many triangles. Throws gpu::OutOfMemory.
+    /// Makes room for `triangles` triangles. Throws gpu::OutOfMemory.
     void resize(std::uint32_t triangles);
     /// Enters the triangles where `positions` has their corners. ContactUniforms, triangles and
     /// ContactState, of which `levels` and `largest` are 0, are bound. What a search reads is bound

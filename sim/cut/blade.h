@@ -10,7 +10,7 @@ struct Blade {
     Vec3 b = Vec3::Zero();  ///< its end B [m]
 };
 
-/// The blade on the straight way of both its ends: at `from` for t = 0, at `to` for t = 1.
+/// Linear interpolation of both ends: `from` at t = 0, `to` at t = 1.
 inline Blade interpolate(const Blade& from, const Blade& to, double t) {
     return {from.a + (to.a - from.a) * t, from.b + (to.b - from.b) * t};
 }

@@ -14,7 +14,7 @@ inline double lengthOf(const Blade& blade) {
     return (blade.b - blade.a).norm();
 }
 
-/// The part of a way across the blade.
+/// The component of a vector across the blade.
 inline Vec3 across(const Blade& blade, const Vec3& way) {
     const Vec3 along = (blade.b - blade.a).normalized();
     return way - along * along.dot(way);

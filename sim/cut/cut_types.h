@@ -11,8 +11,8 @@
 
 namespace kerf {
 
-/// The outcome of one step. Only `cut` changes the mesh; all other outcomes leave every byte of it.
-/// The end of a stroke may clean up in any outcome; the delta tells.
+/// The outcome of one step. Only `cut` changes the mesh. The end of a stroke may clean up in any
+/// outcome; see the delta.
 enum class CutOutcome {
     air,          ///< the blade swept no material
     waiting,      ///< it moved less than the gate; the next step starts from the same rung
@@ -25,13 +25,13 @@ enum class CutOutcome {
 struct CutDelta {
     std::vector<int> removedTriangles;  ///< slots that are dead now
     std::vector<int> addedTriangles;    ///< new slots
-    /// Living old triangles of which a corner now is another vertex or lies elsewhere.
+    /// Living old triangles with another vertex or a moved one as a corner.
     std::vector<int> changedTriangles;
     /// Vertices from this index to mesh.vertexCount() are new; some may have no triangle.
     int firstNewVertex = 0;
     /// Living old vertices whose position, rest position or velocity the clean-up changed.
     std::vector<int> movedVertices;
-    /// Old vertices that the clean-up took out of all triangles.
+    /// Old vertices that the clean-up removed from all triangles.
     std::vector<int> deadVertices;
 
     /// Whether no triangle changed.
@@ -40,13 +40,13 @@ struct CutDelta {
     }
 };
 
-/// Counts of what the clean-up of slivers did.
+/// Counts of the clean-up of slivers.
 struct CleanupStatistics {
     int collapses = 0;  ///< collapsed edges, all copies of an edge counted once
     int flips = 0;      ///< flipped edges, all copies of an edge counted once
     int slides = 0;     ///< vertices that slid, all copies of a vertex counted once
-    /// An upper bound of what the stroke's clean-up has changed so far of the body's volume and
-    /// rest volume, both together, as a share.
+    /// An upper bound of the share of the body's volume and rest volume, both together, that the
+    /// stroke's clean-up has changed so far.
     double volumeSpent = 0;
 };
 
@@ -56,9 +56,9 @@ struct Debris {
     double volume = 0;  ///< their volume at rest [m^3]
 };
 
-/// The area that the blade swept inside of the material, of one side [m^2].
+/// The area that the blade swept inside the material, of one side [m^2].
 struct SweptArea {
-    double asItLay = 0;  ///< where the body was when it was cut
+    double asItLay = 0;  ///< in the shape when it was cut
     double atRest = 0;   ///< the same material at rest
 
     /// Adds another part.
@@ -68,7 +68,7 @@ struct SweptArea {
     }
 };
 
-/// How the wounds of a stroke of the open course were closed when it ended.
+/// The closing of the wounds at the end of a stroke of the open course.
 struct WoundClosing {
     int patches = 0;         ///< wounds with a patch on either side
     int patchTriangles = 0;  ///< triangles of all patches, both sides
@@ -82,14 +82,14 @@ struct WoundClosing {
 struct CutStatistics {
     int cutPieces = 0;             ///< pieces of the body that were cut
     int refusedPieces = 0;         ///< pieces whose step was refused
-    int resumed = 0;               ///< pieces whose front was let go and cut anew from behind it
+    int resumed = 0;               ///< pieces with the cut restarted behind their front
     int touchedTriangles = 0;      ///< surface triangles that the strip met
     int wallTriangles = 0;         ///< new wall triangles, both sides
     int splitVertices = 0;         ///< copies of vertices that were made
     int tries = 0;                 ///< levels of the retry ladder used
-    SubdivisionCounts patterns{};  ///< surface triangles by how they were divided
+    SubdivisionCounts patterns{};  ///< surface triangles by subdivision
     int seeds = 0;                 ///< groups of neighbours among the touched triangles
-    SweptArea swept;               ///< inside of the material, before clean-up
+    SweptArea swept;               ///< inside the material, before clean-up
     double volumeChange = 0;       ///< signed, by the step before clean-up and rounding [m^3]
     CleanupStatistics cleanup;     ///< the clean-up after the step, or after the stroke
     Debris debris;                 ///< pieces removed when the stroke ended
@@ -101,11 +101,11 @@ struct CutResult {
     CutOutcome outcome = CutOutcome::air;  ///< one for all pieces (addTo)
     CutDelta delta;                        ///< the change of the mesh
     CutStatistics statistics;              ///< sums over all pieces
-    /// Why the last failed try of the step failed; empty where the first one succeeded.
+    /// Why the last failed try of the step failed; empty if the first one succeeded.
     std::string reason;
 };
 
-/// One node of the rung, the polyline where the blade last stood: a mesh vertex or an air point.
+/// One node of the rung, the last polyline of the blade: a mesh vertex or an air point.
 struct RungNode {
     Vec3 position = Vec3::Zero();  ///< [m]
     double s = 0;                  ///< parameter along AB, 0 at A
@@ -115,16 +115,15 @@ struct RungNode {
 
 /// How finely a cutter works.
 struct CutSettings {
-    /// Edge length h of new walls [m], the same everywhere. 0 takes that of the skin at rest
-    /// around (EdgeLengthField), at most a twelfth of the body's diagonal: coarse bodies get walls
-    /// finer than their skin.
+    /// Uniform edge length h of new walls [m]. 0 takes that of the surrounding skin at rest
+    /// (EdgeLengthField), at most a twelfth of the body's diagonal: coarse bodies get walls finer
+    /// than their skin.
     double wallEdgeLength = 0;
     /// A step that advances less than this share of the edge length around waits.
     double gate = 0.5;
     /// Fixed offset of the blade per transit, as a share of the mean edge length. 1e-3 is too small
     /// to see and large enough for float positions; curves of several cuts stay that far apart. A
-    /// cut that must lie exactly in its plane takes less, down to about 1e-10 with double
-    /// positions.
+    /// cut exactly in its plane takes less, down to about 1e-10 with double positions.
     double offset = 1e-3;
     /// Nodes closer than this share of the mean edge length are one: 1e-9 for doubles, 1e-5 for
     /// floats.
@@ -133,11 +132,11 @@ struct CutSettings {
     /// Whether to remove the slivers that a cut leaves, behind the front after each step and at the
     /// end.
     bool cleanUp = true;
-    /// When a stroke has ended, and is cleaned up, edges inside its walls grow to this many times
-    /// the edge length around; 1 leaves them. The outline of the wound stays as it is.
+    /// After the clean-up of a finished stroke, edges inside its walls grow to this many times the
+    /// local edge length; 1 keeps them. The outline of the wound is unchanged.
     double wallCoarsening = 1;
-    /// When a stroke has ended, pieces that it cut and that hold less than this share of the body's
-    /// volume at rest are removed, but for the largest piece; 0 keeps all.
+    /// When a stroke has ended, pieces that it cut are removed if below this share of the body's
+    /// rest volume, except the largest piece; 0 keeps all.
     double debrisVolume = 0;
     /// The paper's course: the walls of a stroke are absent from the body (SurfaceMesh::absent)
     /// while it lasts, and patches close the wounds when it has ended.
@@ -146,10 +145,10 @@ struct CutSettings {
     CutSearch search = CutSearch::tree;
 };
 
-/// What searches for the triangles near the strip took, over all pieces and tries of a step.
+/// The cost of searches for the triangles near the strip, over all pieces and tries of a step.
 struct SearchWork {
     double milliseconds = 0;      ///< wall clock
-    double walkMilliseconds = 0;  ///< of it, until the walk from the first seed was over
+    double walkMilliseconds = 0;  ///< of it, until the end of the walk from the first seed
     int seeds = 0;   ///< groups of neighbours that needed a seed (CutSearch::adjacency)
     long tests = 0;  ///< triangles that were tested
 
@@ -166,7 +165,7 @@ struct SearchWork {
 
 namespace kerf::cut {
 
-/// Thrown inside one try of a step. Nothing has been changed by then.
+/// Thrown inside one try of a step, before anything was changed.
 struct StepFailure {
     const char* reason;  ///< why the try failed
 };

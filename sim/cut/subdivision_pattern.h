@@ -4,8 +4,7 @@
 
 namespace kerf {
 
-/// How a triangle was divided: the four patterns of the paper (its Figure 4), and what goes beyond
-/// them.
+/// How a triangle was divided: the four patterns of the paper (its Figure 4), and others.
 enum class SubdivisionPattern {
     oneToFour,    ///< the cut ends inside: one edge node, one inner node, four triangles
     oneToThreeA,  ///< two edge nodes, three triangles
@@ -17,7 +16,7 @@ enum class SubdivisionPattern {
 };
 /// The number of enumerators of SubdivisionPattern.
 inline constexpr int kSubdivisionPatterns = 7;
-/// How many of them are the paper's: the first ones.
+/// How many of them, the first ones, are the paper's.
 inline constexpr int kPaperPatterns = 4;
 
 /// The number of divided triangles, by SubdivisionPattern.
@@ -29,7 +28,7 @@ const char* nameOf(SubdivisionPattern pattern);
 
 /// Adds `part` to `sum`, pattern by pattern.
 void addTo(SubdivisionCounts& sum, const SubdivisionCounts& part);
-/// The number of triangles whose pattern goes beyond the paper's four.
+/// The number of triangles with a pattern other than the paper's four.
 int otherPatterns(const SubdivisionCounts& counts);
 
 }  // namespace kerf

@@ -6,9 +6,8 @@
 
 namespace kerf::cut {
 
-/// The position in which v and its copies meet: their mean, where none lies farther from it than
-/// `distance` [m]; otherwise, and where v has no copies, v's own position. All copies that meet get
-/// the same position to the last bit.
+/// The common position of v and its copies: their mean, if none is farther from it than `distance`
+/// [m]; otherwise v's own position. All copies that meet get the same position to the last bit.
 Vec3 commonPosition(const SurfaceMesh& mesh, int v, double distance);
 
 /// The stroke that made a wall triangle, -1 on the skin.
@@ -16,7 +15,7 @@ inline int strokeOf(const SurfaceMesh& mesh, int t) {
     return mesh.kind(t) == SurfaceKind::wall ? mesh.wallLabel(t) / 2 : -1;
 }
 
-/// The copies of a vertex that are in use, itself among them; it alone where it has none.
+/// The copies of a vertex that are in use, including itself.
 std::vector<int> livingCopies(const SurfaceMesh& mesh, int vertex);
 
 /// The first copies of a triangle's corners, ascending.

@@ -13,80 +13,79 @@
 
 namespace kerf {
 
-/// A forest of bounding-volume trees over numbered things with boxes that change in batches. Nodes
-/// are divided where something is first looked for, at the middle of their longest side, so what
-/// nobody looks at costs one pass. A batch is a tree of its own; trees of like size join (Bentley
-/// and Saxe 1980). What it finds does not depend on its shape.
+/// A forest of bounding-volume trees over numbered items with boxes that change in batches. Nodes
+/// are divided lazily, at the middle of their longest side, so what is never searched costs one
+/// pass. A batch is a separate tree; trees of similar size join (Bentley and Saxe 1980). Results do
+/// not depend on its shape.
 ///
-/// Boxes of nodes may be larger than needed, never smaller. Each remembers how far things had moved
-/// when it was made, so that after moved(d) it counts as wider by d.
+/// Boxes of nodes may be larger than needed, never smaller. Each stores the motion of items when it
+/// was made, so that after moved(d) it counts as wider by d.
 class BoxTree {
   public:
-    /// Tells the box of a thing as it is now.
+    /// Returns the present box of an item.
     using BoundsOf = std::function<Bounds(int id)>;
 
     /// How two trees join.
     enum class Joining {
-        anew,    ///< one undivided tree: nodes tell places apart best
-        divided  ///< the halves of a tree, divided as they are: what was divided stays so
+        anew,    ///< one undivided tree, which separates places best
+        divided  ///< as halves of a tree, each divided as it is
     };
 
     struct Node {
         Bounds bounds;
-        double stamp = 0;  ///< motion of the things when the bounds were made
+        double stamp = 0;  ///< motion of the items when the bounds were made
         int first = 0;     ///< of its places
         int end = 0;       ///< behind them
         int child = -1;    ///< the left one, the right one follows it; -1 while it is not divided
         int depth = 0;     ///< below the root of its batch
-        int count = 0;     ///< things below; places may be empty
-        int joins = 0;     ///< of a root: so many joins at most lie above its batches
+        int count = 0;     ///< items below; places may be empty
+        int joins = 0;     ///< of a root: the most joins above its batches
     };
 
     explicit BoxTree(Joining joining = Joining::anew) : joining_(joining) {}
-    /// O(n). `boundsOf` is a BoundsOf, or what can be called as one.
+    /// O(n). `boundsOf` is a BoundsOf, or callable like one.
     template <class Of>
     BoxTree(std::span<const int> ids, const Of& boundsOf, Joining joining = Joining::anew)
         : joining_(joining) {
         insert(ids, boundsOf);
     }
 
-    /// Does at once what the first edit or question for an id would do: notes where each id lies.
-    /// O(n), and memory up to the largest id, which a tree that nobody edits does without.
+    /// Does in advance what the first edit or look-up of an id would do: stores the place of each
+    /// id. O(n), and memory up to the largest id, which a tree without edits does not need.
     void prepareToEdit();
-    /// Puts things into the tree; none of them may be there.
+    /// Adds items to the tree; none of them may be in it.
     template <class Of>
     void insert(std::span<const int> ids, const Of& boundsOf);
-    /// Takes out those of `ids` that are in the tree.
+    /// Removes those of `ids` that are in the tree.
     void erase(std::span<const int> ids);
     bool contains(int id) {
         prepareToEdit();
         return id < static_cast<int>(placeOf_.size()) && placeOf_[id] >= 0;
     }
-    /// Whether a thing is in the tree and its box was the same when it was last asked for.
+    /// Whether an item is in the tree with this box.
     bool holds(int id, const Bounds& bounds) {
         return contains(id) && items_[placeOf_[id]].cube == itemOf(id, bounds).cube;
     }
 
     /// Nothing has moved farther than `distance` [m] since the last call.
     void moved(double distance) { motion_ += distance; }
-    /// Makes every box anew. O(n).
+    /// Recomputes every box. O(n).
     void refit(const BoundsOf& boundsOf);
 
     /// Calls visit(id) for everything in undivided nodes whose box meets(box); may find more than
-    /// needed. Boxes that have become much too wide are made anew on the way.
+    /// needed. Recomputes boxes that have become much too wide.
     template <class Meets, class Visit>
     void find(const BoundsOf& boundsOf, Meets&& meets, Visit&& visit);
 
-    /// Holds all things; larger than needed by as much as they may have moved. Empty where there is
-    /// nothing.
+    /// Holds all items; larger than needed by as much as they may have moved. Empty without items.
     Bounds bounds() const;
 
     // For other ways through the trees.
     /// The root nodes, one a tree.
     const std::vector<int>& roots() const { return roots_; }
     const Node& node(int index) const { return nodes_[index]; }
-    /// The left child, the right one follows it; -1 for a node with few things. Divides the node
-    /// where nobody has.
+    /// The left child, the right one follows it; -1 for a node with few items. Divides the node if
+    /// needed.
     int childrenOf(int index) {
         return nodes_[index].child >= 0 ? nodes_[index].child : divide(index);
     }
@@ -98,7 +97,7 @@ class BoxTree {
             }
         }
     }
-    /// The first thing of a node, which must hold something.
+    /// The first item of a node, which must not be empty.
     int firstOf(const Node& node) const {
         int place = node.first;
         while (items_[place].id < 0) {
@@ -113,7 +112,7 @@ class BoxTree {
     static constexpr int kMaxDepth = 98;
     /// Roots halve in size at least from one to the next.
     static constexpr int kMostRoots = 33;
-    /// Nodes that a search may have to keep at once, which divides those it comes to into two.
+    /// The most nodes that a search has on its stack.
     static constexpr int kMostInSearch = kMaxDepth + kMostRoots + 2;
 
   private:
@@ -127,7 +126,7 @@ class BoxTree {
     static constexpr double kRoundingOfReach = 1e-6;
     static constexpr double kRoundingOfCenter = 3e-7;
 
-    /// A thing by a cube that holds its box.
+    /// An item by a cube that holds its box.
     struct Item {
         /// Its centre, then half its side: far below 0 where the place is empty.
         std::array<float, 4> cube{};
@@ -165,7 +164,7 @@ class BoxTree {
     std::vector<Node> nodes_;
     std::vector<Item> items_;  ///< those of a node lie in a row
     bool canEdit_ = false;
-    std::vector<int> placeOf_;  ///< of each id, -1 for none; empty before anybody asks for one
+    std::vector<int> placeOf_;  ///< of each id, -1 for none; empty until first used
     std::vector<int> roots_;    ///< in the order of their places
     std::vector<int> freePairs_;
     double motion_ = 0;

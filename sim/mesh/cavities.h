@@ -15,10 +15,10 @@ namespace kerf {
 UnionFind shellsOf(const SurfaceMesh& mesh);
 
 /// Joins the shell of each cavity with the one around it, so that the sets of shellsOf() become
-/// pieces. Whether there was any. O(n), and as much again per cavity.
+/// pieces. Returns whether there was any. O(n), and as much again per cavity.
 bool joinCavities(const SurfaceMesh& mesh, UnionFind& shells);
 
-/// The pieces of a mesh by their shells, as they are when it is made.
+/// The pieces of a mesh by their shells, at the time of construction.
 class PieceShells {
   public:
     /// O(n).

@@ -10,7 +10,7 @@ struct HoleFilling {
     int triangles = 0;  ///< that were added
 };
 
-/// A border with more edges is left open: the search takes their third power.
+/// Borders with more edges stay open: the search takes O(edges^3).
 inline constexpr int kMostHoleEdges = 500;
 
 /// Closes each hole of a welded soup, a loop of edges that have one triangle, by the triangulation

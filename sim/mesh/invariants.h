@@ -21,8 +21,8 @@ std::string checkSimpleComplex(const SurfaceMesh& mesh);
 std::string checkFinite(const SurfaceMesh& mesh);
 /// (I1), (I2), (I3) and (I6): the mesh is a closed, oriented 2-manifold with finite coordinates.
 std::string checkClosedManifold(const SurfaceMesh& mesh);
-/// checkClosedManifold() around some triangles, at the cost of these: what a change of a closed
-/// mesh may have broken. Dead ones are passed over.
+/// checkClosedManifold() around some triangles, at the cost of these, after a change of a closed
+/// mesh. Skips dead ones.
 std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const int> triangles);
 
 /// A vertex on the border of each piece that has some of the triangles `absent` (those of the mesh,
@@ -30,8 +30,8 @@ std::string checkClosedManifoldAround(const SurfaceMesh& mesh, std::span<const i
 std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int>& pieceOfVertex,
                                   std::span<const int> absent);
 
-/// One connected piece of the mesh. Absent walls belong to it but for the current volume, which is
-/// then that of the cones from a vertex on its border (verticesOnBorder) to the present triangles.
+/// A connected piece of the mesh. Absent walls belong to it, except for the current volume: then
+/// that of the cones from a vertex on its border (verticesOnBorder) to present triangles.
 struct Piece {
     int triangles = 0;
     int vertices = 0;
@@ -50,7 +50,7 @@ PieceMap findPieces(const SurfaceMesh& mesh);
 /// Sum of signed tetrahedra over all triangles [m^3].
 double meshVolume(const SurfaceMesh& mesh);
 double meshRestVolume(const SurfaceMesh& mesh);
-/// The box of the living triangles where they are now [m].
+/// The present box of the living triangles [m].
 Bounds meshBounds(const SurfaceMesh& mesh);
 
 }  // namespace kerf

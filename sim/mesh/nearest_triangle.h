@@ -8,10 +8,10 @@
 
 namespace kerf {
 
-/// The nearest of many numbered triangles that do not move.
+/// The nearest of many fixed numbered triangles.
 class NearestTriangle {
   public:
-    /// The corners of a triangle; must give the same as long as this lives.
+    /// The corners of a triangle; must be constant during its lifetime.
     using CornersOf = std::function<Corners(int id)>;
 
     /// A search among these triangles, of which there must be one.

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// A box with axes of its own.
+/// A box along any axes.
 struct OrientedBox {
     Vec3 center = Vec3::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns, orthonormal
@@ -25,12 +25,11 @@ OrientedBox orientedBoxAlong(const Eigen::Matrix3d& axes, std::span<const Vec3> 
 /// No point of `inner` lies outside `outer`.
 bool contains(const OrientedBox& outer, const OrientedBox& inner);
 
-/// False where the axes of either box show that they have no point in common; cheaper than
-/// overlap().
+/// False if an axis of either box separates them; cheaper than overlap().
 bool mayMeet(const OrientedBox& a, const Bounds& b);
 
-/// mayMeet() for many boxes beside one, at a fraction of the time for each. Boxes that it finds
-/// may lie apart by the rounding of sums.
+/// mayMeet() for many boxes against one, at a fraction of the time for each. Boxes that it finds
+/// may be apart by rounding.
 class MeetingBoxes {
   public:
     explicit MeetingBoxes(const OrientedBox& box);
@@ -43,7 +42,7 @@ class MeetingBoxes {
   private:
     bool meetsAlongAxes(const Vec3& center, const Vec3& half) const;
 
-    Bounds around_;           ///< of the box; tells most apart
+    Bounds around_;           ///< of the box; separates most
     Eigen::Matrix3d axes_;    ///< rows
     Eigen::Matrix3d across_;  ///< sizes of their entries
     Vec3 middle_;             ///< of the box, along its axes

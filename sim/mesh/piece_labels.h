@@ -8,15 +8,15 @@
 
 namespace kerf {
 
-/// What a piece holds in the rest shape.
+/// The measures of a piece in the rest shape.
 struct PieceContent {
     int triangles = 0;
     int vertices = 0;
-    double restVolume = 0;  ///< signed [m^3]; 0 where nothing is measured
-    double restArea = 0;    ///< [m^2]; 0 where areas are not measured
+    double restVolume = 0;  ///< signed [m^3]; 0 if not measured
+    double restArea = 0;    ///< [m^2]; 0 if not measured
 };
 
-/// A vertex that went to another piece; -1 stands for none.
+/// A vertex that moved to another piece; -1 is none.
 struct LabelMove {
     int vertex = -1;
     int from = -1;
@@ -25,34 +25,32 @@ struct LabelMove {
 
 /// The outcome of an update.
 struct LabelChange {
-    /// Vertices that are new, died, or belong to another piece now, each once.
+    /// Vertices that are new, dead, or in another piece now, each once.
     std::vector<LabelMove> moves;
-    /// Per piece: the one before the update that it was part of; -1 where all its vertices are new.
+    /// Per piece: its origin before the update; -1 if all its vertices are new.
     std::vector<int> source;
-    /// Whether a piece came off, vanished, or was joined to another.
+    /// Whether a piece separated, vanished, or was joined to another.
     bool piecesChanged = false;
 };
 
-/// The pieces of a mesh: its shells, those of cavities as one with the shells around them (see
-/// cavities.h). They are followed while the mesh is cut: an update costs what the change touched,
-/// and where a piece falls apart the smaller part besides. The largest part keeps the label, so
-/// labels tell age and not place; they are dense. Where there are cavities, and a shell falls
-/// apart, all are labelled anew.
+/// The pieces of a mesh: its shells, those of cavities merged with the shells around them (see
+/// cavities.h). They are updated while the mesh is cut: an update costs what the change touched,
+/// and the smaller part of a piece that separates. The largest part keeps the label, so labels are
+/// ordered by age; they are dense. With cavities, all are relabelled when a shell separates.
 class PieceLabels {
   public:
-    /// Whether volumes and areas are followed.
+    /// Which measures are maintained.
     enum class Measures { none, volumes, volumesAndAreas };
 
     /// Labels in the order of the pieces' lowest vertices. O(n).
     explicit PieceLabels(const SurfaceMesh& mesh, Measures measures = Measures::volumesAndAreas);
 
-    /// Lets volumes be followed from now on, at least. O(n) the first time. The labels must be
-    /// those of the mesh as it is.
+    /// Maintains at least volumes from now on. O(n) the first time. The labels must be up to date.
     void measureVolumes(const SurfaceMesh& mesh);
 
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
-    /// a corner or its rest position changed; each once. Where pieces were joined, or one
-    /// vanished that is not the youngest, all are labelled anew, in the order that they had, O(n).
+    /// a corner or its rest position changed; each once. If pieces were joined, or one vanished
+    /// that is not the youngest, all are relabelled in the same order, O(n).
     LabelChange update(const SurfaceMesh& mesh, std::span<const int> triangles);
 
     const std::vector<int>& ofVertex() const { return ofVertex_; }  ///< -1 for unused vertices
@@ -101,8 +99,8 @@ class PieceLabels {
     bool hasCavities_ = false;
     std::vector<Share> shares_;  ///< by triangle slot; empty where nothing is measured
     // Room for searches, -1 between them.
-    std::vector<int> placeOfVertex_;   ///< among those touched
-    std::vector<int> partOfTriangle_;  ///< empty until a piece may have fallen apart
+    std::vector<int> placeOfVertex_;   ///< among the touched ones
+    std::vector<int> partOfTriangle_;  ///< empty until a piece may have separated
 };
 
 }  // namespace kerf

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// A ray as boxes are asked for it. `direction` need not have length 1; along an axis in which it
-/// does not move it is taken to come through where it starts between the box's sides.
+/// A ray for box tests. `direction` need not have length 1; along an axis without motion the ray
+/// passes if it starts between the box's sides.
 struct BoxRay {
     BoxRay(const Vec3& from, const Vec3& along) : origin(from), direction(along) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -40,8 +40,8 @@ struct LineHit {
     double b2 = 0;        ///< of the third one
 };
 
-/// Triangles reach so much of their edges beyond their border where lines must not pass between
-/// two.
+/// Share of their edges by which triangles extend beyond their border, so that no line passes
+/// between two.
 inline constexpr double kHitBorder = 2e-5;
 
 /// Möller and Trumbore (1997), with a border that is widened by kHitBorder. None for a line that

@@ -11,12 +11,12 @@ namespace kerf {
 
 class SurfaceMesh;
 
-/// Where the three corners of a triangle lie on a texture; v runs upwards.
+/// The texture coordinates of the three corners of a triangle; v runs upwards.
 using CornerUvs = std::array<Eigen::Vector2f, 3>;
 /// Colours of the three corners of a triangle: red, green, blue in linear light, and opacity.
 using CornerColors = std::array<Eigen::Vector4f, 3>;
 
-/// What a skin has besides its shape, by triangle. Each list may be empty: there is none of it.
+/// The attributes of a skin by triangle. Each list may be empty if there are none.
 struct SkinAttributes {
     std::vector<CornerUvs> uvs;
     std::vector<CornerColors> colors;
@@ -34,20 +34,20 @@ struct TriangleAttributes {
 };
 /// Attributes of triangle t.
 TriangleAttributes attributesOf(const SkinAttributes& skin, int t);
-/// Gives a triangle its attributes, as far as there are lists, which must be long enough.
+/// Sets the attributes of a triangle in all lists that are not empty; these must be long enough.
 void setAttributes(SkinAttributes& skin, int t, const TriangleAttributes& attributes);
-/// Gives each list there is so many triangles; new ones have no attributes.
+/// Resizes all lists that are not empty; new triangles have no attributes.
 void resizeAttributes(SkinAttributes& skin, std::size_t triangles);
 
-/// Carries the attributes of an uncut skin along to meshes that are cut out of it.
+/// Transfers the attributes of an uncut skin to meshes that are cut out of it.
 class SkinCarrier {
   public:
-    /// The attributes `skin` are by triangle slot of `uncut`; both must stay.
+    /// The attributes `skin` are by triangle slot of `uncut`; both must outlive it.
     SkinCarrier(const SurfaceMesh& uncut, const SkinAttributes& skin);
 
-    /// The attributes of a triangle of skin by its slot and where its corners rest. A triangle that
-    /// a cut made gets the material of the place where its middle lies in the uncut rest shape, and
-    /// what its corners have at their places, on the side of a seam where its middle lies.
+    /// The attributes of a triangle of skin by its slot and the rest positions of its corners. A
+    /// triangle that a cut made gets the material at its centre in the uncut rest shape, and its
+    /// corners' attributes at their places, on the centre's side of a seam.
     TriangleAttributes of(int slot, const std::array<Vec3, 3>& corners);
 
   private:

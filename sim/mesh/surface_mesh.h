@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// Has the present positions and velocities of a mesh whose own numbers have grown old, and brings
-/// them by SurfaceMesh::setState().
+/// Has the present positions and velocities of a mesh with stale ones, and delivers them by
+/// SurfaceMesh::setState().
 class VertexSource {
   public:
     VertexSource() = default;
@@ -17,29 +17,28 @@ class VertexSource {
     VertexSource(const VertexSource&) = delete;
     VertexSource& operator=(const VertexSource&) = delete;
 
-    /// Brings the state of at least these vertices, in one go.
+    /// Delivers the state of at least these vertices, in one go.
     virtual void bring(std::span<const int> vertices) = 0;
-    /// Brings the state of all vertices that are old.
+    /// Delivers the state of all stale vertices.
     virtual void bringAll() = 0;
 };
 
-/// What a triangle is made of: the skin that was loaded, or a wall that a cut made.
+/// The kind of a triangle: loaded skin, or a wall made by a cut.
 enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 
 /// A closed triangle mesh with half-edge adjacency, made to be cut.
 ///
-/// Half-edge h = 3 * triangle + corner runs from that corner to the next one. Every half-edge has
-/// a twin. Triangles are never moved: a removed one stays as a dead slot, so that indices held by
-/// the solver stay valid. Vertices carry current position, rest position and velocity.
-/// A cut makes copies of the vertices along it; those of one vertex form a group of copies, which
-/// stands for one point of the uncut body.
+/// Half-edge h = 3 * triangle + corner runs from that corner to the next one. Every half-edge has a
+/// twin. Triangles are never moved: a removed one stays as a dead slot, so that indices held by the
+/// solver stay valid. Vertices carry current position, rest position and velocity. A cut makes
+/// copies of the vertices along it; those of one vertex form a group of copies, which represents
+/// one point of the uncut body.
 ///
-/// While a stroke of the open course is unfinished (CutSettings::openCut), its walls are there for
-/// the cutter alone: they are absent from the body, which has an open surface of the present
-/// triangles.
+/// While a stroke of the open course is unfinished (CutSettings::openCut), its walls exist for the
+/// cutter only: they are absent from the body, which has an open surface of the present triangles.
 ///
-/// While a solver moves the body elsewhere, positions and velocities may be old: they are fetched
-/// where they are read. Only meshes of which nothing is old may be read by several threads.
+/// While a solver moves the body on the GPU, positions and velocities may be stale: they are
+/// fetched when read. Only meshes without stale state may be read by several threads.
 class SurfaceMesh {
   public:
     SurfaceMesh() = default;
@@ -59,7 +58,7 @@ class SurfaceMesh {
     int vertexCount() const { return static_cast<int>(positions_.size()); }
     int triangleSlots() const { return static_cast<int>(triangles_.size()); }
     int aliveTriangles() const { return aliveTriangles_; }
-    /// Whether a vertex is one of those that fromTriangles was given, not made by a cut.
+    /// Whether a vertex is an original one, not made by a cut.
     bool isOriginal(int v) const { return v < originalVertices_; }
 
     // Per vertex.
@@ -81,7 +80,7 @@ class SurfaceMesh {
     void setPosition(int v, const Vec3& p) { positions_[v] = p; }
     void setRestPosition(int v, const Vec3& p) { restPositions_[v] = p; }
     void setVelocity(int v, const Vec3& u) { velocities_[v] = u; }
-    /// Current positions become rest positions and the other way round.
+    /// Exchanges current and rest positions.
     void exchangeShapes() {
         bringAll();
         positions_.swap(restPositions_);
@@ -112,7 +111,7 @@ class SurfaceMesh {
     void setOpenStroke(int stroke) { openStroke_ = stroke; }
 
     // Half-edges.
-    /// The triangle of a half-edge, by a division that need not look at the sign.
+    /// The triangle of a half-edge, by an unsigned division.
     static int triangleOf(int h) { return static_cast<int>(static_cast<unsigned>(h) / 3); }
     static int next(int h) { return cornerOf(h) == 2 ? h - 2 : h + 1; }
     static int previous(int h) { return cornerOf(h) == 0 ? h + 2 : h - 1; }
@@ -147,15 +146,15 @@ class SurfaceMesh {
     bool hidden(int v) const;
 
     // Numbers that are elsewhere.
-    /// From now on `source` has positions and velocities of all vertices. It must outlive the mesh
-    /// and its copies, or until nothing is old.
+    /// From now on `source` has the positions and velocities of all vertices. It must outlive the
+    /// mesh and its copies, or until nothing is stale.
     void leaveTo(VertexSource& source);
-    /// Takes what the source brings for a vertex.
+    /// Sets the state of a vertex from the source.
     void setState(int v, const Vec3& position, const Vec3& velocity);
     bool isOld(int v) const { return source_ != nullptr && old_[v] != 0; }
-    /// Whether nothing is old.
+    /// Whether nothing is stale.
     bool isWhole() const { return source_ == nullptr; }
-    /// Fetches what is old of these in one go; reading one that is old fetches all.
+    /// Fetches what is stale of these in one go; reading a stale one fetches all.
     void bring(std::span<const int> vertices) const;
     void bringAll() const;
 
@@ -163,7 +162,7 @@ class SurfaceMesh {
     int addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity);
     int addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel);
     void removeTriangle(int t);
-    /// Lets a vertex without triangles leave its copies and rest from now on.
+    /// Removes a vertex without triangles from its copies and from use.
     void removeVertex(int v);
     void setCorner(int t, int corner, int v) { triangles_[t][corner] = v; }
     void setCorners(int t, const Triangle& corners) { triangles_[t] = corners; }
@@ -177,11 +176,11 @@ class SurfaceMesh {
 
     /// Makes a and b, and all copies of either, copies of one point.
     void joinCopies(int a, int b);
-    /// Makes v a point of its own.
+    /// Makes v a separate point.
     void leaveCopies(int v);
     /// The group of v and its copies, -1 for a vertex without copies.
     int copyGroup(int v) const { return copyGroup_[v]; }
-    /// The first of v and its copies, which stands for all of them; v where there are no others.
+    /// The first of v and its copies, which represents them all; v without copies.
     int firstCopy(int v) const {
         return copyGroup_[v] < 0 ? v : copyMembers_[copyGroup_[v]].front();
     }
@@ -197,7 +196,7 @@ class SurfaceMesh {
     void reserve(std::size_t vertices, std::size_t triangles);
     int groupOf(int v);
 
-    mutable VertexSource* source_ = nullptr;  ///< null while nothing is old
+    mutable VertexSource* source_ = nullptr;  ///< null while nothing is stale
     std::vector<std::uint8_t> old_;  ///< of each vertex: the source has its position and velocity
     std::vector<Vec3> positions_;
     std::vector<Vec3> restPositions_;

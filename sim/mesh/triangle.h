@@ -8,23 +8,23 @@
 
 namespace kerf {
 
-/// Corners of a triangle at their places [m].
+/// Positions of the corners of a triangle [m].
 using Corners = std::array<Vec3, 3>;
 
-/// Corners of a triangle of the mesh where they are now.
+/// Current corners of a triangle of the mesh.
 inline Corners cornersOf(const SurfaceMesh& mesh, int triangle) {
     const auto& [a, b, c] = mesh.triangle(triangle);
     return {mesh.position(a), mesh.position(b), mesh.position(c)};
 }
 
-/// Corners of a triangle of the mesh where they rest.
+/// Rest corners of a triangle of the mesh.
 inline Corners restCornersOf(const SurfaceMesh& mesh, int triangle) {
     const auto& [a, b, c] = mesh.triangle(triangle);
     return {mesh.restPosition(a), mesh.restPosition(b), mesh.restPosition(c)};
 }
 
-/// The normal of the triangle abc, as long as twice its area [m^2]. It points to where the corners
-/// run counter-clockwise.
+/// The normal of the triangle abc, with the length of twice its area [m^2]. Seen from its tip the
+/// corners run counter-clockwise.
 template <class Vector>
 Vector areaNormal(const Vector& a, const Vector& b, const Vector& c) {
     return (b - a).cross(c - a);
@@ -59,7 +59,7 @@ inline double longestEdge(const Corners& corners) {
 }
 
 /// The volume of the tetrahedron over the triangle abc with its apex at the origin [m^3]: positive
-/// where the apex lies behind the triangle. Summed over a closed surface it is the volume within.
+/// if the apex is behind the triangle. Summed over a closed surface it is the enclosed volume.
 inline double tetrahedronVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
     return a.dot(b.cross(c)) / 6;
 }

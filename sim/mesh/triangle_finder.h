@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Finds the living triangles of a mesh by their current place, while it is cut.
+/// Finds the living triangles of a mesh by their current position, while it is cut.
 class TriangleFinder {
   public:
     TriangleFinder() = default;
@@ -18,7 +18,7 @@ class TriangleFinder {
 
     /// Triangles that may meet `box`; none that does is missing. Ascending.
     virtual std::vector<int> near(const OrientedBox& box) = 0;
-    /// No triangle reaches out of this box; it may be larger than needed.
+    /// A box that holds all triangles; it may be larger than needed.
     virtual Bounds bounds() = 0;
     /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
     /// a corner changed; each once.

@@ -11,8 +11,8 @@ bool isNeedle(const Corners& corners);
 /// The smallest angle of a triangle [degrees]: 60 at best, 0 without an area.
 double smallestAngle(const Corners& corners);
 
-/// Heights of a triangle over its longest edge. What is lower than the first is a sliver, lower
-/// than the second one that has lost its shape.
+/// Heights of a triangle over its longest edge: below the first it is a sliver, below the second a
+/// degenerate one.
 inline constexpr double kSliver = 0.02;
 inline constexpr double kBareSliver = 0.001;
 
@@ -30,7 +30,7 @@ struct ShapeFigures {
     double meanAngle() const { return triangles > 0 ? angleSum / triangles : 0; }
 };
 
-/// The triangles of a surface, as a soft body would have them: even ones of one size are best.
+/// The suitability of triangles for a soft body: even ones of one size are best.
 struct TriangleFigures {
     int triangles = 0;
     int needles = 0;          ///< see isNeedle()
@@ -48,9 +48,9 @@ struct TriangleFigures {
 /// Figures of all triangles of a soup, whose indices must be in range.
 TriangleFigures figuresOf(const TriangleSoup& soup);
 
-/// The edge length for even triangles [m]: the mean of those that even triangles of the same areas
-/// have, since the edges of needles are long for what they cover; or a longer one where that made
-/// more than four times as many triangles, as tiny ones beside giant ones would.
+/// The edge length for even triangles [m]: the mean for even triangles of the same areas, since
+/// needles have long edges for their area; or longer if that made more than four times as many
+/// triangles, as with tiny ones beside giant ones.
 double evenEdge(const TriangleFigures& figures);
 /// Whether a body with such a skin hardly bends and is cut into shards: its longest edge is more
 /// than an eighth of its diagonal [m].
@@ -58,12 +58,11 @@ bool isCoarse(const TriangleFigures& figures, double diagonal);
 /// The edge length to propose for a body [m]: evenEdge(), of a coarse one a 25th of its diagonal at
 /// most.
 double proposedEdge(const TriangleFigures& figures, double diagonal);
-/// About how many triangles a surface has whose edges are so long [m].
+/// About how many triangles the surface has with this edge length [m].
 double trianglesOf(const TriangleFigures& figures, double edge);
 
-/// How far a triangle is strained: the larger of its principal strains by amount, which is the
-/// change of a length over that length at rest; 0 is as at rest. 0 also where it has no area at
-/// rest. The editor colours bodies by the same.
+/// The principal strain of a triangle of larger magnitude: the change of a length over that length
+/// at rest; 0 at rest, and without rest area. The editor colours bodies by it.
 double largestStrain(const Corners& rest, const Corners& now);
 
 }  // namespace kerf

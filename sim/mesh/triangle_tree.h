@@ -14,17 +14,17 @@ namespace kerf {
 /// A finder with a tree of boxes that follows the body while it deforms and is cut.
 class TriangleTree : public TriangleFinder {
   public:
-    /// The mesh must outlive the tree. O(n); searches divide the tree further.
+    /// The mesh must outlive the tree. O(n); searches refine the tree.
     explicit TriangleTree(const SurfaceMesh& mesh);
 
     /// No vertex has moved farther than `distance` [m] since the last call of either.
     void moved(double distance) { tree_.moved(distance); }
-    /// Vertices may have moved anyhow: the next search costs O(n).
+    /// Vertices may have moved arbitrarily: the next search costs O(n).
     void movedAnyhow() { lost_ = true; }
     void update(std::span<const int> triangles) override;
     std::vector<int> near(const OrientedBox& box) override;
 
-    /// Triangles that may lie in boxes that meets(box) holds of; none that does is missing.
+    /// Triangles that may be in boxes for which meets(box) is true; none of these is missing.
     /// Ascending.
     template <class Meets>
     std::vector<int> find(Meets&& meets) {

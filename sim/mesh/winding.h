@@ -15,14 +15,14 @@ namespace kerf {
 // vertices.
 namespace winding {
 
-/// The sign of a determinant that the moved point has: that of its first part which isn't 0.
+/// The sign of a determinant for the perturbed point: that of its first nonzero term.
 inline int firstSign(int sign, double then, double last) {
     const auto signOf = [](double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; };
     const int second = sign != 0 ? sign : signOf(then);
     return second != 0 ? second : signOf(last);
 }
 
-/// Which side of the line through a and b the point lies on, seen along x; 0 where a hides b.
+/// The side of the line through a and b that the point is on, seen along x; 0 where a hides b.
 inline int sideOf(const Vec3& a, const Vec3& b, const Vec3& point) {
     const int sign = orient2d({a.y(), a.z()}, {b.y(), b.z()}, {point.y(), point.z()});
     return firstSign(sign, a.z() - b.z(), b.y() - a.y());
@@ -51,9 +51,9 @@ inline int sideOfPlane(const Corners& at, int facing, const Vec3& point) {
 
 }  // namespace winding
 
-/// 1 where the ray from `point` along x leaves a body through the triangle, -1 where it enters, 0
-/// where it passes by. Summed over a closed surface it is how often that surrounds the point. Of a
-/// point on the surface it tells one side.
+/// 1 if the ray from `point` along x leaves a body through the triangle, -1 if it enters, 0 if it
+/// misses. Summed over a closed surface it is the winding number of the point. A point on the
+/// surface counts for one side.
 inline int rayCrossing(const Corners& at, const Vec3& point) {
     if (!winding::mayCross(at, point)) {
         return 0;
@@ -66,7 +66,7 @@ inline int rayCrossing(const Corners& at, const Vec3& point) {
     return winding::sideOfPlane(at, turn, point) == -turn ? turn : 0;
 }
 
-/// A point in the triangle that edges of a regular mesh are hardly ever in line with.
+/// A point in the triangle that is rarely collinear with edges of a regular mesh.
 inline Vec3 pointInside(const Corners& at) {
     constexpr double kFirst = 0.3149;
     constexpr double kSecond = 0.3373;
@@ -79,13 +79,13 @@ inline bool contains(const Bounds& bounds, const Vec3& point) {
            (point.array() <= bounds.high.array()).all();
 }
 
-/// A point inside of a closed shell and how far it lies behind the surface [m], 0 on it.
+/// A point inside a closed shell and its depth below the surface [m], 0 on it.
 struct InnerPoint {
     Vec3 point;
     double depth = 0;
 };
 
-/// The point half way through a shell from the middle of one of its triangles, `at`. It lies off
+/// The point half way through a shell from the middle of one of its triangles, `at`. It is not on
 /// surfaces that touch the shell. `inward`: 1 where the triangles face outward, -1 where inward.
 /// `forEach(f)` calls f with the corners of each triangle of the shell. O(n).
 template <class ForEach>

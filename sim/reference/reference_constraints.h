@@ -20,7 +20,7 @@ struct Linearized {
     bool valid = false;  ///< false where the constraint has no gradient
 };
 
-/// The place where the gradient is taken: shaders/sim/pull_direction.glsl.
+/// The positions at which the gradient is taken: shaders/sim/pull_direction.glsl.
 enum class Pull {
     asBefore,  ///< at positions, unless it has turned far meanwhile
     asNow      ///< at positions + displacements
@@ -38,8 +38,7 @@ KERF_CONSTRAINTS(KERF_LINEARIZE)
 #undef KERF_LINEARIZE
 
 /// The energy that BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 / (2 alpha) over
-/// the constraints that are on and not rigid, beyond the clamp of a bend with the moment that it
-/// has there.
+/// the constraints that are on and not rigid, beyond the clamp of a bend with constant moment.
 double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
                     const ReferenceState& state);
 

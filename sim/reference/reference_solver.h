@@ -8,8 +8,8 @@
 namespace kerf {
 
 /// The state that the reference solver moves, shape [vertexCount]. Inside a substep a vertex is at
-/// positions + displacements; constraints only ever see differences
-/// (X_i - X_j) + (d_i - d_j), which keeps floats on the GPU from eating momentum.
+/// positions + displacements; constraints only use differences (X_i - X_j) + (d_i - d_j), so that
+/// floats on the GPU don't lose momentum.
 struct ReferenceState {
     std::vector<Vec3> positions;      ///< X [m]
     std::vector<Vec3> displacements;  ///< d of the running substep [m]
@@ -24,12 +24,11 @@ struct ReferenceState {
 ReferenceState restState(const BodyModel& model);
 
 /// XPBD with small steps and one iteration per substep (Macklin et al. 2019), mass-splitting Jacobi
-/// per constraint type (Tonge et al. 2012): the plain double-precision truth that every kernel is
-/// compared with. A substep is, in this order: unfold, predict, then per sweep the types of
-/// constraints (constraints.h), volume, pulls, floor, then finish. Plain PBD is many sweeps in one
-/// substep, each with a share of the correction of rigid constraints. Each phase stands alone;
-/// constraints read `positions + displacements` as they were when the phase began and change
-/// displacements only.
+/// per constraint type (Tonge et al. 2012): the plain double-precision reference for every kernel.
+/// A substep is, in this order: unfold, predict, then per sweep the types of constraints
+/// (constraints.h), volume, pulls, floor, then finish. Plain PBD is many sweeps in one substep,
+/// each with a share of the correction of rigid constraints. Phases are independent; constraints
+/// read `positions + displacements` from the start of the phase and change displacements only.
 class ReferenceSolver {
   public:
     /// `model` must outlive the solver.
@@ -37,7 +36,7 @@ class ReferenceSolver {
 
     /// w of a vertex [1/kg]; 0 for vertices that no force moves.
     double inverseMass(int vertex) const { return inverseMass_[vertex]; }
-    /// 0 makes a vertex kinematic: it goes on with its velocity.
+    /// 0 makes a vertex kinematic: it keeps its velocity.
     void setInverseMass(int vertex, double w) { inverseMass_[vertex] = w; }
     /// Volume target of a piece = its rest volume + offset [m^3]; 0 unless set.
     void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
@@ -49,8 +48,8 @@ class ReferenceSolver {
     void step(ReferenceState& state) const;
     void substep(ReferenceState& state) const;
 
-    /// Draws what is folded back to its rest shape; see Unfolding. Until the next time constraints
-    /// there are hardly damped and the floor does not rub (shaders/sim/folds.glsl).
+    /// Unfolds folded skin to its rest shape; see Unfolding. Until the next call constraints there
+    /// are hardly damped and the floor has no friction (shaders/sim/folds.glsl).
     void unfold(ReferenceState& state) const;
     /// v += h g, d = h v; kinematic vertices: d = h v.
     void predict(ReferenceState& state) const;
@@ -58,8 +57,8 @@ class ReferenceSolver {
     void solve(std::uint32_t type, ReferenceState& state) const;
     /// Rigid volume constraint of each piece that holds one, about the mean of its vertices.
     void solveVolume(ReferenceState& state) const;
-    /// Moves the vertices that hands hold as a critically damped spring of rate kPullRate, implicit
-    /// in the end of the substep, would.
+    /// Moves the vertices that hands hold by an implicit, critically damped spring of rate
+    /// kPullRate.
     void pull(ReferenceState& state) const;
     /// Lifts vertices onto the floor, those that start below it at no more than lift_speed;
     /// friction shortens their tangential displacement by at most friction * lift.

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// A body, some way from rest and in motion, on the GPU and in double precision, with the same
-/// floats to start from. What both make of it is compared.
+/// A body, displaced from rest and in motion, on the GPU and in double precision, from the same
+/// floats, to compare the two solvers.
 struct SolverPair {
     /// `parts`: of SolverUniforms::active_parts. `shake`: how far from rest [edge lengths].
     /// Throws gpu::ShaderError, gpu::OutOfMemory.

@@ -7,16 +7,14 @@
 
 namespace kerf::repair {
 
-/// Pairs of triangles of a welded soup where its surface passes through itself, the lower first,
-/// ascending; so many at most. Signs are exact. Where edges and faces only touch, there is none;
-/// where they meet along a line, the faces beside it tell, and faces with their material on the
-/// same side pass through each other. `parts`: of each triangle, to look for pairs of different
-/// parts alone. O(n log n), and what is found.
+/// At most `most` intersecting pairs of triangles of a welded soup, the lower first, ascending.
+/// Exact. Edges and faces that only touch don't count; where they meet along a line, the faces
+/// beside it decide, and faces with their material on the same side intersect. `parts`: of each
+/// triangle, to find only pairs of different parts. O(n log n + pairs).
 std::vector<std::pair<int, int>> findCrossings(const TriangleSoup& welded, std::size_t most,
                                                const std::vector<int>* parts = nullptr);
 
-/// The triangles that pass through others, ascending; of models that cross through and through not
-/// all.
+/// The intersecting triangles, ascending; of models with very many not all.
 std::vector<int> crossingTriangles(const TriangleSoup& welded);
 
 }  // namespace kerf::repair

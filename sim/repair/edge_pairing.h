@@ -4,19 +4,19 @@
 
 namespace kerf::repair {
 
-/// Turns triangles so that both at an edge of two face the same way, as far as the surface has two
-/// sides. The larger part of each connected patch stays as it is. Returns how many were turned.
+/// Reorients triangles consistently, as far as the surface is orientable. The larger part of each
+/// connected patch is unchanged. Returns how many were reversed.
 int orientAlike(TriangleSoup& soup);
 
-/// Where partBranches() parted a surface.
+/// Where partBranches() separated a surface.
 struct PartedSurface {
     int edges = 0;
     int vertices = 0;
 };
 
-/// Gives each triangle at an edge at most one partner: where there are more than two, those that
-/// the surface joins elsewhere, or those with material between them. What then hangs together in a
-/// point or a line alone gets vertices of its own at the same place; see moveApart().
+/// Gives each triangle at an edge at most one partner: if there are more than two, those that the
+/// surface joins elsewhere, or those with material between them. Parts then connected only in a
+/// point or a line get separate vertices at the same place; see moveApart().
 PartedSurface partBranches(TriangleSoup& soup);
 
 }  // namespace kerf::repair

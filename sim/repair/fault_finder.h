@@ -8,20 +8,20 @@
 
 namespace kerf::repair {
 
-/// What may be wrong with a model at one of its edges, vertices or triangles.
+/// A fault of a model at an edge, vertex or triangle.
 enum class FaultKind {
     openEdge,          ///< has one triangle: the border of a hole or of a sheet
     branchingEdge,     ///< has more than two
     touchingVertex,    ///< the surface touches itself there: more than one umbrella
     opposedEdge,       ///< its two triangles face opposite ways
     flatTriangle,      ///< has no area
-    doubleTriangle,    ///< has the corners of one before it
-    crossingTriangle,  ///< passes through another one
+    doubleTriangle,    ///< has the corners of an earlier one
+    crossingTriangle,  ///< intersects another one
     needle,            ///< see isNeedle()
 };
 inline constexpr int kFaultKinds = 8;
 
-/// Where one kind of fault is: edges, vertices or triangles, whichever has it, ascending.
+/// The edges, vertices or triangles with one kind of fault, ascending.
 struct FaultPlaces {
     std::vector<SurfaceFaults::Edge> edges;
     std::vector<int> vertices;
@@ -42,8 +42,8 @@ struct Faults {
 };
 
 /// Finds all faults of a welded soup; those that a MeshReport counts are the same. Triangles with
-/// bad indices, and such at a vertex that is not finite, are left out. Without `crossings`, which
-/// take the longest, no triangle is looked through for others.
+/// bad indices or non-finite vertices are skipped. Without `crossings`, which take the longest,
+/// intersections are not searched.
 Faults findFaults(const TriangleSoup& welded, bool crossings = true);
 
 }  // namespace kerf::repair

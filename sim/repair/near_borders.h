@@ -4,15 +4,15 @@
 
 namespace kerf::repair {
 
-/// What joinNearBorders() did.
+/// The result of joinNearBorders().
 struct JoinedBorders {
-    int vertices = 0;  ///< that became others
+    int vertices = 0;  ///< that were merged
     int edges = 0;     ///< that were divided
 };
 
 /// Joins vertices of open edges with others within a hundred-thousandth of the model's diagonal,
-/// and divides open edges on which vertices of others lie. Where a file was written with few
-/// digits, or triangles meet in a T, that closes the surface. Nothing else moves.
+/// and divides open edges on which vertices of others lie. This closes surfaces of files with few
+/// digits, or with T-junctions. Nothing else moves.
 JoinedBorders joinNearBorders(TriangleSoup& soup);
 
 }  // namespace kerf::repair

@@ -10,19 +10,19 @@
 
 namespace kerf::repair {
 
-/// Makes the triangles of a soup even where it may: long edges are divided, short ones collapse,
+/// Makes the triangles of a soup even where allowed: long edges are divided, short ones collapse,
 /// edges are flipped towards six triangles a vertex, and vertices move to the middle of their
-/// neighbours, along the surface (Botsch and Kobbelt 2004). Closed stays closed, manifold stays so.
+/// neighbours, along the surface (Botsch and Kobbelt 2004). Closed and manifold surfaces stay so.
 class Remesher {
   public:
-    /// What it is to do.
+    /// Its task.
     struct Order {
-        std::vector<double> edge;  ///< the length wanted, by triangle [m]
+        std::vector<double> edge;  ///< target length, by triangle [m]
         /// By triangle: whether it may change; those that may not keep their corners. Empty: all.
         std::vector<char> free;
-        /// Where a point that moved belongs; empty: it stays where it is.
+        /// Projects a moved point onto the surface; empty: none.
         std::function<Vec3(const Vec3&)> project;
-        double hardAngle = 40;  ///< edges bent more keep their line [degrees]; above 180 none does
+        double hardAngle = 40;  ///< edges bent more are preserved [degrees]; above 180 none
         int rounds = 10;
         /// Called before each round, counted from 0; may throw to end the work. May be null.
         std::function<void(int round)> onRound = nullptr;
@@ -68,13 +68,13 @@ class Remesher {
     const Order& order_;
     double cosHard_;
     std::vector<char> free_;            ///< by triangle
-    std::vector<double> wanted_;        ///< the edge length, by triangle [m]
+    std::vector<double> wanted_;        ///< target edge length, by triangle [m]
     std::vector<char> fixed_;           ///< by vertex: touches what is not free
     std::vector<std::vector<int>> at_;  ///< the living triangles of each vertex
 };
 
 /// Remeshes a closed, manifold, oriented soup to edges of about `edge` [m], on its own surface.
-/// Lines along which it is bent by more than 40 degrees stay. `onRound`: see Remesher::Order.
+/// Preserves lines along which it is bent by more than 40 degrees. `onRound`: see Remesher::Order.
 void remesh(TriangleSoup& soup, double edge,
             const std::function<void(int round)>& onRound = nullptr);
 

@@ -16,10 +16,9 @@ struct SoupShells {
 
     /// How many there are.
     int size() const { return static_cast<int>(volumes.size()); }
-    /// Whether shell a encloses more than b. Of equal ones it is that which faces inwards, else
-    /// the first.
+    /// Whether shell a encloses more than b. Ties: the one that faces inwards, else the first.
     bool isLarger(int a, int b) const;
-    /// Whether a closed shell encloses no more than rounding to 32-bit floats may add or take away.
+    /// Whether a closed shell encloses no more than the rounding error of 32-bit floats.
     bool isFlat(int shell) const;
 };
 
@@ -32,11 +31,11 @@ struct ShellNesting {
     std::vector<int> owner;  ///< the shell of material that a cavity lies in; of others themselves
 };
 
-/// Tells which shells bound material from outside and which bound cavities. A shell that crosses
-/// none lies in material or not, so it is a cavity in the one case and none in the other. One that
-/// crosses others is what its triangles say where both can be: a rib sunk into the wall of a cavity
-/// is material, and two cavities may cross. The soup must be closed, manifold and consistently
-/// oriented; shells may be inside out. O(n log n).
+/// Finds which shells bound material from outside and which bound cavities. A shell that crosses
+/// none is a cavity if it is inside material. For one that crosses others, its orientation decides
+/// where both are possible: a rib sunk into the wall of a cavity is material, and two cavities may
+/// cross. The soup must be closed, manifold and consistently oriented; shells may be inside out.
+/// O(n log n).
 ShellNesting nestShells(const TriangleSoup& soup, const SoupShells& shells);
 
 }  // namespace kerf::repair

@@ -34,7 +34,7 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
     }
 }
 
-/// The half-edge at the other side of each, -1 where an edge has not just two sides.
+/// The opposite half-edge of each, -1 if the edge does not have two sides.
 using Partners = std::vector<int>;
 Partners partnersOf(const std::vector<Side>& sides, std::size_t triangles);
 /// The vertex where a half-edge begins.
@@ -42,23 +42,23 @@ int originOf(const TriangleSoup& soup, int halfEdge);
 /// The corner across from a half-edge in its triangle.
 int apexOf(const TriangleSoup& soup, int halfEdge);
 
-/// The corners of a triangle, which must all be there.
+/// The corners of a triangle, which must all exist.
 Corners cornersOf(const TriangleSoup& soup, int triangle);
-/// The box of a triangle, whose corners must all be there.
+/// The box of a triangle, whose corners must all exist.
 Bounds boundsOf(const TriangleSoup& soup, int triangle);
 /// The box of all positions.
 Bounds boundsOf(const TriangleSoup& soup);
-/// Whether all corners of a triangle are there and finite.
+/// Whether all corners of a triangle exist and are finite.
 bool isUsable(const TriangleSoup& soup, const Triangle& t);
 /// Whether two corners of a triangle are one vertex.
 bool repeatsCorner(const Triangle& t);
-/// The vertices of a triangle in ascending order, by which doubles are known.
+/// The vertices of a triangle in ascending order, to identify duplicates.
 Triangle sortedCorners(Triangle t);
 
-/// Leaves out the triangles for which `keep` is 0. Returns how many those are.
+/// Removes the triangles for which `keep` is 0. Returns how many.
 int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep);
 
-/// Leaves out vertices that no triangle has.
+/// Removes vertices without triangles.
 void dropUnusedVertices(TriangleSoup& soup);
 
 /// Numbers of connected parts by triangle, in the order of their lowest ones; parts are connected

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What a model is and whether it can be cut.
+/// A report on a model and whether it can be cut.
 struct MeshReport {
     int vertices = 0;
     int triangles = 0;
@@ -25,16 +25,16 @@ struct MeshReport {
     int insideOutPieces = 0;    ///< closed shells of material that face inwards; see turnOutward
     int flatPieces = 0;         ///< closed pieces that enclose no volume
     int cavities = 0;           ///< closed shells that bound a hollow inside another one
-    int outwardCavities = 0;    ///< of these: such that face outward; see turnOutward
-    int crossingTriangles = 0;  ///< that pass through others; see countCrossings
+    int outwardCavities = 0;    ///< of these: those that face outward; see turnOutward
+    int crossingTriangles = 0;  ///< that intersect others; see countCrossings
     bool closed = false;
     bool manifold = false;
     /// Consistently, and, where it is closed and manifold, outward (positive volume).
     bool oriented = false;
-    std::vector<std::string> repairs;  ///< what was changed on the way, one phrase each
-    std::vector<std::string> left;     ///< what a repair left as it is and why, a clause each
+    std::vector<std::string> repairs;  ///< what was changed, one phrase each
+    std::vector<std::string> left;     ///< what a repair could not fix and why, a clause each
     bool cuttable = false;
-    /// Empty where cuttable; else what is wrong, how much of it, and what to do.
+    /// Empty if cuttable; else what is wrong, how often, and what to do.
     std::string problem;
 };
 
@@ -48,20 +48,20 @@ struct SurfaceFaults {
     std::vector<int> degenerateTriangles;
 };
 
-/// Looks for the places that inspectTriangles() counts, each list ascending. Triangles with bad
-/// indices are left out.
+/// Finds the faults that inspectTriangles() counts, each list ascending. Skips triangles with bad
+/// indices.
 SurfaceFaults findSurfaceFaults(const TriangleSoup& welded);
 
-/// Looks at a welded soup. Never throws. Triangles with bad indices or repeated corners are counted
-/// and otherwise left out.
+/// Inspects a welded soup. Never throws. Triangles with bad indices or repeated corners are counted
+/// and otherwise skipped.
 MeshReport inspectTriangles(const TriangleSoup& welded);
 
-/// Turns shells that face the wrong way: one inside no other faces outward, one inside another
-/// faces inwards and bounds a cavity, one inside that faces outward again. The soup must be closed,
-/// manifold and consistently oriented. Returns the number of shells turned.
+/// Reverses shells with the wrong orientation: an outermost one faces outward, one inside it faces
+/// inwards and bounds a cavity, one inside that faces outward again. The soup must be closed,
+/// manifold and consistently oriented. Returns the number of shells reversed.
 int turnOutward(TriangleSoup& soup);
 
-/// Notes in a report how many triangles pass through others; see repair::crossingTriangles().
+/// Adds the number of intersecting triangles to a report; see repair::crossingTriangles().
 void countCrossings(const TriangleSoup& welded, MeshReport& report);
 
 }  // namespace kerf

@@ -20,7 +20,7 @@ namespace kerf::repair {
 
 namespace {
 
-/// What fillHolesEvenly() did.
+/// The result of fillHolesEvenly().
 struct FilledHoles {
     int holes = 0;
     int triangles = 0;  ///< that were added
@@ -58,8 +58,8 @@ std::vector<double> edgesAround(const TriangleSoup& soup, int first) {
     return edges;
 }
 
-/// fillHoles(), then divides the new triangles to the size of those around the hole, and evens out
-/// where they lie.
+/// fillHoles(), then divides the new triangles to the size of those around the hole, and smooths
+/// them.
 FilledHoles fillHolesEvenly(TriangleSoup& soup) {
     const std::size_t before = soup.triangles.size();
     FilledHoles filled;

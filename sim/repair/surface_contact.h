@@ -8,27 +8,26 @@
 
 namespace kerf::repair {
 
-/// Whether two triangles pass through each other's insides: each has corners on both sides of the
-/// other one's plane, and they have more than a point in common. Exact.
+/// Whether the interiors of two triangles intersect: each has corners on both sides of the other's
+/// plane, and they share more than a point. Exact.
 bool passThrough(const Corners& a, const Corners& b);
 
-/// How deep two triangles that pass through each other do so [m]: how far what lies over one of
-/// them reaches through it, or how little of an axis along which they could be apart both cover,
-/// whatever is less. 0 where both lie in one plane.
+/// The depth of the intersection of two triangles [m]: how far one reaches through the other within
+/// its area, or their overlap along a separating axis, whichever is less. 0 if both lie in one
+/// plane.
 double crossingDepth(const Corners& a, const Corners& b);
 
-/// Where the surface of a soup meets itself, with material behind each triangle: by the signs of
-/// determinants alone, which are exact.
+/// Self-contact of the surface of a soup, with material behind each triangle: by exact signs of
+/// determinants only.
 class SurfaceContact {
   public:
     /// O(n log n). Keeps the soup, which must not change.
     explicit SurfaceContact(const TriangleSoup& soup);
 
-    /// Whether the surface passes through itself where two triangles meet that have no edge in
-    /// common: their insides do, in more than a point; or an edge of one lies in the other one or
-    /// along an edge of it, and the faces beside it say so (see wedgesCross). Edges that more
-    /// or fewer than two triangles have don't count, since nothing tells which of these belong
-    /// together.
+    /// Whether the surface intersects itself at two triangles that share no edge: their interiors
+    /// intersect in more than a point; or an edge of one lies in the other one or along an edge of
+    /// it, and the faces beside it cross (see wedgesCross). Edges with more or fewer than two
+    /// triangles don't count, since their triangles can't be paired.
     bool crosses(int a, int b) const;
 
   private:

@@ -4,10 +4,10 @@
 
 namespace kerf::repair {
 
-/// Moves vertices apart that lie at one place, as a file of floats holds it, but those of solids
-/// that touch, which are pieces there: solids and hollows shrink, and what lies around another one
-/// grows, by a thousandth of an edge, or more where that is not enough. Else who reads the file
-/// would join them again. Returns how many moves that took, 0 where all were apart. O(n log n).
+/// Moves vertices apart that coincide as floats, except those of touching solids, which are pieces:
+/// solids and cavities shrink, and what surrounds another one grows, by a thousandth of an edge, or
+/// more if needed. Otherwise readers of the file would join them again. Returns the number of
+/// moves, 0 if all were apart. O(n log n).
 int moveApart(TriangleSoup& soup);
 
 }  // namespace kerf::repair

@@ -4,9 +4,8 @@
 
 namespace kerf {
 
-/// A simulation between two steps, the changes that can be undone included: what a
-/// replay that is scrubbed goes back to. Of use to the simulation that made it alone, which must
-/// outlive it.
+/// A checkpoint of a simulation between two steps, with its undo history, for seeking. Only for the
+/// simulation that made it, which must outlive it.
 class Moment {
   public:
     struct Content;

@@ -26,8 +26,7 @@ struct SimulationSetup {
     std::vector<StaticBox> boxes;
 };
 
-/// A running simulation. The step stands in simulation.cpp, commands in commands.cpp, undo in
-/// undo.cpp.
+/// A running simulation. The step is in simulation.cpp, commands in commands.cpp, undo in undo.cpp.
 struct Simulation::State {
     State(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver, SimulationSetup with);
 
@@ -66,14 +65,14 @@ struct Simulation::State {
     void moveBody();
     void takeBackLostPieces();
     void lookAfterShape();
-    /// sharesInsideOut() where parameters may have brought that about, else 0 for all.
+    /// sharesInsideOut() if parameters may have caused that, else 0 for all.
     std::vector<double> findInsideOut();
     void drawCollapsedBack(std::vector<double> insideOut);
     void mendFolds();
     void publish();
 
-    /// Carries a command out at once. Returns "" or one sentence; nothing changed then. Every kind
-    /// has a specialization in commands.cpp: without one nothing compiles.
+    /// Carries a command out at once. Returns "", or one sentence if nothing changed. Every kind
+    /// has a specialization in commands.cpp, without which nothing compiles.
     template <class Kind>
     std::string carryOut(const Kind& command) = delete;
     std::shared_ptr<const UncutBody> preparedAs(const std::vector<PlacedModel>& models);

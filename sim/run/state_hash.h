@@ -23,7 +23,7 @@ class StateHash {
     void add(const Vec3& value);
     /// All bits of the number.
     void addExactly(double value);
-    /// The text and where it ends.
+    /// The text with its length.
     void add(std::string_view text);
     std::uint64_t value() const { return value_; }
     std::string hexadecimal() const;  ///< 16 digits
@@ -37,7 +37,7 @@ StateHash hashMesh(const SurfaceMesh& mesh);
 /// The mesh, then the boxes that it collides with; without boxes that of the mesh alone.
 StateHash hashScene(const SurfaceMesh& mesh, std::span<const StaticBox> boxes);
 
-/// What two runs can differ in, each with a hash of its own. The first four make the state hash.
+/// The parts in which two runs can differ, each with its hash. The first four make the state hash.
 enum class StatePart { topology, positions, velocities, boxes, parameters, blade };
 /// Their names, in that order, as hashes.csv and messages have them.
 inline constexpr std::array<std::string_view, 6> kStatePartNames = {

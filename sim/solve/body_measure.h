@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-/// The numbers that the CPU learns from the GPU after a step, without reading the body back.
+/// The numbers that the CPU gets from the GPU after a step, without reading the body back.
 struct BodyMeasure {
     std::vector<double> pieceVolumes;  ///< [m^3]
     std::vector<Bounds> pieceBounds;   ///< [m]
@@ -32,28 +32,28 @@ struct BodyMeasure {
     double strainEnergy = 0;
 };
 
-/// A piece whose box is longer than this many diagonals of the uncut body has run away.
+/// A piece whose box is longer than this many diagonals of the uncut body has diverged.
 inline constexpr double kLargestPiece = 20;
 
-/// Measures a body on the GPU, tells its collisions what the next step may meet, and brings the
-/// state of some of its vertices back.
+/// Measures a body on the GPU, passes bounds to its collisions for the next step, and reads the
+/// state of some vertices back.
 class BodyMeasurer {
   public:
     /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
     BodyMeasurer(SolverBody& body, Collisions& collisions);
 
-    /// Lets the GPU begin to measure the positions between steps. Meanwhile the CPU may do
-    /// something else that changes nothing here.
+    /// Starts the measure on the GPU, between steps. Meanwhile the CPU may do other work that
+    /// changes nothing here.
     void start();
-    /// The measure that start() asked for, with the same pieces still; waits for the GPU.
+    /// The measure started by start(), with unchanged pieces; waits for the GPU.
     BodyMeasure take();
-    /// Has the coming start() find out besides what takeWatched() gives; see NearbyVertices.
+    /// Makes the coming start() also read what takeWatched() returns; see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         nearby_.ask(box, vertices);
     }
     /// The watched vertices as of the last take(). Once for each watch().
     VertexStates takeWatched() { return nearby_.take(back_); }
-    /// Has the coming start() bring the state of all vertices too, which takeAll() gives.
+    /// Makes the coming start() also read the state of all vertices, which takeAll() returns.
     void watchAll() { watchesAll_ = true; }
     /// The state as of the last take(). Once for each watchAll().
     BodyState takeAll();

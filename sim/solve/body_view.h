@@ -22,8 +22,8 @@ struct BodyView {
     std::uint32_t triangleCount = 0;
 };
 
-/// The buffers of what acts on the running body: the solver's own, for overlays. A buffer without
-/// entries may be null. Edges are those of the triangles (see BodyView).
+/// The buffers of the constraints on the running body: the solver's own, for overlays. A buffer
+/// without entries may be null. Edges are those of the triangles (see BodyView).
 struct ConstraintView {
     const gpu::Buffer* bends = nullptr;         ///< BendRecord
     const gpu::Buffer* ispcs = nullptr;         ///< IspcConstraint

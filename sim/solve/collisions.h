@@ -15,78 +15,78 @@
 
 namespace kerf {
 
-/// What a measure reads of contact between the parts of a body.
+/// The inputs of a measure from self-contact.
 struct ContactReadings {
     const gpu::Buffer& state;     ///< a ContactState: its counts
-    const gpu::Buffer& searched;  ///< X when candidates were looked for; of some size where never
+    const gpu::Buffer& searched;  ///< X at the last search; of any size without one
     bool counts;                  ///< whether contact is on
 };
 
-/// What a body collides with but for the floor: itself, boxes and the blade's body, each where it
-/// may be met in a step.
+/// The collisions of a body except with the floor: with itself, boxes and the blade's body, each
+/// only if possible in a step.
 class Collisions {
   public:
     /// The body must outlive it. Compiles kernels: throws gpu::ShaderError.
     explicit Collisions(SolverBody& body) : body_(body) {}
 
-    /// A new body, or one of which triangles or the rest shape changed. Throws gpu::OutOfMemory.
+    /// A new body, or one with changed triangles or rest shape. Throws gpu::OutOfMemory.
     void setBody(const BodyModel& model);
-    /// Contact of the body with itself, off until then, or of its pieces as the paper has it, and
+    /// Settings of self-contact, off until then, or the paper's contact of pieces, and of contact
     /// with boxes.
     void setSettings(const ContactSettings& settings);
     /// Sets the boxes that the body collides with. Throws gpu::ShaderError.
     void setBoxes(std::vector<StaticBox> boxes) {
         boxes_.setObstacles(BoxObstacles::of(std::move(boxes)));
     }
-    /// How the blade's body moves in the coming step; none: it does not push. Throws
+    /// The motion of the blade's body in the coming step; none: it does not push. Throws
     /// gpu::ShaderError.
     void setBlade(std::optional<BladeMotion> motion) {
         blade_.setObstacles(BladeObstacle::of(std::move(motion)));
     }
 
-    /// How the blade's edge presses in the coming step; none: it does not. Throws gpu::ShaderError.
+    /// The pressing edge in the coming step; none: it does not press. Throws gpu::ShaderError.
     void setEdge(const std::optional<PressingEdge>& edge) { edge_.setEdge(edge); }
     const std::optional<PressingEdge>& edge() const { return edge_.edge(); }
     /// What it did in the last time step that was measured.
     const EdgeLoad& edgeLoad() const { return edge_.load(); }
 
-    /// Measures from now on what the body does to the blade's; changes nothing else.
+    /// Measures from now on the load on the blade's body; changes nothing else.
     void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
     /// What it did in the last time step that was measured.
     const BladeLoad& bladeLoad() const { return blade_.load(); }
-    /// Asks for what edge and blade did in the last time step, as far as it is measured.
+    /// Requests the measured loads of edge and blade in the last time step.
     void askForLoads(gpu::ReadBack& back);
-    /// Takes up what was sent of that; waits for the GPU.
+    /// Reads the requested loads; waits for the GPU.
     void takeLoads(const gpu::ReadBack& back);
 
-    /// The body has been put elsewhere.
+    /// For a body that was moved by other means than a step.
     void forgetCandidates() { contacts_.forgetCandidates(); }
-    /// Where the body is and how fast [m, m/s] when the coming step begins, which decides what it
-    /// may meet; an empty box of velocities: all at rest. The speed of `motion` follows from them.
+    /// The bounds of positions and velocities [m, m/s] at the start of the coming step, for
+    /// possible contacts; an empty box of velocities: all at rest. They give the speed of `motion`.
     void expect(const Bounds& positions, const Bounds& velocities, RelativeMotion motion = {});
     /// Whether the skin was folded then.
     bool expectsFolds() const { return motion_.folded; }
 
     /// Begins a time step, before its first substep. `folds`: see ContactSolver::setFolds().
     void beginStep(const gpu::Buffer* folds);
-    /// Whether anything may be met in this step.
+    /// Whether there may be contacts in this step.
     bool mayTouch() const;
     bool searchesBefore(std::uint32_t substep) const {
         return contacts_.searchesBefore(static_cast<int>(substep));
     }
-    /// Looks for what may touch.
+    /// Searches for contact candidates.
     void search() { contacts_.search(); }
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
     void respond(std::uint32_t substep);
-    /// Whether pieces respond to each other as the paper has it: once a time step, after the last
+    /// Whether pieces respond to each other as in the paper: once a time step, after the last
     /// substep.
     bool followsThePaper() const { return paperContact_.enabled(); }
     void respondAsThePaper();
 
     const ContactSolver& contacts() const { return contacts_; }
     ContactReadings readings() const;
-    /// The memory of contact for a snapshot, and back once body and settings are.
+    /// The state of contact for a snapshot; restore it after body and settings.
     ContactMemory memory() const;
     void remember(const ContactMemory& memory);
 

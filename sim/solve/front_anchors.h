@@ -8,13 +8,13 @@
 
 namespace kerf {
 
-/// A vertex that follows the material for a step instead of the forces on it.
+/// A vertex that follows the material for a step instead of forces.
 struct Anchor {
     int vertex = -1;
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
 
-/// The body and the course of a step, from which anchors are found.
+/// The body and the step, from which anchors are found.
 struct AnchorFrame {
     const SurfaceMesh& mesh;
     const std::vector<int>& pieceOfVertex;  ///< of all vertices of the mesh
@@ -23,11 +23,10 @@ struct AnchorFrame {
     double timeStep = 0;  ///< [s]
 };
 
-/// The front of an unfinished slit lies in uncut material, of which a surface mesh knows nothing:
-/// left to its two walls alone it would slide about and throw off each new row. So every inner
-/// vertex of the front is carried along: to where the affine map rest -> current, fitted around it
-/// to the surface that its piece had before the stroke, puts its rest position, and kept below that
-/// surface.
+/// The front of an unfinished slit is in uncut material, which a surface mesh does not model: with
+/// its two walls only it would slide and eject each new row. So every inner vertex of the front is
+/// moved to its rest position under the affine map rest -> current, fitted around it to the surface
+/// that its piece had before the stroke, and kept below that surface.
 std::vector<Anchor> findFrontAnchors(const std::vector<RungNode>& rung, const AnchorFrame& in);
 
 /// Anchors for all hidden vertices (SurfaceMesh::hidden), the front's among them: they have

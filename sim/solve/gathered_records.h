@@ -11,14 +11,14 @@ namespace kerf {
 // The constraints of a body as the solver's kernels read them: their records, and what they are
 // seen from their vertices, at the places of the model's incidence lists.
 
-/// The record on the GPU: that of the CPU, but for bends.
+/// The record on the GPU: that of the CPU, except for bends.
 template <class Constraint>
 const Constraint& recordOf(const Constraint& constraint) {
     return constraint;
 }
 shared::BendRecord recordOf(const BendConstraint& bend);
 
-/// The list of a vertex. Of bends those of which it is an end of the edge come first.
+/// The list of a vertex. Bends with it at an end of their edge come first.
 template <class Gather>
 const typename Gather::Range& rangeAt(Gather, const Incidence& incidence, std::uint32_t vertex) {
     return incidence.ranges[vertex];
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> changedPlaces(Gather, const std::vector<Constraint>&,
                                          const std::vector<std::uint32_t>& vertices) {
     return placesOf(incidence, vertices);
 }
-/// A spoke tells how many there are at its far end.
+/// A spoke stores the number of spokes at its far end.
 std::vector<std::uint32_t> changedPlaces(Spokes, const std::vector<EdgeConstraint>& edges,
                                          const Incidence& incidence,
                                          std::vector<std::uint32_t> vertices);

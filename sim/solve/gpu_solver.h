@@ -17,15 +17,15 @@
 
 namespace kerf {
 
-/// The positions of a body when a step ended, to which pieces go back that are lost in the next.
+/// The positions of a body at the end of a step, to reset pieces that are lost in the next.
 class SavedPieces {
   public:
     /// The body must outlive it. Compiles the kernel: throws gpu::ShaderError.
     explicit SavedPieces(SolverBody& body);
 
-    /// Remembers the positions on the GPU.
+    /// Saves the positions on the GPU.
     void save() { body_.state.saved.copyFrom(body_.state.positions); }
-    /// Brings those of some pieces back, with velocities at zero.
+    /// Restores those of some pieces, with velocities at zero.
     void restoreAtRest(std::span<const int> pieces);
 
   private:
@@ -39,31 +39,29 @@ class SavedPieces {
 /// substep and velocities v are kept apart: absolute positions in floats lose momentum. Inside a
 /// substep a vertex is at X + d.
 ///
-/// It loads a body and carries it through cuts; what moves, holds, measures and stops it are parts
-/// of their own.
+/// It loads a body and updates it after cuts; moving, holding, measuring and collisions are
+/// separate parts.
 class GpuSolver {
   public:
     /// Uploads a body. Counts in the uniforms and volume targets (rest volumes) follow from it.
     /// Throws gpu::OutOfMemory.
     void setModel(const BodyModel& model, const BodyState& state);
-    /// How the vertices of each piece lie in memory; sums depend on it to the last bit.
+    /// The memory layout of the vertices of each piece; sums depend on it to the last bit.
     const VertexPages& pages() const { return body_.pieces.pages(); }
-    /// setModel() for a body that was cut before, with the pages that it had then: what follows is
-    /// equal bit for bit.
+    /// setModel() for a body that was cut before, with its pages from then: continues bit for bit.
     void restoreModel(const BodyModel& model, const BodyState& state, VertexPages pages);
-    /// restoreModel() in so many calls, portion 0 first, so that pictures can be drawn in between.
-    /// The pages are moved from.
+    /// restoreModel() in kModelPortions calls, portion 0 first, so that frames can be drawn in
+    /// between. The pages are moved from.
     static constexpr int kModelPortions = 7 + 2 * kConstraintTypes;
     void setModelPortion(int portion, const BodyModel& model, const BodyState& state,
                          VertexPages& pages);
-    /// Follows an update of the model, at the cost of what it changed. `written`: the vertices
-    /// that get a new state, those that are new among them; ascending. `state`: theirs, shape
-    /// [written]. All others go on. Volume targets are the rest volumes again. Throws
-    /// gpu::OutOfMemory.
+    /// Follows an update of the model, at the cost of what it changed. `written`: the vertices that
+    /// get a new state, including new ones; ascending. `state`: theirs, shape [written]. All others
+    /// keep theirs. Resets volume targets to the rest volumes. Throws gpu::OutOfMemory.
     void update(const BodyModel& model, const BodyChange& change,
                 std::span<const std::uint32_t> written, const BodyState& state);
-    /// Takes what the members of the body are made of now. Volume targets are the rest volumes
-    /// again. Throws gpu::OutOfMemory.
+    /// Takes the present materials of the members. Resets volume targets to the rest volumes.
+    /// Throws gpu::OutOfMemory.
     void takeMaterials(const BodyModel& model);
     /// Positions and velocities of the same body.
     void setState(const BodyState& state);
@@ -74,8 +72,8 @@ class GpuSolver {
 
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
     void setUniforms(const shared::SolverUniforms& uniforms) { body_.setParameters(uniforms); }
-    /// How folds are unfolded from now on (see Unfolding): firmly, or, as at first, gently, as
-    /// beside a blade that cuts.
+    /// Unfolds from now on (see Unfolding) firmly, or, the default, gently, for use beside a
+    /// cutting blade.
     void unfoldFirmly(bool firmly) { body_.unfoldFirmly(firmly); }
     /// Sets the volume targets, one per piece.
     void setVolumeTargets(std::span<const VolumeTarget> targets) {
@@ -89,19 +87,19 @@ class GpuSolver {
     /// The phases of a substep, the first with fresh masses.
     void predictAndStretch();
     SubstepPhases& phases() { return stepper_.phases(); }
-    /// Measures the body between steps; waits for the GPU. The next step counts on its box and
+    /// Measures the body between steps; waits for the GPU. The next step relies on its box and
     /// speeds.
     BodyMeasure measure();
 
-    /// The vertices that stay where they are, or go on with a velocity of their own; setModel() and
-    /// restoreModel() unpin all.
+    /// The vertices that are fixed or have a prescribed velocity; setModel() and restoreModel()
+    /// unpin all.
     VertexMasses& masses() { return masses_; }
     Collisions& collisions() { return collisions_; }
     const Collisions& collisions() const { return collisions_; }
     TimeStepper& stepper() { return stepper_; }
     const TimeStepper& stepper() const { return stepper_; }
     BodyMeasurer& measurer() { return measurer_; }
-    /// Where pieces go back to that are lost; update() writes into it too.
+    /// The state to which lost pieces are reset; update() writes into it too.
     SavedPieces& savedPieces() { return savedPieces_; }
 
     /// The buffers themselves; valid while the solver lives and until setModel() or update().

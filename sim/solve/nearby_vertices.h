@@ -15,38 +15,37 @@ namespace kerf {
 /// Positions and velocities of some vertices, each once, ascending.
 struct VertexStates {
     std::vector<shared::NearbyVertex> records;
-    /// Whether all that were asked for are there; otherwise those near the box were too many.
+    /// Whether it is complete; otherwise there were too many near the box.
     bool complete = true;
 };
 
-/// A question of the CPU for vertices on the GPU, and a buffer for the answer.
+/// A query of the CPU for vertices on the GPU, and a buffer for the result.
 class NearbyVertices {
   public:
     NearbyVertices();
 
-    /// The vertices of all triangles that meet `box` (none: no such), and those `asked` for by
-    /// number.
+    /// Queries the vertices of all triangles that meet `box`, if any, and those in `asked`.
     void ask(const std::optional<OrientedBox>& box, std::span<const int> asked);
-    /// The query as it was asked, without what was answered to it before.
+    /// Repeats the query, without previous results.
     void renew();
     /// Whether there is a query at all.
     bool asks() const { return query_.asks_for_box != 0 || query_.asked_vertices > 0; }
-    /// How many were asked for by number.
+    /// The number of vertices in `asked`.
     std::uint32_t asked() const { return query_.asked_vertices; }
     void bind() const;
-    /// Asks for the answer, as far as it is expected to reach; the kernels were told before.
+    /// Requests the result in its expected size; the kernels have the query already.
     void askFor(gpu::ReadBack& back);
-    /// The answer that was sent; waits for the GPU, and reads once more where it is longer than was
-    /// expected. Ends the query.
+    /// The result; waits for the GPU, and reads again if it is longer than expected. Ends the
+    /// query.
     VertexStates take(const gpu::ReadBack& back);
 
   private:
     shared::NearbyQuery query_{};
     gpu::Buffer buffer_;
-    /// How long the answer for the next box may be: somewhat longer than the last one.
+    /// Expected size of the next result: somewhat longer than the last one.
     std::uint32_t expected_ = kLeastExpected;
-    std::uint32_t sent_ = 0;  ///< records of the answer that were asked for
-    std::size_t place_ = 0;   ///< of the answer
+    std::uint32_t sent_ = 0;  ///< requested records of the result
+    std::size_t place_ = 0;   ///< of the result
     static constexpr std::uint32_t kLeastExpected = 4096;
 };
 

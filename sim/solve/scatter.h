@@ -12,19 +12,19 @@
 
 namespace kerf {
 
-/// Writes scattered elements of buffers: where they form a few runs, these; otherwise with one
-/// upload and one dispatch.
+/// Writes scattered elements of buffers: run by run if there are few, otherwise with one upload and
+/// one dispatch.
 class Scatter {
   public:
-    /// Whether what lies between elements may be written along.
+    /// Whether gaps between elements may be written, too.
     enum class Gaps { keep, fill };
 
     /// Compiles the kernel. Throws gpu::ShaderError.
     Scatter();
 
-    /// Brings `target` to the size of `values`, its content kept and what is new zero, and makes
-    /// the elements at `indices` (ascending) those of `values`; the others must be there already.
-    /// Throws gpu::OutOfMemory.
+    /// Resizes `target` to that of `values`, with new elements zero, and writes the elements at
+    /// `indices` (ascending) from `values`; the others must be there already. Throws
+    /// gpu::OutOfMemory.
     template <class T>
     void write(gpu::Buffer& target, std::span<const T> values,
                std::span<const std::uint32_t> indices) {
@@ -32,15 +32,15 @@ class Scatter {
                  [&](std::uint32_t i) { return values[i]; });
     }
 
-    /// Writes like the other write(), to a buffer of `count` elements, what valueOf(index) says:
-    /// with Gaps::fill also for some that are there already.
+    /// Writes like the other write(), to a buffer of `count` elements, the values of
+    /// valueOf(index): with Gaps::fill also some that are there already.
     template <class T, class ValueOf>
     void write(gpu::Buffer& target, std::size_t count, std::span<const std::uint32_t> indices,
                Gaps gaps, ValueOf&& valueOf);
 
   private:
-    /// A call costs about as much as copying so many bytes; more calls than this cost more than a
-    /// dispatch.
+    /// A call costs about as much as copying this many bytes; more calls than the limit below cost
+    /// more than a dispatch.
     static constexpr std::size_t kGapBytes = 4096;
     static constexpr std::size_t kMostRuns = 64;
 
@@ -51,9 +51,9 @@ class Scatter {
     static std::vector<Run> findRuns(std::span<const std::uint32_t> indices, std::size_t widestGap);
     template <class T>
     void addWrites(std::uint32_t index, const T& value);
-    /// Makes the writes, which ascend by word.
+    /// Executes the writes, in ascending order of words.
     void writeWords(gpu::Buffer& target);
-    /// Makes those of them that lie in the part of the target that is bound.
+    /// Executes those of them in the bound part of the target.
     void writePart(std::uint32_t firstWord, std::uint32_t wordCount);
 
     gpu::Program kernel_;

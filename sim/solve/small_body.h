@@ -12,56 +12,56 @@
 
 namespace kerf {
 
-/// Mesa's llvmpipe ends all loops of a thread after 65,535 turns together in a dispatch, without a
-/// word. Some are spared for what a dispatch does once.
+/// Mesa's llvmpipe silently ends all loops of a thread after 65,535 iterations in total per
+/// dispatch. Some are reserved for what a dispatch does once.
 inline constexpr std::size_t kMostTurns = 64000;
 inline constexpr std::size_t kSparedTurns = 65535 - kMostTurns;
 
-/// How a group goes through a body: so many of its threads run side by side, and turn as often as
-/// the one that needs most. They have a stretch of the vertices each (see small_body_state.glsl).
+/// How a group processes a body: `threads` of its threads run side by side, and loop as often as
+/// the slowest. Each has a range of the vertices (see small_body_state.glsl).
 struct GroupShape {
     std::uint32_t threads;
     std::uint32_t sideBySide;
 };
 
-/// Turns of all loops of a thread of small_body.comp, at most, in one sweep of plain PBD: how often
-/// their conditions are looked at. SolverLoops.* counts them.
+/// The most iterations of all loops of a thread of small_body.comp in one sweep of plain PBD: how
+/// often their conditions are evaluated. SolverLoops.* counts them.
 std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group);
 
-/// The same, in one substep of a body of so many blocks of a page each.
+/// The same, in one substep of a body of `blocks` blocks of a page each.
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group);
 
-/// A run of substeps. A substep begins with the prediction and ends with floor and velocities;
-/// between them lies what may collide with the body.
+/// A run of substeps. A substep begins with the prediction and ends with floor and velocities, with
+/// collisions in between.
 struct SubstepRun {
     std::uint32_t begins = 0;  ///< how many substeps begin
-    bool firstIsOpen = false;  ///< a substep has begun before: it ends first
+    bool firstIsOpen = false;  ///< first ends a substep that began before
     bool leavesOpen = false;   ///< the last one does not end
 };
 
-/// Sweeps of plain PBD: those from `first` up to, not including, `end`.
+/// Sweeps of plain PBD: from `first` up to, not including, `end`.
 struct SweepRun {
     std::uint32_t first = 0;
     std::uint32_t end = 0;
 };
 
-/// Substeps of a small body in one dispatch: one work group goes through the phases of the other
-/// kernels with the same arithmetic and sums in the same order.
+/// Substeps of a small body in one dispatch: one work group runs the phases of the other kernels
+/// with the same arithmetic and sums in the same order.
 class SmallBodySolver {
   public:
     explicit SmallBodySolver(gpu::KernelWay way = gpu::kernelWay()) : way_(way) {}
     gpu::KernelWay way() const { return way_; }
 
-    /// A new body, or one that changed. Whether sweeps fit is found out by looking at every vertex,
-    /// for large bodies only where that is asked for.
+    /// A new or changed body. Whether sweeps fit is computed from every vertex, for large bodies
+    /// only on request.
     void setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
                  bool asksForSweeps);
     /// Whether one group can solve it.
     bool fits() const { return substepsAtOnce() > 0; }
     /// How many substeps may begin in one dispatch.
     std::uint32_t substepsAtOnce() const { return atOnce(substepTurns_); }
-    /// How many sweeps of plain PBD a dispatch does at most, which one group of llvmpipe can do for
-    /// larger bodies too; 0 where it can't.
+    /// The most sweeps of plain PBD in a dispatch, which one group of llvmpipe can do for larger
+    /// bodies too; 0 if it can't.
     std::uint32_t sweepsAtOnce() const { return atOnce(sweepTurns_); }
     /// Turns of loops, at most, in each of those (see turnsOfSubstep()); 0 where there are none.
     std::size_t turnsOfSubstep() const { return substepTurns_; }
@@ -70,12 +70,11 @@ class SmallBodySolver {
     /// Whether it may be too much for one thread of llvmpipe.
     bool large() const { return large_; }
 
-    /// How far the skin at each vertex is folded (Unfolding::folds()) in the substeps to come; null
-    /// where it is not folded, as at the start.
+    /// The folds of the skin at each vertex (Unfolding::folds()) in the coming substeps; null, the
+    /// default, if not folded.
     void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
 
-    /// One dispatch. Compiles the kernel with the first: throws
-    /// gpu::ShaderError.
+    /// One dispatch. The first compiles the kernel: throws gpu::ShaderError.
     void run(const SolverBody& body, const SubstepRun& run);
     void run(const SolverBody& body, const SweepRun& run);
 

@@ -24,7 +24,7 @@ struct SolverState {
     gpu::Buffer saved;     ///< X when the last step ended
     gpu::Buffer gradients, corrections;
 
-    /// Makes room for what a substep keeps of such a body.
+    /// Allocates the substep state of such a body.
     void makeRoom(const BodyModel& model);
     /// Takes over all positions and velocities.
     void assign(const BodyState& state);
@@ -32,15 +32,15 @@ struct SolverState {
     /// vertices.
     void update(std::span<const std::uint32_t> written, const BodyState& state, std::size_t count,
                 Scatter& scatter);
-    /// Where the state lies in what was asked for.
+    /// The places of the state in a read-back.
     struct Places {
         std::size_t positions = 0;
         std::size_t velocities = 0;
         std::size_t count = 0;  ///< of vertices
     };
-    /// Asks for the state of `count` vertices.
+    /// Requests the state of `count` vertices.
     Places askFor(gpu::ReadBack& back, std::size_t count) const;
-    /// The state that was sent; waits for the GPU.
+    /// The requested state; waits for the GPU.
     static BodyState take(const gpu::ReadBack& back, const Places& places);
     /// Reads the state of `count` vertices back; waits for the GPU.
     BodyState read(std::size_t count) const;
@@ -49,11 +49,11 @@ struct SolverState {
     mutable gpu::ReadBack back_;
 };
 
-/// A body on the GPU, as the solver's kernels see it: constant set-up, running state, parameters.
+/// A body on the GPU for the solver's kernels: constant set-up, running state, parameters.
 struct SolverBody {
     SolverBody();
 
-    /// Takes the parameters of `parameters`; its counts, and how firmly it unfolds, are ignored.
+    /// Takes `parameters`; ignores its counts and how firmly it unfolds.
     void setParameters(const shared::SolverUniforms& parameters);
     void setCountsOf(const BodyModel& of);
     /// See GpuSolver.
@@ -61,14 +61,14 @@ struct SolverBody {
     void setPulls(const std::vector<shared::PullRecord>& records);
 
     bool active(shared::uint part) const { return (uniforms.active_parts & part) != 0; }
-    /// Nothing is damped or gives way, so that kernels compiled for it give the same bits.
+    /// Without damping or compliance, for which kernels are compiled that give the same bits.
     bool plainPbd() const;
     /// Binds what most kernels read.
     void bind() const;
     /// Binds a buffer that kernels fetch: as texels and, where loadsImages, as an image.
     void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
                      gpu::TexelFormat format) const;
-    /// Runs a kernel with so many threads, and counts it.
+    /// Runs a kernel with `threads` threads, and counts it.
     void run(const gpu::Program& kernel, std::uint32_t threads);
     /// Runs one group for each block, of the vertices on its pages.
     void runOverBlocks(const gpu::Program& kernel);

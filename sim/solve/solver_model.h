@@ -47,7 +47,7 @@ void bindAllConstraints(std::span<const ConstraintBuffers> constraints, Bind&& b
     }
 }
 
-/// The rest shape and the constraints of a body on the GPU: constant but for cuts. All that
+/// The rest shape and the constraints of a body on the GPU: constant between cuts. All that
 /// allocates throws gpu::OutOfMemory.
 struct SolverModel {
     /// Shape [vertexCount].
@@ -68,7 +68,7 @@ struct SolverModel {
     void uploadLists(const BodyModel& model, std::uint32_t type);
     void uploadTriangleLists(const BodyModel& model);
 
-    /// The constraints again, whose members are made of something else.
+    /// Uploads the constraints again after a change of materials.
     void uploadConstraints(const BodyModel& model);
     /// Follows a change, at the cost of what changed.
     void update(const BodyModel& model, const BodyChange& change, Scatter& scatter);

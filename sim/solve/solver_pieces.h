@@ -13,12 +13,12 @@
 namespace kerf {
 
 /// The vertices of each piece on pages of shared::kPageSize places, so that a work group can sum
-/// over a page, and a vertex that comes or goes touches one place. Pages may have holes.
+/// over a page, and adding or removing a vertex changes one place. Pages may have holes.
 class VertexPages {
   public:
-    /// Gives every piece pages of its own, its vertices ascending.
+    /// Gives every piece its own pages, its vertices ascending.
     void assign(std::span<const int> pieceOfVertex, std::size_t pieceCount);
-    /// Follows vertices to other pieces. A piece that becomes half empty is packed anew.
+    /// Moves vertices to other pieces. Repacks a piece that becomes half empty.
     void update(std::span<const LabelMove> moves, std::size_t vertexCount, std::size_t pieceCount);
 
     /// The vertex at each place, page after page; shared::kNoVertex for a hole.
@@ -26,7 +26,7 @@ class VertexPages {
     const std::vector<std::uint32_t>& pagesOf(std::size_t piece) const {
         return pieces_[piece].pages;
     }
-    /// A vertex of the piece; shared::kNoVertex where it has none.
+    /// A vertex of the piece; shared::kNoVertex if it has none.
     std::uint32_t anyVertexOf(std::size_t piece) const;
     /// Places that changed since the last call, ascending.
     std::vector<std::uint32_t> takeChangedPlaces();
@@ -51,19 +51,19 @@ class VertexPages {
     std::vector<std::uint32_t> changed_;
 };
 
-/// The volume that a piece is held at; chips are left alone (PieceModel::holdsVolume).
+/// The target volume of a piece; debris has none (PieceModel::holdsVolume).
 struct VolumeTarget {
     double volume = 0;  ///< [m^3]
     bool constrained = true;
 };
 
-/// The pieces of a body on the GPU, with the pages on which their vertices lie and the blocks of
-/// pages over which work groups sum.
+/// The pieces of a body on the GPU, with the pages of their vertices and the blocks of pages over
+/// which work groups sum.
 class SolverPieces {
   public:
-    /// Takes the pages on which the vertices of a new body lie; upload() follows.
+    /// Takes the pages of a new body; call upload() next.
     void setPages(VertexPages pages);
-    /// Moves vertices to the pages of other pieces after a cut; upload() follows.
+    /// Moves vertices to the pages of other pieces after a cut; call upload() next.
     void updatePages(std::span<const LabelMove> moves, const BodyModel& model);
     const VertexPages& pages() const { return pages_; }
 
@@ -78,7 +78,7 @@ class SolverPieces {
 
     gpu::Buffer pieceBuffer, blockBuffer, pageBuffer, placeBuffer;
     gpu::Buffer blockSums, impulses;  ///< room for what is summed
-    gpu::Buffer blockMeasures;        ///< the same; the CPU learns them after each step
+    gpu::Buffer blockMeasures;        ///< the same; read by the CPU after each step
 
   private:
     void addRecord(const PieceModel& piece, std::size_t number, std::vector<std::uint32_t>& table);

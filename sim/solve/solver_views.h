@@ -11,7 +11,7 @@ namespace kerf {
 
 ContactBody contactBodyOf(const SolverBody& body);
 BodyView bodyViewOf(const SolverBody& body);
-/// The constraints to draw, with `contacts` where they are on and were looked for.
+/// The constraints to draw, with `contacts` if they are on and were searched.
 ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts);
 
 }  // namespace kerf

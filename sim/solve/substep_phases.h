@@ -9,45 +9,44 @@
 
 namespace kerf {
 
-/// The phases of a substep in a dispatch or two each, but for contact; each ends with a storage
-/// barrier, and does nothing where its part of the uniforms is off.
+/// The phases of a substep except contact, in a dispatch or two each; each ends with a storage
+/// barrier, and does nothing if its part of the uniforms is off.
 class SubstepPhases {
   public:
     /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
     explicit SubstepPhases(SolverBody& body);
 
-    /// How far the skin at each vertex is folded (Unfolding::folds()) in the substeps to come; null
-    /// where it is not folded, as at the start. At the first folds compiles kernels: throws
-    /// gpu::ShaderError.
+    /// The folds of the skin at each vertex (Unfolding::folds()) in the coming substeps; null, the
+    /// default, if not folded. The first folds compile kernels: throws gpu::ShaderError.
     void setFolds(const gpu::Buffer* folds);
 
     void predictAndStretch();
-    /// Solves the edges without a prediction: in all sweeps but the first.
+    /// Solves the edges without a prediction: in all sweeps except the first.
     void stretchAgain();
-    /// Solves the constraints of a type but edges.
+    /// Solves the constraints of a type other than edges.
     void solve(std::uint32_t type) { solve(type, gather_[type]); }
-    /// Solves all but edges, with `ontoFloor` and the floor.
+    /// Solves all except edges, and with `ontoFloor` the floor.
     void solveAll(bool ontoFloor);
-    /// Whether the floor may be all that follows the last type in a sweep.
+    /// Whether only the floor may follow the last type in a sweep.
     bool mayGatherOntoFloor() const;
     void solveVolume();
     void pull();
     void collideFloor();
     void finish();
-    /// Volume, floor and finish in one, where nothing comes between them.
+    /// Volume, floor and finish in one, if nothing comes between them.
     void settle();
 
   private:
-    /// By type of constraint, but for edges.
+    /// By type of constraint, except edges.
     using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
-    /// Kernels that act otherwise on folded skin: shaders/sim/folds.glsl.
+    /// Kernels for folded skin: shaders/sim/folds.glsl.
     struct FoldedKernels {
         gpu::Program stretch, floor, settle;
         ConstraintKernels solve;
     };
     /// Index of the kernels for the present solver: 1 for plain PBD, else 0.
     std::size_t solverKind() const { return body_.plainPbd() ? 1 : 0; }
-    /// Whether the skin is folded; how far is bound then.
+    /// Whether the skin is folded; then binds the folds.
     bool bindFolds() const;
     void bindLists(std::uint32_t type) const;
     void solve(std::uint32_t type, const gpu::Program& gather);

@@ -19,28 +19,27 @@ class SweepStrength {
     /// For `model`, whose constraints were made for `params`.
     SweepStrength(const BodyModel& model, const Params& params) { follow(model, params); }
 
-    /// Counts anew, in O(constraints), where those made for `params` or those of a body of this
-    /// size are others than those that were counted. Cuts alone are no reason.
+    /// Recomputes, in O(constraints), if the constraints for `params` or for a body of this size
+    /// differ. Not after cuts.
     void follow(const BodyModel& model, const Params& params);
 
     /// The share of the stiffness of edges, with a true modulus of ISPCs too, that a sweep carries,
-    /// 0 to 1. Each constraint counts by its energy under a stretch that is the same everywhere, so
-    /// the body is at most so stiff (Voigt's bound). A constraint carries, with
-    /// r = (alpha / h^2) / sum(n w |grad C|^2) of mass-splitting XPBD, r / (1 + r); with a true
-    /// modulus min(1, 4 r / 3 s) for the room s of its type (sweepRoom()).
+    /// 0 to 1. Each constraint is weighted by its energy under a uniform stretch, so this is an
+    /// upper bound of the stiffness (Voigt). A constraint carries, with r = (alpha / h^2) / sum(n w
+    /// |grad C|^2) of mass-splitting XPBD, r / (1 + r); with a true modulus min(1, 4 r / 3 s) for
+    /// the room s of its type (sweepRoom()).
     double carried(const Params& params) const;
     /// Whether that is too little for the modulus: less than 0.9 with a true one; else less than
     /// 0.7, since skin and ISPCs each carry the whole load. Never with plain PBD, whose stiffness
     /// is no modulus.
     bool isTooLittle(const Params& params) const;
-    /// The least number of iterations for which it is not; none where the range of the parameter
-    /// ends before.
+    /// The least number of iterations for which it is not; none within the range of the parameter.
     std::optional<int> enoughIterations(const Params& params) const;
 
   private:
     /// Constraints of nearly the same strength.
     struct Alike {
-        double volume = 0;    ///< that they stand for [m^3]
+        double volume = 0;    ///< that they represent [m^3]
         double strength = 0;  ///< mean by volume of r E h^2 / rho [m^2]
     };
     using Constraints = std::map<long, Alike>;  ///< by the logarithm of their strength

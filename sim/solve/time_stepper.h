@@ -14,9 +14,9 @@
 
 namespace kerf {
 
-/// The choice between two ways to the same result: the one that took less time when it was last
-/// taken. Each is tried twice first, since the first time compiles its kernels; and now and then it
-/// is the other's turn, since what makes them fast or slow may change.
+/// The choice between two ways to the same result: the one that was faster last time. Each is tried
+/// twice first, since the first time compiles its kernels; the other one is retried occasionally,
+/// since conditions may change.
 class FasterWay {
   public:
     /// 0 or 1.
@@ -47,8 +47,8 @@ class FasterWay {
     int sinceOther_ = 0;
 };
 
-/// Takes the time steps of a body, the fastest way that there is: in a dispatch for each phase of a
-/// substep, or a small body by one work group in a dispatch for a step, a substep or some sweeps.
+/// Runs the time steps of a body in the fastest way: with a dispatch for each phase of a substep,
+/// or, for a small body, with one work group and a dispatch for a step, a substep or some sweeps.
 /// The bits are the same.
 class TimeStepper {
   public:
@@ -56,31 +56,31 @@ class TimeStepper {
     TimeStepper(SolverBody& body, Collisions& collisions)
         : body_(body), collisions_(collisions), phases_(body) {}
 
-    /// Makes room for so many vertices. Throws gpu::OutOfMemory.
+    /// Allocates for `vertices` vertices. Throws gpu::OutOfMemory.
     void makeRoom(std::size_t vertices) { unfolding_.resize(vertices); }
     /// A body that is new or changed.
     void setBody(const BodyModel& model, bool isNew);
 
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps. Masses must be fresh.
     void step();
-    /// Whether small bodies may be solved by one work group, as at the start, or in a dispatch for
+    /// Whether small bodies may be solved by one work group (the default), or in a dispatch for
     /// each phase like larger ones.
     void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
-    /// Whether the phases at the end of a substep may share a dispatch where nothing but the floor
-    /// can be met, as at the start.
+    /// Whether the phases at the end of a substep may share a dispatch if only the floor can be hit
+    /// (the default).
     void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
-    /// Sets the way that the group takes which solves a small body; before setBody().
+    /// Selects the kernels of the group that solves a small body; before setBody().
     void setSmallBodyWay(gpu::KernelWay way) { smallBody_ = SmallBodySolver(way); }
     const SmallBodySolver& smallBody() const { return smallBody_; }
-    /// Whether step() does so: in one dispatch, or in one for each substep where something may be
-    /// touched; plain PBD only where nothing but the floor may be. Large bodies take one for each
+    /// Whether step() uses one group: in one dispatch, or in one for each substep if there may be
+    /// contacts; plain PBD only if the floor alone may be hit. Large bodies take one for each
     /// phase, in plain PBD on llvmpipe whichever is faster.
     bool solvesInOneGroup() const;
     /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
     bool unfolds() const { return collisions_.expectsFolds() && body_.active(shared::kUnfoldPart); }
 
     SubstepPhases& phases() { return phases_; }
-    /// Comes before the phases of a substep, only where something is folded.
+    /// Runs before the phases of a substep, only if something is folded.
     void unfold();
 
     /// GPU time of the steps since the last call [ms].

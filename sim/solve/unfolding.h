@@ -8,22 +8,22 @@
 
 namespace kerf {
 
-/// Brings a surface that is folded back, on the GPU: elastic forces alone leave triangles turned
-/// over, as their edges have the right lengths again. Between two substeps the vertices around each
-/// edge that is bent by more than 60 degrees from rest are drawn to how they lie at rest, by an
-/// overdamped spring that changes no momentum, and is damped more, so that it holds against loads,
-/// while no blade cuts. Where nothing is folded no bit changes.
+/// Unfolds a folded surface, on the GPU: elastic forces leave triangles inverted, since their edges
+/// have the right lengths again. Between two substeps the vertices around each edge that is bent by
+/// more than 60 degrees from rest are pulled to their rest shape, by an overdamped spring that
+/// changes no momentum, and that is damped more, so that it holds against loads, while no blade
+/// cuts. Without folds no bit changes.
 class Unfolding {
   public:
     static constexpr int kDispatches = 5;
 
     /// Compiles the kernels. Throws gpu::ShaderError.
     Unfolding();
-    /// A body of so many vertices. Throws gpu::OutOfMemory.
+    /// Sets the number of vertices. Throws gpu::OutOfMemory.
     void resize(std::size_t vertices);
     /// Changes velocities.
     void run(const SolverBody& body);
-    /// How far the skin at each vertex is folded, 0 to 1, as of the last run: a float each.
+    /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each.
     const gpu::Buffer& folds() const { return folds_; }
 
   private:

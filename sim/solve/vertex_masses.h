@@ -11,8 +11,8 @@
 
 namespace kerf {
 
-/// The inverse unit masses of a body's vertices: who moves under the forces, who stays where it is
-/// or goes on with a velocity of its own.
+/// The inverse unit masses of a body's vertices: which move under forces, are fixed, or have a
+/// prescribed velocity.
 class VertexMasses {
   public:
     /// The body must outlive it. Compiles the kernel: throws gpu::ShaderError.
@@ -20,19 +20,17 @@ class VertexMasses {
 
     /// Computes the masses now.
     void compute();
-    /// Has the masses computed anew in the next step, which looks at every vertex anyway: a cut
-    /// changes all masses of a piece.
+    /// Makes the next step recompute the masses, since it visits every vertex anyway: a cut changes
+    /// all masses of a piece.
     void invalidate() { stale_ = true; }
     void refresh();
 
-    /// A vertex that goes on with `velocity`, whatever pulls at it, until released.
+    /// Prescribes the velocity of a vertex until released.
     void anchor(int vertex, const Vec3f& velocity);
     void release(int vertex);
-    /// Vertices (ascending) that go on with these velocities in the coming step [m/s], for those
-    /// that have no mass.
+    /// Prescribes the velocities of massless vertices (ascending) in the coming step [m/s].
     void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
-    /// The vertices that stay where they are, ascending, instead of those before, from the next
-    /// refresh() on.
+    /// Sets the fixed vertices, ascending, from the next refresh() on.
     void setPinned(std::vector<std::uint32_t> vertices);
     /// Unpins all vertices: of a new body, whose masses are computed later.
     void freeAll() { pinned_.clear(); }

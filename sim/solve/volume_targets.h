@@ -8,26 +8,26 @@
 
 namespace kerf {
 
-/// The volumes at which pieces are held. A piece that has just come off has a current volume up to
-/// a few per cent off its rest volume, which a rigid constraint would take as a jump; so its target
-/// starts where it is and fades to rest: V0 + (V_now - V0) exp(-t / 0.1 s). A piece comes back by
-/// 2 V0 a second at most, so that what has collapsed or turned inside out is not shot off. So that
-/// the parts keep the body's volume on the way, all of at least a hundredth of it wait for the
-/// slowest of them, and for splinters as far as those would change the sum.
+/// The target volumes of pieces. The current volume of a piece that has just separated is up to a
+/// few per cent off its rest volume, which would be a jump for a rigid constraint; so its target
+/// starts there and decays to rest: V0 + (V_now - V0) exp(-t / 0.1 s), by at most 2 V0 a second, so
+/// that collapsed or inverted pieces are not ejected. To keep the body's volume meanwhile, all
+/// parts of at least a hundredth of it wait for the slowest of them, and for splinters as far as
+/// those would change the sum.
 class VolumeTargets {
   public:
-    /// Holds all pieces at their rest volumes.
+    /// Sets all targets to the rest volumes.
     void reset(const BodyModel& model);
     /// Follows a cut. `source`: the old piece that each piece comes from, -1 for none (see
-    /// LabelChange). A piece that is the only one left of an old piece goes on as that; the parts
-    /// of a split start at `volumes`, their current ones, shape [pieces of after] [m^3], and so do
-    /// open pieces that have been closed.
+    /// LabelChange). A piece that is the only one from an old piece continues as that; the parts of
+    /// a split start at `volumes`, their current ones, shape [pieces of after] [m^3], as do open
+    /// pieces that have been closed.
     void follow(std::span<const int> source, const BodyModel& after,
                 std::span<const double> volumes);
-    /// Lets targets start at `volumes` while volumes are not held: the current ones, shape
+    /// Starts targets at `volumes`, the current ones, while volumes are not constrained; shape
     /// [pieces].
     void startAt(std::span<const double> volumes);
-    /// Lets `time` [s] pass. Returns whether a target changed.
+    /// Advances by `time` [s]. Returns whether a target changed.
     bool fade(double time);
 
     std::span<const VolumeTarget> targets() const { return targets_; }

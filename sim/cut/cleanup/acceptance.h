@@ -17,7 +17,7 @@ double triangleScore(const SurfaceMesh& mesh, int triangle, double goodEdge);
 struct Scores {
     double worst = 1;  ///< the least score
     int bad = 0;       ///< the number of scores below 1
-    /// Takes in the score of one more triangle.
+    /// Adds the score of one more triangle.
     void add(double score);
 };
 
@@ -29,8 +29,8 @@ Scores scoresAfter(const Workspace& workspace, const std::vector<OneRing>& rings
 /// worst one, or all good.
 bool improves(const Scores& before, const Scores& after);
 
-/// Whether no triangle turns over: each looks where its sector looked, and nearly where it looked
-/// itself unless it was a sliver.
+/// Whether no triangle turns over: each faces as its sector did, and nearly as before unless it was
+/// a sliver.
 bool keepsOrientation(const Workspace& workspace, const std::vector<OneRing>& rings);
 
 }  // namespace kerf::cut

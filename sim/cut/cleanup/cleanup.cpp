@@ -58,9 +58,9 @@ bool flipBeside(Workspace& workspace, int triangle) {
     return false;
 }
 
-/// Flips edges where triangles at one vertex pass through each other, until they do not or no flip
-/// helps: the chords of a curved wall pass through the skin beside its rim where the cut grazes it.
-/// Looks at `triangles` (slots, some may be dead). Returns the number of flips.
+/// Flips edges where triangles at one vertex intersect, until they do not or no flip helps: the
+/// chords of a curved wall intersect the skin beside its rim where the cut grazes it. Looks at
+/// `triangles` (slots, some may be dead). Returns the number of flips.
 int partSurface(Workspace& workspace, const std::vector<int>& triangles) {
     int flips = 0;
     const SurfaceMesh& mesh = workspace.mesh;

@@ -17,16 +17,15 @@ class Cleanup {
     /// Prepares for one stroke on `mesh`; both arguments must outlive the object.
     Cleanup(SurfaceMesh& mesh, const EdgeLengthField& edgeLengths);
 
-    /// Cleans what the last two steps made, but nothing beside the rung. `delta` is that of the
-    /// step; the changes are added to it.
+    /// Cleans up what the last two steps made, except beside the rung. `delta` is that of the step;
+    /// the changes are added to it.
     CleanupStatistics behindFront(const std::vector<RungNode>& rung, CutDelta& delta);
-    /// Appends the vertices that the next behindFront() is likely to read around what it cleaned
-    /// last.
+    /// Appends the vertices that the next behindFront() is likely to read.
     void addVertices(std::vector<int>& vertices) const;
-    /// Cleans all that the stroke made, the end of the slit included.
+    /// Cleans up all that the stroke made, including the end of the slit.
     CleanupStatistics atEnd(CutDelta& delta);
-    /// Removes short edges at some triangles, without a stroke. All is judged in the rest shape,
-    /// however crumpled the body is.
+    /// Removes short edges at some triangles, without a stroke. Judges by the rest shape, however
+    /// crumpled the body is.
     CleanupStatistics mend(const std::vector<int>& triangles, CutDelta& delta);
     /// Makes the inside of the stroke's walls coarser by `factor` > 1 after atEnd(); see
     /// coarsenWalls(). Returns the number of collapses.
@@ -41,7 +40,7 @@ class Cleanup {
 
     Workspace workspace_;
     int firstTriangle_;          ///< the first slot of the stroke
-    std::vector<int> lastStep_;  ///< triangles of the step before
+    std::vector<int> lastStep_;  ///< triangles of the previous step
 };
 
 }  // namespace kerf::cut

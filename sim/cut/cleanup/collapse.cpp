@@ -13,7 +13,7 @@ namespace kerf::cut {
 
 namespace {
 
-/// Tells which copies of a point merge into which copies of its neighbour.
+/// The copies of a point and those of its neighbour into which they merge.
 struct CopyPairing {
     std::vector<int> edges;     ///< half-edges from the copy that goes to the one that stays
     std::vector<int> unpaired;  ///< copies without an edge to the neighbour
@@ -62,7 +62,7 @@ std::optional<CopyPairing> pairCopies(const SurfaceMesh& mesh, const SharedStar&
 }
 
 /// Whether the link condition holds with all slits closed: common neighbours are apexes of the
-/// shared edge, and no two features fall into one.
+/// shared edge, and no two features merge.
 bool keepsSharedComplex(const SharedStar& from, const SharedStar& to) {
     const SharedEdge& between = *from.edgeTo(to.point);
     return std::all_of(from.edges.begin(), from.edges.end(), [&](const SharedEdge& edge) {

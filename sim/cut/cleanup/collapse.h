@@ -25,9 +25,9 @@ struct CollapsePlan {
 /// The place to which the remaining point goes: the end that stays, or the edge's middle.
 enum class CollapseTarget { end, middle };
 
-/// Plans how `from` collapses into `to`; nothing where it may not (each test says why in the
-/// source). Whether the surface would pass through itself (addsPiercings) takes longer to tell and
-/// is left to ask of the plan that is chosen.
+/// Plans how `from` collapses into `to`; nothing if it may not (each test says why in the source).
+/// Does not check for self-intersections, which takes longer: ask addsPiercings() of the chosen
+/// plan.
 std::optional<CollapsePlan> planCollapse(const Workspace& workspace, const SharedStar& from,
                                          const SharedStar& to, CollapseTarget target);
 

@@ -11,7 +11,7 @@ namespace kerf::cut {
 // the first of them (SurfaceMesh::firstCopy). An edge or star is *shared* where it is taken between
 // such points: with all its copies, in the mesh as if all slits were closed.
 
-/// The line or face that a shared edge is part of. The last three are features: lines that stay.
+/// The line or face of a shared edge. The last three are features, which are preserved.
 enum class SharedEdgeType {
     skin,      ///< inside the skin
     wall,      ///< inside a wall
@@ -22,7 +22,7 @@ enum class SharedEdgeType {
 
 /// An edge with all its copies, seen from one end.
 struct SharedEdge {
-    /// A triangle beside the edge, one for all copies that have it alike.
+    /// A triangle beside the edge, one for all equal copies.
     struct Face {
         int apex;    ///< first copy of the apex
         int stroke;  ///< the stroke that made the wall, -1 for skin
@@ -31,16 +31,16 @@ struct SharedEdge {
     int neighbour = -1;       ///< first copy of the other end
     std::vector<Face> faces;  ///< all faces beside the edge, each once
 
-    /// The line or face that the edge is part of, told by its faces.
+    /// The line or face that the edge is part of, from its faces.
     SharedEdgeType type() const;
-    /// Whether the edge lies on a line that must stay.
+    /// Whether the edge is on a line that must be preserved.
     bool isFeature() const { return type() >= SharedEdgeType::tip; }
     /// Whether some face has the apex `point`, a first copy.
     bool hasApex(int point) const;
 };
 
-/// A vertex with all its copies, and all edges around any of them: the mesh as if all slits were
-/// closed. An operation that is sound here and done on all copies alike keeps walls mirrored.
+/// A vertex with all its copies, and all edges around them: the mesh as if all slits were closed.
+/// An operation that is valid here and done on all copies alike keeps walls mirrored.
 struct SharedStar {
     int point = -1;                 ///< the first copy, which may be dead
     std::vector<int> copies;        ///< the living vertices
@@ -50,7 +50,7 @@ struct SharedStar {
     const SharedEdge* edgeTo(int neighbour) const;
     /// The number of edges that are features.
     int featureCount() const;
-    /// Whether features meet here in another way than as one smooth line.
+    /// Whether features meet here otherwise than as one smooth line.
     bool isCorner() const;
 };
 

@@ -23,13 +23,13 @@ class VertexPlaces {
     bool atRest_;
 };
 
-/// The linear field that fits best, by least squares, how a quantity changes along edges. Along
-/// directions that no edge takes it is constant.
+/// The least-squares fit of a linear field to the changes of a quantity along edges. It is constant
+/// along directions without edges.
 class LinearField {
   public:
     /// Adds an edge along which the quantity changes by `change`.
     void add(const Vec3& edge, const Vec3& change);
-    /// The change of the quantity along `way`.
+    /// The change of the quantity along a vector.
     Vec3 along(const Vec3& way) const;
 
   private:
@@ -37,23 +37,23 @@ class LinearField {
     Eigen::Matrix3d change_ = Eigen::Matrix3d::Zero();
 };
 
-/// Maps ways in one shape of some triangles to another shape: fitted to their edges, and the normal
-/// of each as one more (Sumner and Popovic, Deformation Transfer for Triangle Meshes, 2004). Where
-/// both shapes are the same, ways are to the last bit.
+/// Maps vectors from one shape of some triangles to another: fitted to their edges and normals
+/// (Sumner and Popovic, Deformation Transfer for Triangle Meshes, 2004). Where both shapes are
+/// equal, so are vectors, to the last bit.
 class DeformationField {
   public:
-    /// Maps from the shape `from` to the shape `to`; triangles are yet to be added.
+    /// Maps from the shape `from` to the shape `to`; add triangles before use.
     DeformationField(const VertexPlaces& from, const VertexPlaces& to) : from_(from), to_(to) {}
 
     /// Adds the edges and the normal of a triangle.
     void add(const Triangle& triangle);
-    /// The way in the shape `to` that a way in the shape `from` becomes [m].
+    /// The vector in the shape `to` for one in the shape `from` [m].
     Vec3 along(const Vec3& way) const { return way + offset_.along(way); }
 
   private:
     VertexPlaces from_;
     VertexPlaces to_;
-    LinearField offset_;  ///< what ways gain from `from` to `to`
+    LinearField offset_;  ///< change of vectors from `from` to `to`
 };
 
 }  // namespace kerf::cut

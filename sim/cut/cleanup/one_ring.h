@@ -8,7 +8,7 @@
 
 namespace kerf::cut {
 
-/// A triangle as it would be after an operation.
+/// A triangle after a planned operation.
 struct RingTriangle {
     Triangle corners;  ///< its corners then
     int slot;          ///< its slot in the mesh
@@ -16,14 +16,14 @@ struct RingTriangle {
     Vec3 reference;
 };
 
-/// The triangles around one vertex, and what an operation makes of them: all that is in `before`
-/// becomes `after`, in which `vertex` alone lies elsewhere.
+/// The triangles around one vertex before and after an operation; in `after` only `vertex` has
+/// moved.
 struct OneRing {
     int vertex = -1;                  ///< the vertex in the middle, which stays
     std::vector<int> merged;          ///< vertices that become `vertex`
     bool joins = false;               ///< `vertex` keeps its triangles, becomes the target's copy
     std::vector<int> before;          ///< slots of the triangles as they are
-    std::vector<RingTriangle> after;  ///< the triangles that are left of them
+    std::vector<RingTriangle> after;  ///< the remaining triangles
     Vec3 position = Vec3::Zero();     ///< planned for `vertex` [m]
     Vec3 rest = Vec3::Zero();         ///< planned for `vertex`, at rest [m]
     Vec3 velocity = Vec3::Zero();     ///< planned for `vertex` [m/s]
@@ -36,7 +36,7 @@ OneRing ringOfMove(const SurfaceMesh& mesh, const SharedStar& star, int vertex);
 OneRing ringOfMerge(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
                     int vertex, std::vector<int> merged);
 
-/// The corners of a triangle of the ring, at their places after the operation [m].
+/// The corners of a triangle of the ring after the operation [m].
 Corners cornersAfter(const SurfaceMesh& mesh, const OneRing& ring, const RingTriangle& triangle);
 /// The length of half-edge h [m].
 double edgeLength(const SurfaceMesh& mesh, int h);

@@ -12,17 +12,17 @@ namespace kerf::cut {
 /// shortest displacement d with g_k . d = r_k for every ring k, g_k being the gradient of its
 /// volume and r_k what the operation would change (Lindstrom and Turk, Fast and Memory Efficient
 /// Polygonal Simplification, 1998, here for all copies of a point together). Copies at one place
-/// share d; copies of an open slit are solved one by one. The current shape goes as the rest shape
-/// does, as far as its volumes let it, so that both stay alike. Returns what remains of the change.
+/// share d; copies of an open slit are solved one by one. The current shape follows the rest shape
+/// as far as its volumes allow. Returns the remaining change.
 VolumeDefect placeByVolume(const Workspace& workspace, std::vector<OneRing>& rings);
 
-/// The change of volume if the vertex of every ring goes exactly where it is planned.
+/// The change of volume if the vertex of every ring moves exactly as planned.
 VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<OneRing>& rings);
 
 /// The gradient of the volume by the position of a vertex, in the shape `places` [m^2].
 Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& places, int vertex);
 
-/// Whether all of these vertices lie where the first one does, as near as `h` [m] lets tell.
+/// Whether all of these vertices coincide with the first one, to the precision of `h` [m].
 bool haveOnePlace(const VertexPlaces& places, const std::vector<int>& vertices, double h);
 
 /// The part of `direction` along which no gradient changes.

@@ -16,15 +16,15 @@ namespace kerf::cut {
 /// Triangles that get other corners: the slot and the new corners of each.
 using ChangedTriangles = std::vector<std::pair<int, Triangle>>;
 
-/// Whether after an operation more triangles pass through each other than before: a skin triangle
-/// cut short over a wall that runs just below it, say.
+/// Whether an operation adds self-intersections, such as those of a skin triangle with a wall just
+/// below it.
 bool addsPiercings(const SurfaceMesh& mesh, const std::vector<OneRing>& rings);
-/// Whether after a change of corners more triangles pass through each other than before.
+/// Whether a change of corners adds self-intersections.
 bool addsPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed);
-/// Whether after a change of corners fewer triangles pass through each other than before.
+/// Whether a change of corners removes self-intersections.
 bool removesPiercings(const SurfaceMesh& mesh, const ChangedTriangles& changed);
 
-/// The slots of the triangles at the corners of t that t passes through, ascending.
+/// The slots of the triangles at the corners of t that t intersects, ascending.
 std::vector<int> piercedNeighbours(const SurfaceMesh& mesh, int t);
 
 }  // namespace kerf::cut

@@ -4,8 +4,8 @@
 
 namespace kerf::cut {
 
-/// Makes a sliver better without changing topology: pushes a vertex away from the opposite edge, or
-/// the ends of the shortest edge apart, in a direction in which no piece's volume changes. Returns
+/// Improves a sliver without changing topology: moves a vertex away from the opposite edge, or the
+/// ends of the shortest edge apart, in a direction that keeps the volume of every piece. Returns
 /// whether.
 bool slideVertex(Workspace& workspace, int triangle);
 

@@ -17,8 +17,8 @@ struct VolumeDefect {
     double rest = 0;     ///< volume of the rest shape
 };
 
-/// The state that the clean-up of a stroke carries from operation to operation: the mesh, where the
-/// rung is, how far each place has moved, how much volume may still change, and what it changed.
+/// The state of the clean-up of a stroke: the mesh, the rung, how far each place has moved, how
+/// much volume may still change, and the changes.
 class Workspace {
   public:
     /// Starts with nothing changed; both arguments must outlive the workspace.
@@ -26,13 +26,13 @@ class Workspace {
 
     SurfaceMesh& mesh;  ///< the mesh to clean
 
-    /// Exchanges current and rest positions of the mesh, until the next call: what is judged, and
-    /// must keep its volume, is the rest shape then. Limits are those of folds.
+    /// Exchanges current and rest positions of the mesh, until the next call: then the rest shape
+    /// is judged and keeps its volume. Limits are those of folds.
     void exchangeShapes();
     /// Whether current and rest positions are exchanged.
     bool judgesAtRest() const { return judgesAtRest_; }
-    /// Whether one of these copies is a vertex of the uncut skin to which no cut comes near. It
-    /// neither moves nor goes.
+    /// Whether one of these copies is a vertex of the uncut skin away from all cuts, which must
+    /// stay.
     bool isKept(const std::vector<int>& copies) const;
     /// The edge length wanted about a triangle [m].
     double edgeLengthAt(int triangle) const;
@@ -49,8 +49,8 @@ class Workspace {
     /// The shortest edge of a good triangle there, whatever the unit is [m].
     double goodEdgeLengthAt(int triangle) const { return goodEdge() * edgeLengthAt(triangle); }
 
-    /// Keeps the surroundings of `rung` as they are from now on, instead of those kept before:
-    /// where the body is cut next, and what the blade's air meets, must not move.
+    /// Keeps the surroundings of `rung` from now on, instead of those kept before: where the body
+    /// is cut next, and beside the blade in the air, nothing must move.
     void keepAround(const std::vector<RungNode>& rung);
     /// Whether a triangle has a copy of a vertex of the rung as corner, or the rung comes near it.
     bool trianglesTouchRung(const std::vector<int>& triangles) const;
@@ -59,23 +59,23 @@ class Workspace {
 
     /// The distance that the surface at these vertices has moved in this stroke [m].
     double deviationAt(const std::vector<int>& copies) const;
-    /// Notes that the surface at these vertices has moved so far in this stroke [m].
+    /// Records how far the surface at these vertices has moved in this stroke [m].
     void setDeviation(const std::vector<int>& copies, double deviation);
 
     /// The volume that one operation may change.
     VolumeDefect mostPerOperation() const;
-    /// Whether an operation, and with it the stroke, may change so much volume.
+    /// Whether an operation, and with it the stroke, may change this volume.
     bool allows(const VolumeDefect& defect, bool wallsOnly) const;
-    /// Counts the volume that an operation has changed.
+    /// Adds the volume that an operation has changed.
     void spend(const VolumeDefect& defect);
     /// The share of the body's volume and of its rest volume that the stroke's clean-up has
     /// changed, both together: an upper bound.
     double volumeSpent() const;
 
     // Changes go through these, so that they are remembered.
-    /// Notes that a triangle has changed.
+    /// Records that a triangle has changed.
     void noteChanged(int triangle) { changed_.push_back(triangle); }
-    /// Moves the ring's vertex to where it is planned; all its triangles have changed then.
+    /// Moves the ring's vertex as planned; all its triangles count as changed.
     void moveVertex(const OneRing& ring);
     /// Removes a triangle from the mesh.
     void removeTriangle(int triangle);
@@ -88,11 +88,11 @@ class Workspace {
 
     /// Adds all changes since the last call to `delta`, which holds what a step did before.
     void moveChangesTo(CutDelta& delta);
-    /// Makes room for vertices that a step has added.
+    /// Allocates for vertices that a step has added.
     void followMesh();
 
   private:
-    /// Whether what a cut made lies within the shortest good edge of v.
+    /// Whether geometry of a cut lies within the shortest good edge of v.
     bool isBesideCut(int v) const;
     VolumeDefect most(double share) const;
     /// The shortest edge of a good triangle, as a share of edgeLength().
@@ -105,7 +105,7 @@ class Workspace {
     double restVolume_;
     VolumeDefect spent_;
     double restMotion_ = 0;
-    std::vector<double> deviation_;  ///< way of the surface by vertex [m]
+    std::vector<double> deviation_;  ///< motion of the surface by vertex [m]
     std::vector<Vec3> rung_;         ///< nodes from A to B
     std::vector<int> onRungIn_;      ///< round in which each vertex was on the rung
     int round_ = 0;

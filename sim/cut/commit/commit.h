@@ -16,9 +16,9 @@ struct CommitResult {
     std::vector<int> onSeams;    ///< new vertices on walls that were divided but not cut
 };
 
-/// Carries out a planned step. Cannot fail. The front edges of `staying` are not the step's, and
-/// stay. Every umbrella of the new surface becomes one vertex; the first one keeps the old number,
-/// others become copies of it. `h`: edge length about the rung [m].
+/// Carries out a planned step. Cannot fail. The front edges of `staying` are not part of the step,
+/// and stay. Every umbrella of the new surface becomes one vertex; the first one keeps the old
+/// number, others become copies of it. `h`: edge length about the rung [m].
 CommitResult commit(SurfaceMesh& mesh, const StepPlan& plan, double h, int stroke,
                     const std::vector<RungNode>& staying);
 

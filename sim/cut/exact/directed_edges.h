@@ -7,10 +7,10 @@ namespace kerf::cut {
 /// A table of numbers by directed edges between ends 0, 1, ...; few edges leave one end.
 class DirectedEdges {
   public:
-    /// An empty table for edges between so many ends.
+    /// An empty table for edges between ends below `ends`.
     explicit DirectedEdges(std::size_t ends) : first_(ends, -1) {}
 
-    /// Gives an edge the number `value` >= 0. False where it has one already, which it keeps.
+    /// Gives an edge the number `value` >= 0. Returns false if it has one already, which it keeps.
     bool add(int from, int to, int value) {
         if (find(from, to) >= 0) {
             return false;
@@ -19,7 +19,7 @@ class DirectedEdges {
         first_[from] = static_cast<int>(entries_.size()) - 1;
         return true;
     }
-    /// The number of an edge, -1 where it has none, also from ends that do not exist.
+    /// The number of an edge, -1 for none or for ends that do not exist.
     int find(int from, int to) const {
         int entry = from < static_cast<int>(first_.size()) ? first_[from] : -1;
         while (entry >= 0 && entries_[entry].to != to) {
@@ -29,7 +29,7 @@ class DirectedEdges {
     }
     /// Whether the edge has a number.
     bool has(int from, int to) const { return find(from, to) >= 0; }
-    /// Makes room for so many edges.
+    /// Makes room for `edges` edges.
     void reserve(std::size_t edges) { entries_.reserve(edges); }
 
   private:

@@ -9,7 +9,7 @@ namespace kerf::cut {
 /// Reproducible pseudo-random numbers (xorshift64) for the blade's offset.
 class Jitter {
   public:
-    /// Starts the sequence that `seed` decides.
+    /// Starts the sequence of `seed`.
     explicit Jitter(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 1) {
         for (int i = 0; i < 5; ++i) {
             next();

@@ -6,8 +6,8 @@
 
 namespace kerf::cut {
 
-/// Whether the inside of segment pq passes through the inside of the triangle: exact, false where
-/// one only touches the other.
+/// Whether the inside of segment pq passes through the inside of the triangle: exact, false if they
+/// only touch.
 bool pierces(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& triangle);
 
 }  // namespace kerf::cut

@@ -10,7 +10,7 @@
 namespace kerf::cut {
 
 /// A small constrained Delaunay triangulation in the plane. Orientation is exact; the in-circle
-/// test is not, it only decides shape and never validity.
+/// test is not, since it only affects shape.
 ///
 /// Edge e of a triangle runs from corner e to corner e + 1.
 class Triangulation {
@@ -18,7 +18,7 @@ class Triangulation {
     /// Starts with the triangle abc (counter-clockwise); everything happens inside it.
     Triangulation(const Vec2& a, const Vec2& b, const Vec2& c);
 
-    /// Makes room for so many points more, inside the triangle.
+    /// Makes room for `points` more points inside the triangle.
     void reserve(std::size_t points) {
         points_.reserve(points_.size() + points);
         faceOfVertex_.reserve(faceOfVertex_.size() + points);
@@ -37,10 +37,10 @@ class Triangulation {
     };
     /// Inserts a point and restores the Delaunay criterion around it.
     Insertion insert(const Vec2& p);
-    /// Makes ab a constrained edge. False where that would cross another constraint or a vertex.
+    /// Makes ab a constrained edge; false if that would cross another constraint or a vertex.
     bool constrain(int a, int b);
 
-    /// The part of a triangle on which a point lies; `outside` for none.
+    /// The part of a triangle that a point is on; `outside` for none.
     enum class Where { outside, inside, onEdge, onVertex };
     /// The place of a point in the triangulation.
     struct Location {
@@ -50,7 +50,7 @@ class Triangulation {
     };
     /// Finds the place of a point.
     Location locate(const Vec2& p);
-    /// Inserts p as insert(p) does, where `at` is what locate(p) has just returned.
+    /// Inserts p like insert(p); `at` is the result of locate(p) just before.
     Insertion insert(const Vec2& p, const Location& at);
 
     /// The number of triangles.

@@ -6,10 +6,9 @@
 
 namespace kerf::cut {
 
-/// Puts a patch on both sides in place of the walls of a wound. Cannot fail. New vertices are at
-/// the means of others, on each side by itself: the two may lie apart. Adds the change to `delta`,
-/// of which firstNewVertex must be set; returns the triangle slots that were removed or added,
-/// ascending.
+/// Replaces the walls of a wound by a patch on both sides. Cannot fail. New vertices are at the
+/// means of others of the same side, so the two sides may be apart. Adds the change to `delta`,
+/// whose firstNewVertex must be set; returns the removed or added triangle slots, ascending.
 std::vector<int> commitPatch(SurfaceMesh& mesh, const Wound& wound, const PatchPlan& plan,
                              CutDelta& delta);
 

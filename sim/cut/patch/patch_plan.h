@@ -7,7 +7,7 @@
 
 namespace kerf::cut {
 
-/// A patch that is to close a wound on both of its sides alike.
+/// A patch to close a wound on both sides alike.
 struct PatchPlan {
     std::vector<WoundEdge> rim;       ///< node i lies where edge i of W+ starts
     std::vector<PatchNode> nodes;     ///< all nodes, the rim's first

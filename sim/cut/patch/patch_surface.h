@@ -43,11 +43,11 @@ class PatchSurface {
     /// folded over.
     double doubleArea(int a, int b, int c) const;
 
-    /// Puts a node into the middle of a triangle.
+    /// Inserts a node in the middle of a triangle.
     void splitTriangle(int t);
-    /// Puts a node into the middle of an edge that is not on the rim.
+    /// Inserts a node in the middle of an edge that is not on the rim.
     void splitEdge(int h);
-    /// Turns edges that are not Delaunay in the layout, around what was divided since the last
+    /// Flips edges that are not Delaunay in the layout, around what was divided since the last
     /// call.
     void relax();
 
@@ -63,7 +63,7 @@ class PatchSurface {
     std::vector<Triangle> triangles_;
     std::vector<std::array<int, 3>> twins_;
     std::set<Edge> edges_;
-    std::vector<int> unrelaxed_;  ///< half-edges that may have to be turned
+    std::vector<int> unrelaxed_;  ///< half-edges that may have to be flipped
 };
 
 }  // namespace kerf::cut

@@ -13,13 +13,13 @@ struct WoundEdge {
     int minus = -1;  ///< the half-edge on W-
 };
 
-/// A sheet of wall that a stroke of the open course left absent, and the loops in which it meets
-/// the body's surface; the sheet lies on the left of W+.
+/// A sheet of wall that a stroke of the open course left absent, and its border loops on the body's
+/// surface; the sheet is on the left of W+.
 struct Wound {
     std::vector<int> plus;                      ///< triangles of W+, ascending
     std::vector<int> minus;                     ///< their mirrors, in the same order
     std::vector<std::vector<WoundEdge>> loops;  ///< around the sheet, each closed
-    /// Whether the stroke ended in the body: there the sheet has an edge that no surface borders.
+    /// Whether the stroke ended in the body: there the sheet has an edge without surface beside it.
     bool endsInside = false;
     /// Whether some triangle or edge of W+ has no mirror on W-.
     bool unmirrored = false;

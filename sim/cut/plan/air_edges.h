@@ -12,11 +12,11 @@
 
 namespace kerf::cut {
 
-/// Leads the rung around skin that has moved across its edges in the air: material behind the rung
-/// is never cut, and would stay as a bridge. Such an edge goes by the points that the skin
-/// carried along, farther out where that is needed; or, beside a front vertex, by a node above the
-/// skin. Edges without a clear way stay as they are. The mesh is seen with `opening`. `ties` are
-/// asked for where an edge is in the way. `h`: edge length about the rung [m].
+/// Routes the rung around skin that has moved across its edges in the air: material behind the rung
+/// is never cut, and would stay as a bridge. Such an edge passes the points carried by the skin,
+/// farther out where needed; or, beside a front vertex, a node above the skin. Edges without a free
+/// path are unchanged. The mesh is seen with `opening`. `ties` are requested only if an edge is
+/// obstructed. `h`: edge length about the rung [m].
 void clearAirEdges(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
                    const SlitOpening& opening, const Blade& blade, double h,
                    const std::function<const AirTies&()>& ties, std::vector<RungNode>& rung);

@@ -11,9 +11,9 @@ namespace kerf::cut {
 std::set<int> piecesOfFront(const std::vector<RungNode>& rung,
                             const std::vector<int>& pieceOfVertex);
 
-/// Whether a step that starts in the material of `pieces`, behind the front that it lets go of, may
-/// leave both sides connected there. It does not where the new walls cross those of `stroke` from
-/// one side to the other all along: what starts beside the old walls then ends at them.
+/// Whether a step that starts in the material of `pieces`, behind the front that it drops, may
+/// leave both sides connected there. It does not if the new walls cross those of `stroke` from one
+/// side to the other all along.
 bool leavesBridge(const SurfaceMesh& mesh, int stroke, const std::set<int>& pieces,
                   const StepPlan& plan);
 

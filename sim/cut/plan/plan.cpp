@@ -19,9 +19,9 @@ namespace kerf::cut {
 namespace {
 
 /// Counts the groups of neighbours among `touched` triangles, ascending. The paper finds one such
-/// triangle, its seed, and goes on from there over the adjacency, so it misses what hangs together
-/// with no seed, such as a second arm. Here all triangles come out of the tree; this only tells how
-/// many seeds that walk would need. O(k log k).
+/// triangle, its seed, and walks from there over the adjacency, so it misses groups without a seed,
+/// such as a second arm. Here the tree finds all triangles; this only counts the seeds that the
+/// walk would need. O(k log k).
 int countSeeds(const SurfaceMesh& mesh, const std::vector<int>& touched) {
     const int count = static_cast<int>(touched.size());
     UnionFind groups(count);

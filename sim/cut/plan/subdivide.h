@@ -21,7 +21,7 @@ struct NewTriangle {
 /// The corner that stands for a node (NewTriangle::corners): a V node is its mesh vertex.
 int cornerId(const SurfaceMesh& mesh, const CutCurves& curves, int node);
 
-/// All triangles that a step puts in the place of those that the strip meets.
+/// All triangles that replace those that the strip meets.
 struct Subdivision {
     std::vector<NewTriangle> triangles;  ///< parent after parent
     std::vector<int> parents;            ///< slot of which each triangle is a part
@@ -29,10 +29,10 @@ struct Subdivision {
     SubdivisionCounts patterns{};        ///< parents by how they are divided
 };
 
-/// Divides every surface triangle that the strip meets along its curve segments. The four
-/// patterns of the paper come out as special cases of one constrained Delaunay triangulation in
-/// barycentric coordinates. Lengths are those of corners at their common positions within
-/// `closeDistance` [m], so that both walls of a slit divide alike. Throws StepFailure.
+/// Divides every surface triangle that the strip meets along its curve segments. The four patterns
+/// of the paper are special cases of one constrained Delaunay triangulation in barycentric
+/// coordinates. Lengths are those of corners at their common positions within `closeDistance` [m],
+/// so that both walls of a slit divide alike. Throws StepFailure.
 Subdivision subdivide(const SurfaceMesh& mesh, const CutCurves& curves, double closeDistance);
 
 }  // namespace kerf::cut

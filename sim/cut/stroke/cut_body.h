@@ -17,8 +17,8 @@
 
 namespace kerf::cut {
 
-/// Looks up triangles of a moving body by where they lie: by a finder that somebody else keeps, or
-/// by a tree of its own, made when it is first asked.
+/// Finds triangles of a moving body by position: with an external finder, or with its own tree,
+/// made on first use.
 class TriangleLookup {
   public:
     /// The mesh must outlive the object and its copies.
@@ -46,9 +46,9 @@ class TriangleLookup {
 
     /// See Cutter::boundMotion().
     void boundMotion(double distance) { moved_ = moved_.value_or(0) + distance; }
-    /// Whether it is known that nothing has moved since noteMotion().
+    /// Whether nothing is known to have moved since noteMotion().
     bool isStill() const { return moved_ == 0; }
-    /// Lets the tree follow what has moved since the last call.
+    /// Updates the tree by what has moved since the last call.
     void noteMotion() {
         const std::optional<double> most = std::exchange(moved_, std::nullopt);
         if (tree_ && most) {
@@ -62,15 +62,15 @@ class TriangleLookup {
     const SurfaceMesh& mesh_;
     TriangleFinder* finder_ = nullptr;
     std::optional<TriangleTree> tree_;
-    std::optional<double> moved_;  ///< how far at most [m]; none where nobody has said
+    std::optional<double> moved_;  ///< upper bound [m]; none if unknown
 };
 
 /// The largest distance from the strip at which a triangle can matter, as a share of the edge
-/// length about the rung: predicates see vertices elsewhere, and the rung is led around skin that
-/// moved across it.
+/// length about the rung: predicates see vertices displaced, and the rung is routed around skin
+/// that moved across it.
 inline constexpr double kBroadPhaseMargin = 3;
 
-/// The reason for which the blade waits.
+/// The reason for the blade to wait.
 enum class Gate {
     shareOfEdge,  ///< it has moved less than CutSettings::gate
     flush,        ///< it has hardly moved
@@ -82,19 +82,17 @@ struct MeshChange {
     std::span<const int> triangles;
     int groupOfNewPieces = -1;             ///< the group of pieces that are all new
     std::span<const int> movedVertices{};  ///< old ones that were moved, or got another velocity
-    double restMotion = 0;                 ///< how far a vertex was moved at rest at most [m]
+    double restMotion = 0;                 ///< largest motion of a vertex at rest [m]
 };
 
-/// A body as the strokes of a blade see it: its mesh, how finely that is cut, and what is looked up
-/// in it.
+/// A body to be cut by strokes: its mesh, its settings, and search structures.
 struct CutBody {
     /// The mesh must outlive the object and its copies. O(n).
     CutBody(SurfaceMesh& ofBody, const CutSettings& howFinely);
 
-    /// Lets everything that is looked up in the mesh follow a change of it. After each change,
-    /// before anything is looked up.
+    /// Updates all search structures. Call it after each change of the mesh, before any search.
     void follow(const MeshChange& change);
-    /// Takes note of what the solver moved since the last call.
+    /// Records that the solver moved the body since the last call.
     void noteMotion();
     /// Takes the body as it is when a stroke begins. O(n).
     void beginStroke();
@@ -105,7 +103,7 @@ struct CutBody {
     double h() const { return edgeLengths->mean(); }
     /// The edge length about the nodes of a rung [m].
     double edgeLengthAbout(const std::vector<RungNode>& nodes) const;
-    /// The way below which a group waits, for an edge length about its rung [m].
+    /// The distance below which a group waits, for an edge length about its rung [m].
     double gateLength(Gate gate, double edge) const;
     /// The distance from the strip within which a step looks, for an edge length there [m].
     double margin(double edge) const;
@@ -116,8 +114,8 @@ struct CutBody {
     TriangleLookup triangles{mesh};
     GroupedPieces pieces{mesh};
     StrokeSurface surface{mesh};  ///< the surface before the stroke
-    bool atRest = false;          ///< all of the body is known to lie still where it rests
-    SearchWork searchWork{};      ///< what searches took since that was last taken
+    bool atRest = false;          ///< the whole body is known to be still in its rest shape
+    SearchWork searchWork{};      ///< cost of searches since it was last taken
 
   private:
     bool liesAtRest(int v) const;

@@ -19,25 +19,25 @@ class GroupRung {
     GroupRung(CutBody& body, Stroke& stroke, GroupStroke& group)
         : body_(body), stroke_(stroke), group_(group) {}
 
-    /// Begins a transit: the blade starts from the air.
+    /// Begins a transit, from the air.
     void startTransit();
-    /// The displacement [m] at parameter s that a rung carries from the start: otherwise one that
-    /// is put down exactly on a vertex or a face would stay there in every retry.
+    /// The initial displacement [m] of a rung at parameter s: otherwise one placed exactly on a
+    /// vertex or a face would stay there in every retry.
     Vec3 leastOffsetAt(double s) const;
-    /// The node of a rung in the air at parameter s: at the blade, by whatever way that came.
+    /// The node of a rung in the air at parameter s, at the blade.
     RungNode nodeInAir(const Blade& at, double s) const;
     /// Places the rung at a blade as a new transit.
     void place(const Blade& at);
-    /// Takes a rung in the air along with a blade that slides along itself. `from`: the rung,
-    /// measured along `to`.
+    /// Moves a rung in the air with a blade that slides along itself. `from`: the rung, measured
+    /// along `to`.
     void slide(const Blade& to, const std::vector<RungNode>& from);
     /// Sets the rung and ties it.
     void set(std::vector<RungNode> next);
     /// Makes the rung of those `nodes` that are not in other groups.
     void keepOwn(std::vector<RungNode> nodes);
-    /// Ties the rung to the skin, or notes that this can wait.
+    /// Ties the rung to the skin, or postpones it.
     void tie();
-    /// Makes the ties that wait, in the rest shape.
+    /// Makes the postponed ties, in the rest shape.
     void makeWaitingTies();
 
   private:

@@ -4,8 +4,8 @@
 
 namespace kerf::cut {
 
-/// Lets one group of pieces take a step to where the blade was told to go, wait, or refuse the
-/// step. `group`: one of the stroke, with its rung where that lies now.
+/// Makes one group of pieces take a step to the commanded blade, wait, or refuse the step. `group`:
+/// one of the stroke, with its rung at its present position.
 CutResult takeStep(CutBody& body, Stroke& stroke, GroupStroke& group, Gate gate);
 
 }  // namespace kerf::cut

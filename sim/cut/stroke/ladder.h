@@ -4,14 +4,14 @@
 
 namespace kerf::cut {
 
-/// The levels of the retry ladder, each by what it sees otherwise than the one before. None is
-/// drawn at random; docs/notes/ladder.md tells the strokes that fail without each.
+/// The levels of the retry ladder, each by what it changes. None is random; docs/notes/ladder.md
+/// lists the strokes that fail without each.
 enum class Level {
     asIs,       ///< the blade and the body as they are
     beside,     ///< the blade beside its plane
-    onSurface,  ///< vertices of the front, and around its ends, on the skin that they slid over
-    crumpled,   ///< near nodes of the curves as one, with older slits closed
-    wide,       ///< the same, with the blade farthest aside
+    onSurface,  ///< vertices of the front, and around its ends, back on the skin they slid over
+    crumpled,   ///< close nodes of the curves merged, with older slits closed
+    wide,       ///< the same, with the largest offset of the blade
 };
 /// The number of levels.
 inline constexpr int kLevels = 5;
@@ -19,21 +19,21 @@ inline constexpr int kLevels = 5;
 /// The largest Attempt::offsetScale of all levels.
 double largestOffsetScale();
 
-/// A try at a level. All that it changes is for the predicates alone. `tolerance`:
-/// CutSettings::tolerance, as a share of the edge length around; no level goes below it.
+/// A try at a level, which only affects predicates. `tolerance`: CutSettings::tolerance, as a share
+/// of the local edge length; no level goes below it.
 Attempt attemptAt(Level level, double tolerance);
 
-/// Leaves out one level in all cutters of this thread while it lives: for tests.
+/// Disables one level in all cutters of this thread during its lifetime: for tests.
 class WithoutLevel {
   public:
-    /// Leaves out `level`.
+    /// Disables `level`.
     explicit WithoutLevel(Level level);
     ~WithoutLevel();
     WithoutLevel(const WithoutLevel&) = delete;
     WithoutLevel& operator=(const WithoutLevel&) = delete;
 };
 
-/// Whether tries at a level are left out (WithoutLevel).
+/// Whether a level is disabled (WithoutLevel).
 bool isLeftOut(Level level);
 
 }  // namespace kerf::cut

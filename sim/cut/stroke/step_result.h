@@ -8,7 +8,7 @@ namespace kerf {
 CutResult outcome(CutOutcome what);
 
 /// Adds the result for one piece to the sum over several. The outcome becomes the later one in the
-/// list of CutOutcome, but a cut goes before a refusal, since it changed the mesh.
+/// list of CutOutcome, but a cut precedes a refusal, since it changed the mesh.
 void addTo(CutResult& sum, const CutResult& part);
 
 /// Adds a later clean-up of a stroke to an earlier one.

@@ -10,32 +10,32 @@
 
 namespace kerf::cut {
 
-/// The way below which the blade stands still, as a share of h.
+/// The motion below which the blade counts as still, as a share of h.
 inline constexpr double kStandingStill = 1e-9;
 
 /// The body when a stroke began.
 struct StrokeStart {
-    int firstTriangle = 0;  ///< slot from which on the stroke made triangles
+    int firstTriangle = 0;  ///< first slot of the stroke's triangles
     double restVolume = 0;  ///< rest volume of the body [m^3]
 };
 
-/// A stroke of the blade; between strokes the last one. Its functions take the body that it cuts.
+/// The current or last stroke of the blade. Its functions take the body that it cuts.
 struct Stroke {
     /// Begins the next stroke, at a blade.
     void begin(CutBody& body, const Blade& at);
-    /// Lets every group take a step to where the blade was told to go.
+    /// Makes every group take a step to the commanded blade.
     CutResult advance(CutBody& body, Gate gate);
     /// Ends the stroke: see Cutter::finish().
     CutResult finish(CutBody& body);
-    /// Makes the ties of all groups that wait, in the rest shape.
+    /// Makes the postponed ties of all groups, in the rest shape.
     void makeWaitingTies(CutBody& body);
 
     int number = 0;                     ///< as in wall labels
     int transit = 0;                    ///< number of the last transit of any group, ever
-    bool goesOn = false;                ///< it has begun and not finished
+    bool goesOn = false;                ///< it is in progress
     bool madeWalls = false;             ///< some step of it has cut
     StrokeStart start{};                ///< the body when it began
-    Blade blade{};                      ///< where it was last told to go
+    Blade blade{};                      ///< its last command
     std::vector<GroupStroke> groups{};  ///< the stroke by group of pieces
     std::vector<RungNode> rung{};       ///< rungs of all groups in turn
     std::optional<Cleanup> cleanup{};   ///< its clean-up, once it has cut
@@ -51,8 +51,8 @@ struct Stroke {
     Debris removeDebris(CutBody& body, CutDelta& delta) const;
 };
 
-/// Patches the wounds of the open course. Walls that no patch replaces are part of the body from
-/// now on. Adds the changes to `delta`.
+/// Patches the wounds of the open course. Walls without a patch become part of the body. Adds the
+/// changes to `delta`.
 WoundClosing closeWounds(CutBody& body, CutDelta& delta);
 /// Removes short edges at some triangles between strokes. Returns the change.
 CutDelta mend(CutBody& body, const std::vector<int>& triangles);

@@ -75,9 +75,9 @@ std::vector<int> findDebris(const SurfaceMesh& mesh, const PieceLabels& pieces, 
     return {found.begin(), found.end()};
 }
 
-/// Takes whole pieces out of the mesh and tells `delta`, which holds what the step did so far.
-/// Returns the slots that were removed, ascending. O(what is removed), and a look at all triangles
-/// from `firstTriangle` on.
+/// Removes whole pieces from the mesh and adds that to `delta`, which holds what the step did so
+/// far. Returns the removed slots, ascending. O(removed triangles and those from `firstTriangle`
+/// on).
 std::vector<int> removePieces(SurfaceMesh& mesh, const PieceLabels& pieces,
                               const std::vector<int>& which, int firstTriangle, CutDelta& delta) {
     // A cavity may lie in what comes off without having been cut.

@@ -18,8 +18,8 @@ struct CandidateSearch {
     const SurfaceMesh& mesh;  ///< the body
     TriangleFinder& finder;   ///< for CutSearch::tree
     CutSearch way;            ///< how to search
-    OrientedBox reach;        ///< no triangle outside of it is near
-    /// Whether a triangle is near. Each is asked once; what is near is to be kept by the function.
+    OrientedBox reach;        ///< no triangle outside it is near
+    /// Whether a triangle is near. Called once for each; must store those that are.
     std::function<bool(int)> isNear;
 };
 
@@ -106,11 +106,10 @@ SearchWork searchBy(const CandidateSearch& search) {
     return work;
 }
 
-/// Asks about triangles until all that are near have been found, in an order that hangs on the way
-/// of the search. The walk is the paper's algorithm A1 from its first seed on. That misses what
-/// hangs together with no seed, such as a second arm: so the list of triangles is gone through to
-/// its end for more seeds, and every group is found.
-/// O(n) but for CutSearch::tree.
+/// Calls isNear until all near triangles have been found, in an order that depends on the search.
+/// The walk is the paper's algorithm A1 from its first seed on. That misses groups without a seed,
+/// such as a second arm: so the list of triangles is scanned to its end for more seeds. O(n) except
+/// for CutSearch::tree.
 SearchWork searchCandidates(const CandidateSearch& search) {
     const Stopwatch watch;
     SearchWork work = searchBy(search);

@@ -15,15 +15,15 @@ namespace kerf::cut {
 /// it, and across both.
 Eigen::Matrix3d sweptAxes(const Blade& blade, const std::vector<Vec3>& points);
 
-/// How a broad phase searches; what it finds does not hang on that.
+/// How a broad phase searches; the result does not depend on it.
 struct SearchOrder {
     CutSearch way = CutSearch::tree;  ///< how it finds triangles
-    SearchWork* work = nullptr;       ///< where it adds up what that takes; null: nowhere
+    SearchWork* work = nullptr;       ///< sums the cost; null: not measured
 };
 
 /// Finds the triangles near parts of one strip, from the current positions: what meets the strip's
-/// oriented box, binned along the blade. It begins with little around the strip, which most steps
-/// do with, and takes all within the margin once somebody asks for more.
+/// oriented box, binned along the blade. It begins with a small box around the strip, which
+/// suffices for most steps, and extends to the margin on demand.
 class BroadPhase {
   public:
     /// Looks around a strip that `points` span, for triangles within `margin` [m] of their box that
@@ -42,27 +42,25 @@ class BroadPhase {
         Bounds bounds;  ///< its box along the axes of the strip
         int firstBin;   ///< the first bin that the box meets
     };
-    /// The triangles that were taken so far, ascending.
+    /// The triangles found so far, ascending.
     const std::vector<Entry>& entries() const { return entries_; }
-    /// Takes what queries between these points, up to `pad` [m], may find: they take no more
-    /// entries.
+    /// Adds all entries that queries between these points, up to `pad` [m], may find.
     void takeAround(std::span<const Vec3> points, double pad) const {
         require(reachOf(points, pad));
     }
-    /// Takes as takeAround() does, and returns the places in entries() of what such queries may
-    /// find, ascending.
+    /// Like takeAround(), and returns the places of these in entries(), ascending.
     std::vector<int> cover(std::span<const Vec3> points, double pad) const;
-    /// Some of entries(), by where they lie along the blade.
+    /// Some of entries(), binned along the blade.
     struct Bins {
         std::vector<int> first;   ///< start of each bin in `places`, then the end of the last
         std::vector<int> places;  ///< places in entries(), bin after bin
     };
-    /// Bins these places, which are ascending. The bins hold until more entries are taken.
+    /// Bins these places, which are ascending. Valid until entries are added.
     Bins binsOf(std::span<const int> places) const;
     /// A point in coordinates along the axes of the strip.
     Vec3 toFrame(const Vec3& p) const { return frame_ * p; }
     /// Finds what query() would, among the entries in `bins` and as places in entries(). `box`: the
-    /// box to look around, in coordinates of toFrame(). Takes no more entries: cover() does.
+    /// box to look around, in coordinates of toFrame(). Adds no entries; cover() does.
     void findEntries(const Bounds& box, double pad, const Bins& bins,
                      std::vector<int>& found) const;
 

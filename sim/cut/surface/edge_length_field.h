@@ -7,22 +7,21 @@
 
 namespace kerf::cut {
 
-/// The edge length wanted about each place of the body at rest: the one answer to how fine the cut
-/// is there. Made from the skin when a cutter is made, and never changed: a coarse grid of lengths
-/// over the body at rest, filled from the triangles of the skin and smoothly between and inside.
-/// (A background grid as of mesh generators, filled by pull and push.)
+/// The target edge length at each place of the body at rest, which defines how fine the cut is
+/// there. Made from the skin with the cutter, and constant: a coarse grid of lengths over the body
+/// at rest, filled from the triangles of the skin and smoothly between and inside. (A background
+/// grid as in mesh generators, filled by pull and push.)
 ///
-/// Shares of the local edge length are: the gate, the spacing of walls along the front and in
-/// depth, the reach of looks around the blade, gaps, and the short edges of the clean-up. The
-/// blade's offset and the noise of rounded positions are not, since floats are as coarse as the
-/// body is large.
+/// Relative to it are: the gate, the spacing of walls along the front and in depth, the reach of
+/// searches around the blade, gaps, and the short edges of the clean-up. The blade's offset and
+/// rounding noise are not, since the spacing of floats depends on the size of the body.
 class EdgeLengthField {
   public:
     /// The field of one length everywhere [m].
     explicit EdgeLengthField(double length = 1) : mean_(length) {}
     /// The field of the skin's edge lengths, at most a twelfth of the body's diagonal
-    /// (wallEdgeFor). Where a length is nearly the mean, it is the mean: walls of an even mesh are
-    /// even. O(triangles).
+    /// (wallEdgeFor). Lengths close to the mean are the mean, so walls of an even mesh are even.
+    /// O(triangles).
     static EdgeLengthField ofSkin(const SurfaceMesh& mesh);
 
     /// The edge length of the whole body [m]: the mean over the skin's edges, at most a twelfth of
@@ -41,9 +40,8 @@ class EdgeLengthField {
     std::vector<double> lengths_;  ///< x first; none where the field is even
 };
 
-/// The shares of the way at which a line of `length` [m] between two places is divided, so that
-/// each part is about as long as edges are there: ascending, the last is 1. `from`, `to`: the
-/// places at rest.
+/// The parameters at which a line of `length` [m] between two places is divided, so that each part
+/// has about the local edge length: ascending, the last is 1. `from`, `to`: the places at rest.
 std::vector<double> divideByEdgeLength(const EdgeLengthField& field, const Vec3& from,
                                        const Vec3& to, double length);
 

@@ -10,18 +10,17 @@
 
 namespace kerf::cut {
 
-/// Finds the groups of pieces that the blade cuts as one: pieces that still lie against each other
-/// where a cut parted them, so that a step divides the walls on both sides alike. Pieces that moved
-/// apart by more than `tolerance` [m] are cut for themselves: they may overlap, and each moves the
-/// air beside its rung. Returns the group of each piece. `before`: the groups so far, which are
-/// divided but never joined; empty where there are none. Vertices are looked at only while a group
-/// has several pieces.
+/// Finds the groups of pieces that the blade cuts as one: pieces still in contact where a cut
+/// separated them, so that a step divides the walls on both sides alike. Pieces that moved apart by
+/// more than `tolerance` [m] are cut separately: they may overlap. Returns the group of each piece.
+/// `before`: the groups so far, which are divided but never joined; empty for none. Reads vertices
+/// only while a group has several pieces.
 std::vector<int> groupPieces(const SurfaceMesh& mesh, const PieceLabels& pieces, double tolerance,
                              const std::vector<int>& before);
 
 /// The pieces of a body, and the groups of those that are cut together (groupPieces). They follow
-/// each change of the mesh within a step, where a BodyUpdater follows steps as a whole: so the two
-/// may number pieces differently.
+/// each change of the mesh within a step, unlike a BodyUpdater: so the two may number pieces
+/// differently.
 class GroupedPieces {
   public:
     /// The mesh must outlive the object and its copies. O(n).
@@ -32,16 +31,16 @@ class GroupedPieces {
     const PieceLabels& labels() const { return labels_; }
     void measureVolumes() { labels_.measureVolumes(mesh_); }
 
-    /// Makes all groups anew, by pieces that lie within `tolerance` [m] of each other.
+    /// Remakes all groups, of pieces within `tolerance` [m] of each other.
     void group(double tolerance);
-    /// Parts groups of which pieces now lie apart by more than `tolerance` [m]. Returns the group
-    /// that each piece had; nothing where no vertex has moved and no triangle changed since the
-    /// groups were made.
+    /// Divides groups whose pieces are now apart by more than `tolerance` [m]. Returns the group
+    /// that each piece had; nothing if no vertex has moved and no triangle changed since the groups
+    /// were made.
     std::optional<std::vector<int>> divide(double tolerance);
     /// Vertices may have moved.
     void noteMotion() { hold_ = false; }
-    /// Follows a change of the mesh. `changed`: each once. Pieces that come off stay in the group
-    /// until they part; those that are all new get the group `groupOfNewPieces`.
+    /// Follows a change of the mesh. `changed`: each once. Separated pieces stay in the group until
+    /// they move apart; entirely new ones get the group `groupOfNewPieces`.
     void update(std::span<const int> changed, int groupOfNewPieces);
 
     /// The numbers of all groups.
@@ -55,7 +54,7 @@ class GroupedPieces {
     const SurfaceMesh& mesh_;
     PieceLabels labels_;
     std::vector<int> groupOfPiece_;  ///< the number of the group of each piece
-    bool hold_ = false;              ///< since they were made nothing has moved or been cut
+    bool hold_ = false;              ///< nothing has moved or been cut since they were made
 };
 
 }  // namespace kerf::cut

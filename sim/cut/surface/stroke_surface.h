@@ -10,20 +10,20 @@
 
 namespace kerf::cut {
 
-/// The surface of the body as it was when a stroke began, before its triangles were divided: the
-/// skin and the walls of earlier strokes, found by where they rest.
+/// The surface of the body when a stroke began, before its triangles were divided: the skin and the
+/// walls of earlier strokes, searched by rest position.
 class StrokeSurface {
   public:
-    /// Takes the surface as it is; the mesh must outlive the object. O(n). Each look-up divides a
-    /// tree over the surface further.
+    /// Takes the present surface; the mesh must outlive the object. O(n). Each look-up refines a
+    /// tree over the surface.
     explicit StrokeSurface(const SurfaceMesh& mesh);
-    /// Divides the tree ahead, which look-ups would do on the way. O(n log n).
+    /// Refines the tree in advance, which look-ups would do lazily. O(n log n).
     void prepare();
 
-    /// Takes the surface of the mesh as it is now, at the cost of what follow() told of.
+    /// Takes the present surface of the mesh, at the cost of the changes passed to follow().
     void beginStroke();
-    /// Notes the triangle slots that were added or removed, or of which a corner changed, since the
-    /// last call, and how far a vertex was moved at rest at most [m].
+    /// Records the triangle slots that were added, removed or changed since the last call, and the
+    /// largest motion of a vertex at rest [m].
     void follow(std::span<const int> triangles, double restMotion);
 
     /// The vertex count of the mesh when the stroke began.
@@ -33,19 +33,19 @@ class StrokeSurface {
     /// `edge`: the edge length that matters there [m].
     std::vector<SurfaceSample> samplesAround(std::vector<Vec3> restPlaces, double edge) const;
 
-    /// Appends what the last samplesAround() found; a step reads positions and velocities of these
-    /// however far off they are.
+    /// Appends what the last samplesAround() found; a step reads their positions and velocities,
+    /// however distant.
     void addVertices(std::vector<int>& vertices) const;
 
-    /// The position that vertex v, made since, would have now on the undivided surface: by the
-    /// barycentric coordinates of its rest position. A vertex that the stroke puts on the surface
-    /// is light; it slips aside and folds the slivers around it over. Nothing for older vertices,
-    /// and for those that rest farther than `reach` [m] from the surface beside them.
+    /// The present position of vertex v, made since, on the undivided surface: by the barycentric
+    /// coordinates of its rest position. A vertex that the stroke puts on the surface is light; it
+    /// slips sideways and folds the slivers around it over. Nothing for older vertices, and for
+    /// those that rest farther than `reach` [m] from the surface.
     std::optional<Vec3> flatPosition(int v, double reach) const;
 
-    /// The position that a vertex at `position`, which rests at `rest` inside the body, would have
-    /// if it had kept at least half of its depth below the undivided surface. Nothing where it has,
-    /// and where it rests deeper than `reach` [m].
+    /// The position of a vertex at `position`, which rests at `rest` inside the body, if moved to
+    /// at least half of its depth below the undivided surface. Nothing if it has that, or rests
+    /// deeper than `reach` [m].
     std::optional<Vec3> insidePosition(const Vec3& rest, const Vec3& position, double reach) const;
 
   private:
@@ -54,7 +54,7 @@ class StrokeSurface {
         Triangle corners{-1, -1, -1};
         int wallLabel = -1;
     };
-    /// The samples last looked up; they serve until the blade has left the boxes.
+    /// The samples of the last look-up; valid until the blade has left the boxes.
     struct Thinned {
         std::vector<Bounds> boxes;
         double edge = 0;
@@ -72,8 +72,7 @@ class StrokeSurface {
     std::vector<FormerTriangle> triangles_;  ///< by their slots in the mesh
     std::vector<int> changed_;
     mutable Thinned thinned_;
-    /// The tree of the triangles that were alive; made when it is first asked, divided and refit by
-    /// finding.
+    /// The tree of the triangles that were alive; made on first use, refined and refit by searches.
     mutable std::optional<BoxTree> tree_;
     mutable std::vector<int> slots_;  ///< room for thinByDistance
 };

@@ -7,10 +7,10 @@
 
 namespace kerf::cut {
 
-/// A vertex that stands for a part of the surface.
+/// A vertex that represents a part of the surface.
 struct SurfaceSample {
     int vertex = -1;    ///< vertex of the mesh
-    double weight = 0;  ///< how many triangles it stands for
+    double weight = 0;  ///< how many triangles it represents
 };
 
 /// Calls visit(sample) for those of the samples whose vertices belong to `piece`, in their order.
@@ -28,11 +28,10 @@ void forEachOfPiece(const std::vector<SurfaceSample>& samples,
 /// some `h`.
 std::vector<Bounds> boxesAround(std::vector<Vec3> places, double h);
 
-/// The vertices around `boxes` (rest space), each once: all where the tree's triangles are small
-/// against `h`, else fewer the farther off, so that their number grows with the logarithm of the
-/// body. `tree` holds triangles by their box at rest, `cornersOf(id)` tells their corners. `slots`:
-/// as many -1 as there are vertices, and so again afterwards. (Thinned by distance as in Barnes and
-/// Hut 1986.)
+/// The vertices around `boxes` (rest space), each once: all near them, fewer with distance relative
+/// to `h`, so that their number grows with the logarithm of the body. `tree` holds triangles by
+/// their box at rest, `cornersOf(id)` gives their corners. `slots`: -1 for each vertex, before and
+/// after. (Thinned by distance as in Barnes and Hut 1986.)
 std::vector<SurfaceSample> thinByDistance(BoxTree& tree,
                                           const std::function<const Triangle&(int id)>& cornersOf,
                                           const std::vector<Bounds>& boxes, double h,

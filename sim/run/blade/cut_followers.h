@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Lets all that remembers something of the mesh follow a step of the cutter.
+/// Updates all state about the mesh after a step of the cutter.
 void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
                SimulationOutput& output);
 

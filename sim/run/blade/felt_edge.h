@@ -12,42 +12,42 @@
 
 namespace kerf {
 
-/// How the material holds the edge of a blade back: the spring between where the edge is led and
-/// what it presses on. A metre of edge that lags by `give` presses with the toughness, just enough
-/// to open the new surface ahead; `give` is an edge length of walls, about as much as the mesh can
-/// show. See docs/physics.md.
+/// The resistance of the material: the spring between the commanded edge and what it presses on. A
+/// metre of edge that lags by `give` presses with the toughness, just enough to open the new
+/// surface ahead; `give` is an edge length of walls, about the resolution of the mesh. See
+/// docs/physics.md.
 struct EdgeSpring {
     double toughness = 0;  ///< [J/m^2], > 0
     double bluntness = 0;  ///< see Params::bladeBluntness
     double give = 0;       ///< [m]
-    double gate = 0;       ///< way by which a cut goes on at once [m], see CutSettings::gate
+    double gate = 0;       ///< distance of one advance [m], see CutSettings::gate
 
     /// Stiffness of a metre of edge [N/m^2].
     double stiffness() const { return toughness / give; }
-    /// How far the cut stays behind where the edge is led [m]. What the spring sets free while the
-    /// cut goes on by the gate is what the new surface takes. `begun`: the edge has broken in.
+    /// The lag of the cut behind the commanded edge [m]. In an advance by the gate the spring
+    /// releases the energy of the new surface. `begun`: after crack initiation.
     double lag(bool begun) const { return give * (begun ? 1 : 1 + bluntness) - 0.5 * gate; }
     /// The largest lag that presses [m].
     double mostLag(bool begun) const { return lag(begun) + gate; }
 };
 
-/// What an edge feels where it is.
+/// The load on an edge at its position.
 struct FeltEdge {
-    PressingEdge pressing;  ///< with no way
+    PressingEdge pressing;  ///< without commanded advance
     double energy = 0;      ///< in its spring [J]
 };
 
-/// The edge of a blade in the material, and what lies around.
+/// The edge of a blade in the material, and its surroundings.
 struct EdgePlace {
-    const Blade& edge;  ///< where it is led
+    const Blade& edge;  ///< its command
     const Vec3& back;   ///< from the edge to the blade's back, unit, square to the edge
-    const std::vector<RungNode>& rung;  ///< where it last cut, as that lies now
+    const std::vector<RungNode>& rung;  ///< present position of the last cut
     const SurfaceMesh& mesh;
-    std::span<const int> triangles;  ///< those near the way of the edge over its largest lag
+    std::span<const int> triangles;  ///< those within the largest lag of the edge
 };
 
-/// Measures how far the material in front of an edge holds it back: where it has cut, that is the
-/// front, elsewhere the surface. None where it touches nothing.
+/// Measures the lag of an edge from the material in front of it: the front where it has cut,
+/// elsewhere the surface. None if it touches nothing.
 std::optional<FeltEdge> feltEdge(const EdgePlace& place, const EdgeSpring& spring);
 
 }  // namespace kerf

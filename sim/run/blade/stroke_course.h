@@ -13,17 +13,16 @@
 
 namespace kerf {
 
-/// The course of a stroke: it begins when the blade comes near the body, and ends when it has left
-/// it.
+/// The course of a stroke, from the approach of the blade until it has left the body.
 class StrokeCourse {
   public:
     /// All must outlive the object.
     StrokeCourse(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output)
         : body_(body), input_(input), log_(log), output_(output) {}
 
-    /// Carries out what the blade was told.
+    /// Carries out the blade's commands.
     void step();
-    /// Whether the coming step ends a stroke that has begun.
+    /// Whether the coming step ends a stroke in progress.
     bool endsInStep() const;
     void lift();
 
@@ -32,11 +31,11 @@ class StrokeCourse {
     /// bladeBody() in the coming step.
     std::optional<BladeMotion> bladeMotion() const;
 
-    /// Whether the material holds the edge back where it is in it.
+    /// Whether the material resists the edge.
     bool feels() const { return edgeSpring().has_value(); }
-    /// How the edge presses in the coming step; none where it touches nothing.
+    /// The pressing edge in the coming step; none if it touches nothing.
     std::optional<PressingEdge> pressingEdge() const;
-    /// How the material holds the edge where it is now, but for work; nothing where it does not.
+    /// The present resistance of the material, without work; none if it does not resist.
     HeldEdge heldEdge() const;
 
   private:
@@ -57,8 +56,8 @@ class StrokeCourse {
     SimulationOutput& output_;
 };
 
-/// Holds the front of an unfinished slit for a step, until release(); where walls are absent, as in
-/// the open course, what is hidden follows the body instead. See findFrontAnchors().
+/// Anchors the front of an unfinished slit for a step, until release(); with absent walls, as in
+/// the open course, hidden vertices follow the body instead. See findFrontAnchors().
 class FrontHold {
   public:
     /// The body must outlive it. `timeStep`: the coming one [s].

@@ -9,7 +9,7 @@ namespace kerf {
 
 /// The change of the boxes that a command makes.
 struct BoxEdit {
-    std::string error;             ///< "" or one sentence; nothing else counts then
+    std::string error;             ///< "" or one sentence; then the rest is invalid
     std::string name;              ///< as the history shows it: "Box 2 added"
     std::vector<StaticBox> after;  ///< all boxes
     int changed = -1;              ///< number of the box that was changed; -1 for none

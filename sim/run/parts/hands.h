@@ -10,13 +10,13 @@
 
 namespace kerf {
 
-/// The hands with which a person holds a body: each pulls the vertices that it took hold of by
-/// springs, so that they keep their places around it.
+/// The hands with which a person holds a body: each pulls its vertices by springs, so that they
+/// keep their offsets from it.
 class Hands {
   public:
     struct Held {
         int vertex = -1;
-        Vec3 offset = Vec3::Zero();  ///< from the hand, where it took hold [m]
+        Vec3 offset = Vec3::Zero();  ///< from the hand, when grabbed [m]
     };
     struct Hand {
         int number = 0;
@@ -25,7 +25,7 @@ class Hands {
         std::vector<Held> held;
     };
 
-    /// Each returns "" or one sentence; nothing changed then. A hand that held something lets go of
+    /// Each returns "", or one sentence if nothing changed. A hand that holds something releases
     /// it; vertices that another hand holds stay with that.
     std::string grab(const Grab& grab, const SurfaceMesh& mesh);
     std::string drag(const Drag& drag);
@@ -37,7 +37,7 @@ class Hands {
     std::vector<std::uint32_t> heldVertices() const;
     bool empty() const { return hands_.empty(); }
 
-    /// The springs of the coming step of `timeStep` [s]; the hands have arrived then.
+    /// The springs of the coming step of `timeStep` [s]; moves the hands to their targets.
     std::vector<shared::PullRecord> advance(double timeStep);
 
   private:

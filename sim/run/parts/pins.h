@@ -11,13 +11,13 @@
 
 namespace kerf {
 
-/// Vertices that stay where they are.
+/// Fixed vertices.
 class Pins {
   public:
-    /// Pins the free vertices in the region, or frees the pinned ones. Returns how many.
+    /// Pins the free vertices in the region, or unpins the pinned ones. Returns how many.
     int change(const Region& region, bool pinned, const SurfaceMesh& mesh);
-    /// After a step of the cut: what died is forgotten, copies of pinned vertices are pinned too.
-    /// Returns whether anything changed.
+    /// After a step of the cut: removes dead vertices, and pins copies of pinned ones. Returns
+    /// whether anything changed.
     bool follow(const SurfaceMesh& mesh, const CutDelta& delta);
 
     /// Ascending.

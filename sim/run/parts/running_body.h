@@ -17,47 +17,47 @@
 
 namespace kerf {
 
-/// The body of a simulation as it runs: constant set-up, running state on the GPU, the mesh, which
-/// is the truth about topology and fetches positions where they are read, and all that cutting and
-/// solving remember of it. What a Snapshot keeps.
+/// The running body of a simulation: constant set-up, running state on the GPU, the mesh, which
+/// owns the topology and fetches positions when read, and the state of cutting and solving.
+/// Snapshot stores these.
 struct RunningBody {
-    /// Runs an uncut body at rest, which `loadedSolver` has been given.
+    /// Runs an uncut body at rest, already in `loadedSolver`.
     RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver);
 
-    /// The uncut body at rest, nothing held or pinned. measureAtRest() once the parameters apply.
+    /// Restores the uncut body at rest, nothing held or pinned. Call measureAtRest() after setting
+    /// parameters.
     void startAnew();
-    /// startAnew() of the uncut body as it was at first.
+    /// startAnew() with the original uncut body.
     void startAsAtFirst();
-    /// "", or one sentence where the scene has no model of this number.
+    /// "", or one sentence if the scene has no model of this number.
     std::string checkModel(int model) const;
-    /// startAnew() with `placed`, the uncut body with its models put elsewhere.
+    /// startAnew() with `placed`, the uncut body with new placements.
     void startAnew(std::shared_ptr<const UncutBody> placed);
     void measureAtRest();
     void apply(const Params& params);
 
-    /// The body as it is now; never null.
+    /// The present body; never null.
     SnapshotPointer capture();
-    /// Bit for bit. The parameters are to be applied again.
+    /// Bit for bit. Apply the parameters again afterwards.
     void restore(const Snapshot& snapshot);
 
-    /// Lets targets of volumes fade, and hands and what is drawn back move, before the solver's
-    /// step.
+    /// Decays volume targets, and moves hands and recovering pieces, before the solver's step.
     void prepareStep(const Params& params);
     void bringLostPiecesBack();
     /// Keeps triangles of a folded thin body from passing through each other, unless they did at
-    /// `before` [m]. Measures the body anew where some did.
+    /// `before` [m]. Measures the body again if some did.
     void stopCrossings(const std::vector<Vec3>& before, const Params& params);
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
-    /// The solver's step is over, with lost pieces back. Returns how long it took to list what lies
-    /// near the blade, which the GPU has found [ms].
+    /// Ends the solver's step, after lost pieces were reset. Returns the time for listing what the
+    /// GPU found near the blade [ms].
     double endStep();
 
-    /// The triangles near what is swept between these points [m], ascending.
+    /// The triangles near the area swept between these points [m], ascending.
     std::vector<int> trianglesNear(std::span<const Vec3> strip);
     /// Tells whether there are any.
     bool isNear(std::span<const Vec3> strip) { return !trianglesNear(strip).empty(); }
-    /// The rung where the blade last cut, as it lies now.
+    /// The present position of the last rung.
     std::vector<RungNode> front() const;
     /// The mesh has changed.
     void forgetPieces() { pieces_.reset(); }
@@ -65,26 +65,25 @@ struct RunningBody {
     /// See Simulation::readAllBack().
     void readAllBack(bool all);
 
-    /// The box around what is pinned, once it is moved so [m].
+    /// The box of the pinned vertices after such a move [m].
     Bounds pinnedAfter(const MovePins& move) const;
     /// Moves it, at once.
     void movePinned(const MovePins& move);
 
-    /// The running mesh: another one after models were put elsewhere, and what was before.
+    /// The running mesh; replaced by placements.
     SurfaceMesh& mesh() const { return *uncut->running; }
     const BodyModel& model() const { return updater->model(); }
-    /// Whether a piece may have gone through itself, as far as the last measure shows: some edge is
-    /// folded, or a piece holds little of its volume.
+    /// Whether a piece may have passed through itself, by the last measure: some edge is folded, or
+    /// a piece has lost much volume.
     bool looksCollapsed() const;
-    /// Whether it has hardly moved for so long that it stays as it is until something is done to
-    /// it.
+    /// Whether it sleeps: it has hardly moved for so long that it stays until disturbed.
     bool liesStill() const;
-    /// A step of `timeStep` [s] has been measured, in which a piece was lost or not.
+    /// After the measure of a step of `timeStep` [s]; `lost`: it lost a piece.
     void noteStillness(double timeStep, bool lost);
     /// Tells whether walls of a stroke of the open course are absent.
     bool isOpen() const;
     const PieceMap& pieces();
-    /// The solver has the model again after it became another one.
+    /// The solver has the changed model.
     void becomeWhole();
 
     // What it was made with, and what it starts anew from. Never null.
@@ -114,7 +113,7 @@ struct RunningBody {
     void lookUpTriangles();
     void beginAtRest();
 
-    std::optional<PieceMap> pieces_;  ///< of the mesh as it is, where it is known
+    std::optional<PieceMap> pieces_;  ///< of the present mesh, if known
 };
 
 }  // namespace kerf

@@ -13,23 +13,23 @@
 
 namespace kerf {
 
-/// Draws pieces that have collapsed back to their shape: what has gone through itself rests in a
-/// wrong one, since lengths and angles are the same inside out, and no elastic force leads out of
-/// it. All vertices of such a piece are led to its shape at rest, put where that fits best; floor,
-/// boxes and other pieces stop them. Once it is back, or time is up, it is let go, and not drawn
-/// again before somebody has acted.
+/// Recovers pieces that have collapsed: one that has passed through itself rests in a wrong shape,
+/// since lengths and angles are the same inside out, and no elastic force leads out of it. All
+/// vertices of such a piece move to its fitted rest shape; floor, boxes and other pieces stop them.
+/// Recovery ends when the shape is reached, or after a time limit, and does not restart before the
+/// next user action.
 class ShapeRecovery {
   public:
-    /// A piece of which a larger share is inside out has collapsed. An arm that is dragged through
-    /// its body stays below.
+    /// A piece with a larger share inside out has collapsed. An arm that is dragged through its
+    /// body stays below.
     static constexpr double kMostInsideOut = 0.1;
 
-    /// Begins to draw the collapsed ones of the pieces back. `insideOut`: see sharesInsideOut().
-    /// Returns how many these are.
+    /// Starts to recover the collapsed pieces. `insideOut`: see sharesInsideOut(). Returns their
+    /// number.
     int begin(std::span<const double> insideOut);
-    /// Lets pieces be drawn back again: the load that crushed them may have gone.
+    /// Allows recovery again: the load that crushed the pieces may be gone.
     void allowAgain();
-    /// Lets go of all pieces.
+    /// Stops all recoveries.
     void stop() { courses_.clear(); }
     /// Follows a cut. `source`: see LabelChange.
     void follow(std::span<const int> source);
@@ -37,26 +37,25 @@ class ShapeRecovery {
     bool draws() const;
     bool draws(int piece) const;
 
-    /// What a step is about to move.
+    /// The input of a step.
     struct Body {
         const BodyModel& model;
         const SurfaceMesh& mesh;
         const Params& params;
-        /// Vertices that are pinned or in a hand, ascending: the shape is put to them.
+        /// Pinned or held vertices, ascending: the shape is fitted to them.
         std::vector<std::uint32_t> held;
     };
-    /// How the vertices of these pieces are led through the coming step. Lets go of those that are
-    /// back.
+    /// The motion of the vertices of these pieces in the coming step. Ends finished recoveries.
     std::vector<shared::PullRecord> advance(const Body& body);
 
   private:
     struct Course {
         bool draws = false;
-        bool spent = false;                 ///< drawn back since somebody last acted
-        double time = 0;                    ///< that it has been drawn [s]
+        bool spent = false;                 ///< recovered since the last user action
+        double time = 0;                    ///< since its start [s]
         std::optional<RigidMotion> motion;  ///< as a whole, in the last step
     };
-    /// Appends how the vertices of a piece are led, or lets go of it.
+    /// Appends the motion of the vertices of a piece, or ends its recovery.
     static void lead(std::vector<FittedVertex> vertices, const Body& body, Course& course,
                      std::vector<shared::PullRecord>& records);
 

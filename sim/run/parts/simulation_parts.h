@@ -14,10 +14,10 @@
 
 namespace kerf {
 
-/// What a person has set.
+/// The input of a person.
 struct SimulationInput {
     Params params;
-    bool paramsChanged = false;  ///< since the body was told of them
+    bool paramsChanged = false;  ///< since the body got them
     std::vector<StaticBox> boxes;
     LedBlade blade;
     bool timeRuns = true;  ///< see SetTime
@@ -29,17 +29,17 @@ struct SimulationClock {
     double time = 0;  ///< [s]
 };
 
-/// What a simulation tells.
+/// The output of a simulation.
 struct SimulationOutput {
     SimulationClock clock;
     StepReport report;
-    CutResult lastCut;                  ///< of the last step that the blade moved in
+    CutResult lastCut;                  ///< of the last step with blade motion
     std::vector<std::string> messages;  ///< since they were last taken
     std::string refusal;                ///< see Simulation::refusalOfStroke()
-    bool toldTooLarge = false;          ///< for the undo memory, since a body last fit into it
+    bool toldTooLarge = false;          ///< for the undo memory, since a body last fitted
     int bodyRevision = 0;               ///< see Simulation::bodyRevision()
 
-    /// Tells a person a sentence about the step.
+    /// Adds a message about the step.
     template <class... Parts>
     void say(fmt::format_string<Parts...> format, Parts&&... parts) {
         messages.push_back(fmt::format("step {}: ", clock.stepsDone) +

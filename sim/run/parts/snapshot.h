@@ -18,25 +18,24 @@
 
 namespace kerf {
 
-/// What a simulation remembers of its body beside mesh, model, cutter and GPU.
+/// The state of a body besides mesh, model, cutter and GPU.
 struct BodyMemory {
     VolumeTargets volumeTargets;
     Hands hands;
     Pins pins;
     ShapeRecovery recovery;
-    BodyMeasure measure;  ///< as of the last step
+    BodyMeasure measure;  ///< after the last step
     SubdivisionCounts subdivisions{};
     std::vector<StrokeRecord> strokes;  ///< since the body was whole; see Simulation::strokes()
-    /// Parameters keep no shape, or were changed while it was folded: what they have turned inside
-    /// out stays so.
+    /// Parameters keep no shape, or were changed while it was folded: inverted parts may stay so.
     bool mayHaveCollapsed = false;
     /// Some piece was partly inside out, and something has been folded since.
     bool crumpled = false;
-    double stillFor = 0;  ///< time over which it has hardly moved, and nothing was done to it [s]
-    int foldedSteps = 0;  ///< without a stroke, since its shape was last looked at
+    double stillFor = 0;  ///< time at rest without a disturbance [s]
+    int foldedSteps = 0;  ///< without a stroke, since its shape was last checked
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 
-    /// Remembers a stroke, in the place of one before it that did not meet the body.
+    /// Adds a stroke, replacing one that did not meet the body.
     void beginStroke(const StrokeRecord& stroke) {
         if (strokes.empty() || strokes.back().metBody()) {
             strokes.emplace_back();
@@ -45,9 +44,9 @@ struct BodyMemory {
     }
 };
 
-/// The body of a simulation between two steps, and all that cutting and solving remember of it. One
-/// that is restored goes on bit for bit as it would have. Body, cutter and trees refer to the mesh
-/// of the simulation that made it, so it is of use to that one alone and must not outlive it.
+/// The body of a simulation between two steps, with the state of cutting and solving. A restored
+/// one continues bit for bit. Body, cutter and trees refer to the mesh of the simulation that made
+/// it, so only that one can use it, and it must not outlive it.
 struct Snapshot {
     SurfaceMesh mesh;  ///< with the positions and velocities of the GPU
     BodyUpdater body;

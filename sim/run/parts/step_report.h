@@ -12,7 +12,7 @@ namespace kerf {
 struct BodyMeasure;
 struct BodyModel;
 
-/// One row of metrics.csv, known after a step.
+/// One row of metrics.csv, after a step.
 struct StepReport {
     int step = 0;            ///< index of the step that just ran, from 0
     double time = 0;         ///< simulated time at its end [s]
@@ -26,31 +26,31 @@ struct StepReport {
     SubdivisionCounts subdivisions{};    ///< of the touched triangles, in this step
     int seeds = 0;                       ///< groups of neighbours among the touched triangles
     Debris debris;                       ///< removed in this step
-    SweptArea swept;                     ///< by the blade inside of the material, in this step
-    double fractureEnergy = 0;           ///< that the new surface of this step takes [J]
-    std::optional<BladeLoad> bladeLoad;  ///< none unless it is measured, or while time stands
-    HeldEdge heldEdge;                   ///< of a blade that feels
+    SweptArea swept;                     ///< by the blade inside the material, in this step
+    double fractureEnergy = 0;           ///< of the new surface of this step [J]
+    std::optional<BladeLoad> bladeLoad;  ///< none unless measured, or while paused
+    HeldEdge heldEdge;                   ///< with `blade_feels`
     int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
     bool open = false;                   ///< walls of a stroke of the open course are absent
     double kineticEnergy = 0;            ///< see BodyMeasure [J]
     double potentialEnergy = 0;          ///< [J]
     std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
-    int lostPieces = 0;  ///< pieces that ran away and were taken back to where the step began
+    int lostPieces = 0;                  ///< diverged pieces, reset to the start of the step
     double deformMs = 0;
     double collideMs = 0;
     double cutMs = 0;
-    SearchWork search;  ///< for the triangles near the blade: part of cutMs but for the prefetch
+    SearchWork search;  ///< for the triangles near the blade: part of cutMs, except the prefetch
 
-    /// Adds what a movement of the blade did.
+    /// Adds the result of a movement of the blade.
     void add(const CutStatistics& cut);
-    /// Describes what the body has become, with contacts as the measure knows them.
+    /// Describes the present body, with contacts from the measure.
     void describe(const BodyModel& model, const BodyMeasure& measure);
 };
 
-/// The sentence that tells a person, wherever it does, that a movement of the blade was refused.
+/// The message that a movement of the blade was refused.
 std::string refusalSentence(const CutResult& result, int step);
-/// Sentences that tell a person what the end of a stroke left, besides the cut.
+/// Messages about the end of a stroke.
 std::vector<std::string> sentencesAboutEnd(const CutResult& result, int step);
 
 }  // namespace kerf

@@ -8,15 +8,15 @@
 
 namespace kerf {
 
-/// A prepared body on its way to the GPU, a portion at a time, so that pictures can be drawn in
-/// between. Then a Simulation takes it over.
+/// The upload of a prepared body to the GPU, in portions, so that frames can be drawn in between.
+/// Then a Simulation takes it over.
 class BodyUpload {
   public:
     /// Compiles the kernels for the OpenGL context that is current. Throws gpu::ShaderError.
     explicit BodyUpload(PreparedBody prepared);
 
     bool done() const { return next_ == GpuSolver::kModelPortions; }
-    /// The next portion; not once it is done. Throws gpu::OutOfMemory.
+    /// Uploads the next portion; not once it is done. Throws gpu::OutOfMemory.
     void advance();
     void finish();
 

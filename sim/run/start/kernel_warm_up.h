@@ -17,21 +17,19 @@ BodyState approachingStateOf(const SurfaceMesh& touchingBoxes);
 /// Around their velocities [m/s].
 Bounds approachingVelocities();
 
-/// Runs the kernels that a stroke, a fall, a contact and a pull need on a tiny body of its own, one
-/// more at a time: software drivers compile with the first dispatch, and nobody shall wait for that
-/// in the middle of a stroke. It serves where programs are shared (gpu::ProgramShelf), as long as
-/// it lives.
+/// Runs the kernels of a stroke, a fall, a contact and a pull on a tiny body, one at a time:
+/// software drivers compile with the first dispatch, which should not delay a stroke. It works
+/// where programs are shared (gpu::ProgramShelf), during its lifetime.
 class KernelWarmUp {
   public:
-    /// For bodies with so many vertices that are simulated with these parameters. Throws
-    /// gpu::ShaderError, gpu::OutOfMemory.
+    /// For bodies of this size with these parameters. Throws gpu::ShaderError, gpu::OutOfMemory.
     KernelWarmUp(Params params, std::size_t vertices);
 
     /// Runs one more of the kernels for the first time. Returns false once all have run.
     bool advance();
 
   private:
-    /// What the tiny body does in a step.
+    /// The motion of the tiny body in a step.
     enum class Act { touch, fold, pull, done };
     void expect();
 

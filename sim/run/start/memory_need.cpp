@@ -16,7 +16,7 @@ namespace kerf {
 
 namespace {
 
-/// An amount that grows with a mesh: so much for each vertex, and so much for each triangle.
+/// An amount per vertex and per triangle of a mesh.
 struct PerElement {
     double vertex = 0;
     double triangle = 0;
@@ -27,7 +27,7 @@ struct PerElement {
     friend constexpr PerElement operator*(double times, const PerElement& each) {
         return {times * each.vertex, times * each.triangle};
     }
-    /// The total for a mesh with so many vertices and triangles.
+    /// The total for a mesh.
     constexpr double of(double vertices, double triangles) const {
         return vertex * vertices + triangle * triangles;
     }

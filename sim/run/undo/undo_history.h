@@ -10,29 +10,29 @@
 
 namespace kerf {
 
-/// A gesture that changes the body and may go on in further commands: one undo takes all back.
+/// A gesture that changes the body and may continue in further commands: one undo reverts all.
 enum class BodyGesture { none, placement, hands, pins };
 
-/// A change that a person made, and how to take it back.
+/// A change by a person, and how to revert it.
 struct UndoEntry {
-    /// A parameter that went from one value to another.
+    /// A change of a parameter.
     struct ParamChange {
         std::string param;
         ParamValue before;
         ParamValue after;
     };
-    /// A material that gave parameters other values.
+    /// A material that changed parameters.
     struct MaterialChange {
         std::string material;  ///< its label
         std::vector<ParamChange> params;
     };
-    /// Vertices that were pinned or freed, of the mesh as it is between the changes of the body
-    /// before and after: see UndoHistory::followCut.
+    /// Vertices that were pinned or unpinned, in the mesh between the previous and the next change
+    /// of the body: see UndoHistory::followCut.
     struct PinChange {
         Pins before;
         Pins after;
     };
-    /// Boxes that were added, changed or removed: all there were and are.
+    /// Boxes that were added, changed or removed: all boxes before and after.
     struct BoxesChange {
         std::vector<StaticBox> before;
         std::vector<StaticBox> after;
@@ -43,56 +43,55 @@ struct UndoEntry {
         SnapshotPointer before;
         SnapshotPointer after;
         BodyGesture gesture = BodyGesture::none;
-        std::vector<ParamChange> params = {};  ///< that followed the size
+        std::vector<ParamChange> params = {};  ///< that were adapted to the size
     };
 
-    std::string name;  ///< as people read it: "Cut 2", "Gravity: none"
-    double time = 0;   ///< simulated, when it happened [s]
+    std::string name;  ///< for display: "Cut 2", "Gravity: none"
+    double time = 0;   ///< simulated time of the change [s]
     std::variant<ParamChange, MaterialChange, PinChange, BoxesChange, BodySnapshotChange> change;
 };
 
-/// The changes of a simulation in their order. The first done() of them are in force, the others
-/// undone. Where they need more than the budget the oldest changes are forgotten.
+/// The changes of a simulation in order. The first done() of them are applied, the others undone.
+/// Beyond the budget the oldest changes are dropped.
 class UndoHistory {
   public:
-    /// Sets the budget [bytes]; 0, as at the start, keeps nothing at all.
+    /// Sets the budget [bytes]; 0, the default, keeps nothing.
     void setBudget(std::size_t bytes);
     bool keeps() const { return budget_ > 0; }
     std::size_t budget() const { return budget_; }
     /// Memory of all snapshots (shared ones once), pins and boxes [bytes].
     std::size_t bytes() const { return bytesFrom(0); }
-    /// Changes that were forgotten to keep to the budget.
+    /// Changes that were dropped to keep the budget.
     int forgotten() const { return forgotten_; }
 
     const std::vector<UndoEntry>& entries() const { return entries_; }
     std::size_t done() const { return done_; }
-    /// Grows with each change that was made anew, or forgotten: while it stays, what was undone can
-    /// be brought back.
+    /// Grows with each new or dropped change: while it is constant, undone changes can be redone.
     int additions() const { return additions_; }
     bool canUndo() const { return done_ > 0; }
     bool canRedo() const { return done_ < entries_.size(); }
 
-    /// A change was made; those that were undone are lost.
+    /// Adds a change; undone ones are lost.
     void add(UndoEntry entry);
-    /// The last change where it is of this kind and nothing is undone: more of the same gesture may
-    /// give it a new end. Else null.
+    /// The last change, if it is of this kind and nothing is undone: the same gesture may extend
+    /// it. Else null.
     template <class Change>
     Change* continued() {
         return canUndo() && !canRedo() ? std::get_if<Change>(&entries_[done_ - 1].change) : nullptr;
     }
-    /// After each step of a cut, which may go on behind other changes: pins that were changed, or
-    /// of which a change was undone, since the last change of the body follow it.
+    /// After each step of a cut, which may continue after other changes: updates pins that were
+    /// changed, or whose change was undone, since the last change of the body.
     void followCut(const SurfaceMesh& mesh, const CutDelta& delta);
     void renameLast(std::string name) { entries_[done_ - 1].name = std::move(name); }
-    /// Something was done that is not kept: it can't be taken back, nor what was before it.
+    /// After a change that is not kept: neither it nor earlier ones can be undone.
     void forgetAll();
     void clear();
 
-    /// The change to take back next; markUndone() once that is done.
+    /// The change to undo next; call markUndone() after that.
     const UndoEntry& lastDone() const { return entries_[done_ - 1]; }
-    /// Marks that change as undone. `after` is the body as it was until now, for a change of it.
+    /// Marks that change as undone. `after`: the body until now, for a change of it.
     void markUndone(SnapshotPointer after);
-    /// The change to bring back next; markRedone() once that is done.
+    /// The change to redo next; call markRedone() after that.
     const UndoEntry& firstUndone() const { return entries_[done_]; }
     void markRedone();
 

@@ -9,42 +9,42 @@
 
 namespace kerf {
 
-/// The changes of a person, entry by entry: gestures that go on extend their entry, and a stroke is
+/// The changes of a person, entry by entry: continued gestures extend their entry, and a stroke is
 /// one, however often it cuts.
 class UndoLog {
   public:
     UndoHistory& history() { return history_; }
     const UndoHistory& history() const { return history_; }
-    /// Forgets everything but the budget.
+    /// Drops everything except the budget.
     void clear();
 
-    /// The body as it is; never null. Taken anew only where something differs from the last one.
+    /// The present body; never null. Copied only if it differs from the last snapshot.
     SnapshotPointer capture(RunningBody& body);
-    /// The body as it is. Null where nothing is kept, or where a snapshot would not fit: a large
-    /// body is not copied for nothing.
+    /// The present body. Null if nothing is kept, or if a snapshot would not fit, so that a large
+    /// body is not copied in vain.
     SnapshotPointer captureForUndo(RunningBody& body);
-    /// Something is about to differ from the last snapshot.
+    /// The state is about to differ from the last snapshot.
     void touch() { current_.reset(); }
-    /// The body has become that of a snapshot.
+    /// The body was set to a snapshot.
     void isAt(const SnapshotPointer& snapshot) { current_ = snapshot; }
 
     /// Changes from one value to another; `continues`: with the gesture of the last one. `time`:
     /// simulated [s].
     void noteParam(const std::string& param, const ParamValue& before, const ParamValue& after,
                    bool continues, double time);
-    /// A material of that label changes a parameter, as it may have changed others just before.
+    /// A material of that label changes a parameter, perhaps after others.
     void noteMaterial(const std::string& material, UndoEntry::ParamChange change, double time);
     void notePins(Pins before, Pins after, const Pin& pin, double time);
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
-    /// Notes a change of the body. `before` is null where no snapshot fits, or none is kept. Says
-    /// where one is too large, so that neither it nor what was before can be taken back.
+    /// Records a change of the body. `before` is null if no snapshot fits, or none is kept. Reports
+    /// one that is too large, so that neither it nor earlier changes can be undone.
     void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output,
                   BodyGesture gesture = BodyGesture::none);
 
-    /// Whether the last change was such a gesture, which may go on.
+    /// Whether the last change was such a gesture, which may continue.
     bool continuesBody(BodyGesture gesture);
-    /// A placement, before which the body was `before` (see noteBody()) and the parameters others;
-    /// one that goes on with a gesture needs no `before`.
+    /// Records a placement, with the body `before` (see noteBody()) and the parameters before; one
+    /// that continues a gesture needs no `before`.
     void notePlacement(const Place& place, SnapshotPointer before,
                        std::vector<UndoEntry::ParamChange> params, SimulationOutput& output);
 
@@ -56,7 +56,7 @@ class UndoLog {
 
   private:
     UndoHistory history_;
-    SnapshotPointer current_;       ///< equal to the state as it is; null where none is known to be
+    SnapshotPointer current_;       ///< equal to the present state; null if none is
     SnapshotPointer beforeStroke_;  ///< while the blade is placed and has not changed the body
     bool strokeNoted_ = false;      ///< since the blade was placed
     int cutsSoFar_ = 0;

@@ -9,7 +9,7 @@
 
 namespace kerf::cut {
 
-/// Makes the nodes of the curves in which a step's strip and the mesh meet, each once.
+/// Makes the nodes of the intersection curves of a step's strip and the mesh, each once.
 class CurveNodes {
   public:
     /// All must outlive the object.
@@ -21,10 +21,10 @@ class CurveNodes {
     int onFace(const TrianglePair& pair, int m, int edge, const Crossing& crossing);
     /// The V node of the vertex that the pair shares.
     int atSharedVertex(const TrianglePair& pair);
-    /// Adds the piece of a curve between two nodes, in the mesh triangle in slot m.
+    /// Adds a curve segment between two nodes, in the mesh triangle in slot m.
     void join(int m, int stripTriangle, int from, int to);
 
-    /// The curves, with nodes in their order along edges and at their places.
+    /// The curves, with nodes ordered along edges and with positions.
     CutCurves take();
 
   private:

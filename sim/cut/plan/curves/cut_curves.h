@@ -11,7 +11,7 @@
 
 namespace kerf::cut {
 
-/// The place on which a node of the new surface lies.
+/// The place of a node of the new surface.
 enum class NodeKind {
     edge,    ///< a mesh edge pierces a strip triangle (E)
     face,    ///< a strip edge pierces a mesh triangle (F)
@@ -22,7 +22,7 @@ enum class NodeKind {
 /// A vertex of the new surface, before it has a number in the mesh; position and velocity as those
 /// of mesh vertices.
 struct CutNode {
-    NodeKind kind = NodeKind::wall;  ///< the place on which it lies
+    NodeKind kind = NodeKind::wall;  ///< its place
     int a = -1;                      ///< edge: its first end; face: the triangle; vertex: itself
     int b = -1;                      ///< edge: its second end
     double t = 0;                    ///< edge: position = a + t (b - a)
@@ -51,8 +51,8 @@ struct EdgeHit {
     int node;           ///< the E node there
 };
 
-/// All curves in which strip and surface meet. Ordered containers throughout: iteration order
-/// reaches the numbering of the result.
+/// All intersection curves of strip and surface. Containers are ordered, since iteration order
+/// affects the numbering of the result.
 struct CutCurves {
     std::vector<CutNode> nodes;                   ///< all nodes of the new surface
     std::vector<Segment> segments;                ///< all pieces of the curves
@@ -68,8 +68,8 @@ struct CutCurves {
     void append(const std::vector<CutNode>& more);
 };
 
-/// What copies of a node have in common: the first copies of its edge's or face's corners, and the
-/// strip's triangle or edge that meets it there.
+/// The key that copies of a node share: the first copies of its edge's or face's corners, and the
+/// strip's triangle or edge there.
 using PointKey = std::array<int, 4>;
 /// By node; -1 throughout for V nodes and inner ones of walls.
 std::vector<PointKey> pointKeys(const SurfaceMesh& mesh, const CutCurves& curves);

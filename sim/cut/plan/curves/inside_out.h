@@ -9,7 +9,7 @@
 
 namespace kerf::cut {
 
-/// What leads from one point of the strip's border to the next.
+/// The link from one point of the strip's border to the next.
 enum class Link {
     stripEdge,  ///< a piece of a strip edge
     none,       ///< nothing: both points are one strip node, seen from two sides of a gap
@@ -39,15 +39,15 @@ struct BorderPoint {
 /// The pieces of the body that the curves or the front in a strip belong to.
 std::set<int> piecesInStrip(const StepInput& in, const Strip& strip, const CutCurves& curves);
 
-/// The points of the border of a strip in turn, as one piece of the body sees it: its nodes, and
-/// where the curves of the piece (`segments`) end between them. Throws StepFailure.
+/// The points of the border of a strip in order, for one piece of the body: its nodes, and the ends
+/// of the piece's curves (`segments`) between them. Throws StepFailure.
 std::vector<BorderPoint> borderPoints(const StepInput& in, const Strip& strip, int piece,
                                       const CutCurves& curves,
                                       const std::vector<Segment>& segments);
 
-/// Tells which parts of a strip's border lie inside the body, from where curves end on it
-/// (BorderPoint::inside). Two such ends in an order that can't be are swapped where they lie close
-/// together. Throws StepFailure where inside and outside contradict each other.
+/// Finds which parts of a strip's border are inside the body, from the ends of curves on it
+/// (BorderPoint::inside). Two such ends in an impossible order are swapped if close together.
+/// Throws StepFailure where inside and outside contradict each other.
 std::vector<BorderPoint> tellInsideOut(const StepInput& in, const Strip& strip,
                                        std::vector<BorderPoint> points);
 

@@ -10,7 +10,7 @@ namespace kerf::cut {
 enum class OutlineKind {
     cut,    ///< a curve segment: surface on both sides opens here
     free,   ///< inside the body: the new front, the path of the tip, the start of a stroke
-    front,  ///< an edge of the old front, where the slit grows on
+    front,  ///< an edge of the old front, where the slit continues
 };
 
 /// A directed border edge of the new wall, wall on its left in the layout plane.
@@ -37,10 +37,10 @@ struct Outline {
     bool endBInside = false;         ///< the blade's end B lies inside: the front ends there
 };
 
-/// Walks the border of the strip, tells inside from outside, and collects the border of the wall;
-/// for each piece of the body apart, so that pieces may touch or overlap. Its own nodes are free
-/// samples and front vertices. Empty where the blade swept only air. Throws StepFailure where
-/// inside and outside contradict each other.
+/// Walks the border of the strip, distinguishes inside from outside, and collects the border of the
+/// wall; for each piece separately, so that pieces may touch or overlap. Its own nodes are free
+/// samples and front vertices. Empty if the blade swept only air. Throws StepFailure if inside and
+/// outside contradict each other.
 Outline traceOutline(const StepInput& in, const Strip& strip, const RestGuess& guess,
                      const CutCurves& curves);
 

@@ -8,14 +8,14 @@
 
 namespace kerf::cut {
 
-/// A rough guess of where places of the strip inside the body rest, for looking up edge lengths:
-/// the affine map that fits the curves and the old front best. New wall vertices get their rest
-/// positions by mapFromSkin.
+/// A rough estimate of the rest positions of places of the strip inside the body, for looking up
+/// edge lengths: the best affine fit to the curves and the old front. New wall vertices get their
+/// rest positions by mapFromSkin.
 class RestGuess {
   public:
     /// Fits the map.
     RestGuess(const StepInput& in, const Strip& strip, const CutCurves& curves);
-    /// The guessed rest position of a place [m].
+    /// The estimated rest position of a place [m].
     Vec3 at(const Vec3& position) const {
         return position + offset_ + change_ * (position - center_);
     }

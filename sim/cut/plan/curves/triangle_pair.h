@@ -7,7 +7,7 @@
 
 namespace kerf::cut {
 
-/// The corners of a triangle as rows, the last one twice: so many numbers go together.
+/// The corners of a triangle as rows, the last one twice, for vector instructions.
 using ThreePoints = Eigen::Matrix<double, 4, 3>;
 
 /// A triangle of the mesh as the predicates see it.
@@ -45,7 +45,7 @@ struct StripTriangle {
 
 /// The vertex that the two triangles of a pair share.
 struct SharedVertex {
-    int count = 0;  ///< how many they share; the rest tells the last one
+    int count = 0;  ///< how many they share; the rest describes the last one
     int vertex = -1;
     int meshCorner = -1;
     int stripCorner = -1;
@@ -67,7 +67,7 @@ struct TrianglePair {
     SharedVertex shared;
 };
 
-/// Whether some plane, found without much ado, lies between the two; but for a shared vertex.
+/// Whether a cheap test finds a plane that separates the two, apart from a shared vertex.
 bool areApart(const TrianglePair& pair);
 
 /// The sides of the corners of each triangle of a pair against the plane of the other.
@@ -88,8 +88,8 @@ struct Crossing {
     double t = 0;                 ///< parameter along the edge
     Vec3 weights = Vec3::Zero();  ///< of the other triangle's corners, in the order of the signs
 };
-/// The crossing of the mesh triangle's edge from `corner` on; nothing where it passes the strip's.
-/// Throws StepFailure where that can't be told.
+/// The crossing of the mesh triangle's edge from `corner` on; nothing if it misses the strip's.
+/// Throws StepFailure if that is undecidable.
 std::optional<Crossing> meshEdgeCrossing(const TrianglePair& pair, const PairSigns& signs,
                                          int corner);
 /// The crossing of the strip triangle's edge from `corner` on, in the same way.

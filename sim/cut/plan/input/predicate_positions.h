@@ -7,24 +7,24 @@
 namespace kerf::cut {
 
 /// The positions at which the predicates see the mesh vertices: the real ones, except that copies
-/// may close, that retraced slits open, and that pinned vertices are seen where they are pinned, as
-/// those of a front node exactly there. Nothing real moves.
+/// may close, retraced slits open, and pinned vertices are seen where they are pinned, such as
+/// those of a front node exactly there.
 class PredicatePositions {
   public:
-    /// Sees the mesh as the step's attempt and opening want it, without pins.
+    /// The mesh as seen by the step's attempt and opening, without pins.
     explicit PredicatePositions(const StepInput& in);
 
     /// The position of v, with the pins [m].
     Vec3 at(int v) const;
     /// The position of v, without the pins [m].
     Vec3 withoutPins(int v) const;
-    /// Lets v be seen at p from now on.
+    /// From now on v is seen at p.
     void pin(int v, const Vec3& p) { pins_[v] = p; }
-    /// Lets v, which lies in the strip, be seen beside it from now on, by `way` [m].
+    /// From now on v, which lies in the strip, is seen displaced by `way` [m].
     void pinAside(int v, const Vec3& way);
     /// Whether v is seen beside the strip in which it lies.
     bool isAside(int v) const { return asideFrom_.count(v) > 0; }
-    /// The position of v, with the pins but for those aside [m].
+    /// The position of v, with the pins except those aside [m].
     Vec3 inStrip(int v) const;
     /// The farthest that any vertex was pinned aside [m].
     double asideReach() const { return asideReach_; }

@@ -13,25 +13,25 @@
 
 namespace kerf::cut {
 
-/// The value of Attempt::closing where older slits are to close, share of h.
+/// The value of Attempt::closing that closes older slits, share of h.
 inline constexpr double kCloseDistance = 1.0;
-/// The value of Attempt::closing where only the noise of rounded positions is to go, share of h.
+/// The value of Attempt::closing that only removes rounding noise, share of h.
 inline constexpr double kCloseNoise = 1e-4;
 
 /// One level of the retry ladder. Lengths are shares of h.
 struct Attempt {
     int level = 0;              ///< place in the ladder, 0 for the first try
-    bool staysInPlane = false;  ///< the blade's offset leads it on, not aside
+    bool staysInPlane = false;  ///< the blade's offset is ahead, not sideways
     double offsetScale = 1;     ///< length of the blade's offset, in units of the setting
-    /// Predicates see copies that lie within this of their mean there (commonPosition).
+    /// Predicates see copies within this distance of their mean there (commonPosition).
     double closing = kCloseNoise;
-    /// Predicates see vertices of the old rung, and around the front's ends, that slipped over the
-    /// skin where they belong on the surface as it was before the stroke (StrokeSurface).
+    /// Predicates see vertices of the old rung and around the front's ends that slipped over the
+    /// skin at their place on the surface before the stroke (StrokeSurface).
     bool onSurface = false;
     double tolerance = 0;  ///< nodes closer than this are one
 };
 
-/// The part of the blade that goes on, by the parameters of its ends.
+/// The part of the blade that advances, by the parameters of its ends.
 struct BladeSpan {
     double from = 0;         ///< parameter of the first end
     double to = 1;           ///< parameter of the last end
@@ -48,7 +48,7 @@ struct StepInput {
     const SlitOpening& opening;             ///< older slits that the predicates see open
     const std::vector<RungNode>& rung;      ///< positions up to date, s along `blade`
     Blade blade;                            ///< the blade to which the step goes
-    BladeSpan span;                         ///< the part of the blade that goes on
+    BladeSpan span;                         ///< the part of the blade that advances
     double h = 0;                           ///< edge length about the rung [m]
     double offset = 0;                      ///< length of the blade's offset at scale 1, share of h
     const EdgeLengthField& edgeLengths;     ///< edge lengths by rest position
@@ -57,10 +57,10 @@ struct StepInput {
     int transit = 0;               ///< number of the blade's way from air to air, over all strokes
     int firstVertexOfTransit = 0;  ///< vertices from here on were made in the transit
     Attempt attempt;               ///< the level of the retry ladder
-    Bounds body{};  ///< what lies outside of this box is in the air; empty where nothing is known
-    bool atRest = false;  ///< every vertex lies still where it rests
-    /// The sides on which vertices in the blade's plane are seen, across it; zero for those that
-    /// stay. Found when the strip first comes near, and kept for the transit (seeFlushAside).
+    Bounds body{};                 ///< all outside this box is air; empty if unknown
+    bool atRest = false;           ///< every vertex lies still where it rests
+    /// The sides of the blade's plane on which vertices in it are seen; zero for those that stay.
+    /// Found when the strip first comes near, and kept for the transit (seeFlushAside).
     std::map<int, Vec3>& flushSides;
 };
 

@@ -8,17 +8,17 @@
 
 namespace kerf::cut {
 
-/// The old rung as a line of heights over the blade, in the plane of the strip. Triangles under
-/// that line meet none of the strip, which lies above, but in its own nodes and front edges: so
-/// walls behind the front are told apart once, not from one triangle of the strip after the other.
+/// The old rung as a height profile over the blade, in the plane of the strip. Triangles under it
+/// meet the strip, which is above, only in its nodes and front edges: so walls behind the front are
+/// excluded once, not for each triangle of the strip.
 class FrontProfile {
   public:
-    /// Takes the profile of the strip's old rung. Nothing counts as behind where that rung does not
-    /// run on along the blade, or where the strip goes back under it.
+    /// Takes the profile of the strip's old rung. Nothing counts as behind if that rung is not
+    /// monotonic along the blade, or if the strip goes back under it.
     FrontProfile(const Blade& blade, const Strip& strip);
 
-    /// Whether a triangle of the mesh with these corners, as the predicates see it, lies under the
-    /// rung, but for corners that are vertices of it.
+    /// Whether a triangle of the mesh with these corners, as the predicates see it, is under the
+    /// rung, apart from corners on it.
     bool isBehind(const Triangle& ids, const Corners& at) const;
 
   private:
@@ -33,7 +33,7 @@ class FrontProfile {
     const Strip& strip_;
     Vec3 along_;
     Vec3 ahead_;
-    double room_ = 0;          ///< far more than rounding moves a height
+    double room_ = 0;          ///< far more than the rounding of a height
     std::vector<Vec2> front_;  ///< the nodes of the old rung; empty where nothing is behind
     double nodesPerLength_ = 0;
     double highest_ = -1e300;  ///< height of the highest node

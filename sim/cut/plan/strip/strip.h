@@ -8,7 +8,7 @@
 
 namespace kerf::cut {
 
-/// Twice the signed area between two ways in the layout plane.
+/// Twice the signed area between two vectors in the layout plane.
 inline double cross2(const Vec2& u, const Vec2& v) {
     return u.x() * v.y() - u.y() * v.x();
 }
@@ -65,7 +65,7 @@ struct Strip {
     bool isRail(int edge) const;
 };
 
-/// Finds where places of the layout plane lie in a strip.
+/// Finds the points of a strip for places of the layout plane.
 class PlacesInStrip {
   public:
     /// The strip must outlive the object.

@@ -7,9 +7,9 @@
 
 namespace kerf::cut {
 
-/// The nodes of the rung from which a step goes on, from A to B, as the predicates see them: its
-/// vertices, of which those at one place share a node, and its points in the air. Pins the vertices
-/// to their nodes, and what lies around the front's ends where the attempt says so.
+/// The nodes of the old rung of a step, from A to B, as the predicates see them: its vertices,
+/// where coinciding ones share a node, and its points in the air. Pins the vertices to their nodes,
+/// and those around the front's ends if the attempt says so.
 std::vector<StripNode> oldRung(const StepInput& in, PredicatePositions& positions);
 
 /// Builds the strip of a step between the old rung and a new one, which has no nodes at the

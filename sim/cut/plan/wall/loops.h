@@ -15,8 +15,8 @@ struct Sheet2d {
     std::vector<Loop> holes;  ///< clockwise
 };
 
-/// Chains the outline into loops and nests them: counter-clockwise loops are outer ones, others
-/// are holes of the smallest outer loop around them. Throws StepFailure.
+/// Chains the outline into nested loops: counter-clockwise ones are outer loops, others are holes
+/// of the smallest outer loop around them. Throws StepFailure.
 std::vector<Sheet2d> nestLoops(const StepInput& in, const Outline& outline,
                                const std::vector<CutNode>& nodes);
 

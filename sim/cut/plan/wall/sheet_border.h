@@ -19,8 +19,8 @@ struct Layout2d {
 class BorderedSheet {
   public:
     /// Takes the sheet without inner nodes, whose numbers will begin with `firstInner`. `nodes`
-    /// must outlive the object; within a share of `h` [m] they are at one place. Throws StepFailure
-    /// where the border is none.
+    /// must outlive the object; within a share of `h` [m] they coincide. Throws StepFailure if the
+    /// border is invalid.
     BorderedSheet(const Sheet2d& sheet, const std::vector<CutNode>& nodes, int firstInner,
                   double h);
 
@@ -32,7 +32,7 @@ class BorderedSheet {
     const Layout2d& bounds() const { return bounds_; }
     /// The node at a vertex of the triangulation, null for an inner one.
     const CutNode* borderNode(int vertex) const;
-    /// Puts a node inside; `at` is what locate(layout) has just returned.
+    /// Inserts a node inside; `at` is the result of locate(layout) just before.
     void addInner(const Vec2& layout, const Vec3& position, const Triangulation::Location& at);
     /// The inner nodes.
     const std::vector<CutNode>& inner() const { return inner_; }

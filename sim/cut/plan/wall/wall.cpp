@@ -89,9 +89,9 @@ bool shareFlatFaces(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q,
     return false;
 }
 
-/// Turns edges of a sheet that join two border nodes of one face of the mesh: they would lie in the
-/// surface and close a chip of no thickness. Where no turn helps, an inner node leads the sheet
-/// away from the face; so it does from two faces side by side in one plane.
+/// Flips edges of a sheet that join two border nodes of one face of the mesh: they would lie in the
+/// surface and enclose a chip of no thickness. Where no flip helps, an inner node lifts the sheet
+/// off the face, and off two adjacent faces in one plane.
 class Chords {
   public:
     Chords(const StepInput& in, const PlacesInStrip& places, BorderedSheet& sheet)
@@ -205,8 +205,8 @@ constexpr double kSteinerToEdge = 0.4;
 constexpr int kMostSteinerPoints = 200000;
 constexpr double kLattices = 2;  // for each doubling of the edge length
 
-/// Puts nodes into a sheet that is taller than one edge, as far apart as edges are long there.
-/// `nodes`: those of the border.
+/// Inserts nodes in a sheet that is taller than one edge, spaced by the local edge length. `nodes`:
+/// those of the border.
 class InnerPoints {
   public:
     InnerPoints(const StepInput& in, const RestGuess& guess, const PlacesInStrip& places,
