@@ -21,11 +21,11 @@ class Renderer {
     ~Renderer();
 
     Quality quality() const;
-    /// Another tier from the next picture on. Throws gpu::ShaderError.
+    /// Changes the tier from the next frame on. Throws gpu::ShaderError.
     void setQuality(Quality quality);
 
-    /// Links every program that a picture of this tier can come to need, which takes seconds, and
-    /// draws nothing. Throws gpu::ShaderError.
+    /// Links every program that this tier may need, which takes seconds, and draws nothing. Throws
+    /// gpu::ShaderError.
     void linkEveryProgram();
 
     /// Measures how deep each point of the uncut rest shape lies below its skin, so that the rind
@@ -33,11 +33,10 @@ class Renderer {
     /// don't change it. Without it, or with an empty mesh, depth comes from the ellipsoid in
     /// restBounds.
     void setRestShape(const SurfaceMesh& uncut);
-    /// Takes what measureSkinDepth() found, instead of measuring again.
+    /// Takes the result of measureSkinDepth() instead of measuring again.
     void setRestDepth(const DepthField& depth);
 
-    /// What the colours of the last picture, which showed a quantity, reach from and to (waits for
-    /// the GPU).
+    /// The range of the colours of the last frame, which showed a quantity (waits for the GPU).
     FieldRange fieldRange() const;
     /// Value of that quantity at a vertex, over its skin or its walls. None where there is none, or
     /// where the picture was of another revision of the body (waits for the GPU).

@@ -6,9 +6,9 @@
 
 namespace kerf::render {
 
-/// A soup of triangles as a body that can be drawn, whatever is wrong with it: no simulation has
-/// to know it. Every triangle is flat and seen from both sides. The vertices of the soup keep their
-/// numbers, for marks. Triangles with bad indices or without a place are left out.
+/// A soup of triangles as a drawable body, with any faults and without a simulation. Every triangle
+/// is flat and two-sided. The vertices of the soup keep their numbers, for marks. Triangles with
+/// bad indices or invalid positions are skipped.
 class SoupBody {
   public:
     /// Needs a current OpenGL 4.5 context. Throws gpu::OutOfMemory.

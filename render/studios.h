@@ -8,11 +8,10 @@
 namespace kerf::render {
 
 /// The light around the scene: a studio for the dark theme and one for the bright, or for both the
-/// panorama that $KERF_ENVIRONMENT names. One that can't be read is told in the log, and the light
-/// is even.
+/// panorama of $KERF_ENVIRONMENT. If it can't be read, the log says so, and the light is uniform.
 class Studios {
   public:
-    /// The one of a theme, read when it is first needed.
+    /// The one of a theme, read on first use.
     const EnvironmentTexture& of(bool bright);
 
   private:

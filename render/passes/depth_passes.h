@@ -21,8 +21,8 @@ class ShadowPass {
     gpu::Framebuffer map_;
 };
 
-/// What the body takes from each point of the floor: from the sky where it is close above, and from
-/// the key light. Heights above the floor, seen from below and along the light, then blurred.
+/// The shade of the body on the floor: from the sky where it is close above, and from the key
+/// light. Heights above the floor, seen from below and along the light, then blurred.
 class FloorShadePass {
   public:
     explicit FloorShadePass(int size);

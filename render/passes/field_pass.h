@@ -16,19 +16,19 @@ class FieldPass {
   public:
     FieldPass();
 
-    /// Works out the quantity of the picture, unless it is that of the last one.
+    /// Computes the quantity of the frame, unless it is that of the last one.
     void update(const SceneView& scene);
-    /// Another body comes, whose revisions mean others.
+    /// Drops the values, for another body with its own revisions.
     void forget() { shown_.reset(); }
     /// Draws into the bound target.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
 
-    /// What the colours of the last picture reach from and to (waits for the GPU).
+    /// The range of the colours of the last frame (waits for the GPU).
     FieldRange range() const;
-    /// The value of the last picture at a vertex, over its skin or over its walls; none where there
-    /// is none (waits for the GPU).
+    /// The value of the last picture at a vertex, over its skin or over its walls; none if there is
+    /// none (waits for the GPU).
     std::optional<float> valueAt(std::uint32_t vertex, bool onWall) const;
-    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    /// Links every program that it may need. Throws gpu::ShaderError.
     void linkEvery() { openedOnes(); }
     /// SceneView::bodyRevision that the values are of.
     std::optional<int> bodyRevision() const { return shown_ ? shown_->revision : std::nullopt; }

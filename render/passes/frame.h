@@ -8,10 +8,10 @@
 
 namespace kerf::render {
 
-/// The height of the drawn blade, from its edge to its back [m]; one that only cuts is a picture.
+/// The height of the drawn blade, from its edge to its back [m]; without pushing only for display.
 double bladeHeight(const SceneView& scene, double bodySize);
 
-/// The values that all passes of one picture share, worked out from the scene and the camera.
+/// The values that all passes of a frame share, computed from the scene and the camera.
 struct Frame {
     int width = 0;
     int height = 0;
@@ -41,7 +41,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
 
 /// Buffer and uniform of piece_looks.glsl.
 void bindLooks(const gpu::Program& program, const Frame& frame);
-/// bindLooks() for what is no piece of the body.
+/// bindLooks() for objects other than pieces of the body.
 void bindNoLooks(const gpu::Program& program, const Frame& frame);
 
 /// Uniforms of light.glsl.

@@ -6,12 +6,12 @@
 
 namespace kerf::render {
 
-/// Ambient occlusion: darkens what has other things close by, such as the depth of a slit.
+/// Ambient occlusion: darkens surfaces close to others, such as inside a slit.
 class OcclusionPass {
   public:
     OcclusionPass();
-    /// Darkens the picture in `drawn`, of which `plain` has the size and one sample per pixel; the
-    /// depth in `plain` is lost. Leaves `drawn` bound.
+    /// Darkens the frame in `drawn`; `plain` has its size and one sample per pixel, and loses its
+    /// depth. Leaves `drawn` bound.
     void draw(const Frame& frame, const gpu::Framebuffer& drawn, const gpu::Framebuffer& plain);
 
   private:

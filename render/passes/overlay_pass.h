@@ -10,8 +10,8 @@
 
 namespace kerf::render {
 
-/// What acts on the body, drawn over it: constraints as lines, contacts and pins as dots, boxes,
-/// and marks. Inside the body they are fainter.
+/// Overlays over the body: constraints as lines, contacts and pins as dots, boxes, and marks.
+/// Inside the body they are fainter.
 class OverlayPass {
   public:
     OverlayPass();

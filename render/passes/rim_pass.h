@@ -9,13 +9,13 @@
 
 namespace kerf::render {
 
-/// A dark line along the rim of each cut, by which a closed one shows.
+/// A dark line along the rim of each cut, so that closed ones are visible.
 class RimPass {
   public:
     RimPass();
     /// Draws over the surface in the bound target.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
-    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    /// Links every program that it may need. Throws gpu::ShaderError.
     void linkEvery() { openedOne(); }
 
   private:

@@ -11,15 +11,15 @@
 namespace kerf::render {
 
 /// Fills the body where a section plane opens it. The stencil counts, at each pixel, the surface
-/// behind the plane: once more left than entered means that the plane lies inside there. Exact,
-/// since pieces are closed. The target must have a stencil of zeros.
+/// behind the plane: one more exit than entries means that the plane is inside the body there.
+/// Exact, since pieces are closed. The target must have a stencil of zeros.
 class SectionPass {
   public:
     SectionPass();
-    /// Draws into the bound target, behind what is drawn of the body; `surface` has its look.
+    /// Draws into the bound target, after the body; `surface` has its look.
     void draw(const SceneView& scene, const Frame& frame, const Camera& camera,
               const SurfacePass& surface);
-    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    /// Links every program that it may need. Throws gpu::ShaderError.
     void linkEvery();
 
   private:

@@ -9,19 +9,19 @@
 
 namespace kerf::render {
 
-/// The pictures of a model as textures (move only): smaller ones for the distance, and sharp at a
-/// slant where the driver can.
+/// The images of a model as textures (move only), with mipmaps and, if supported, anisotropic
+/// filtering.
 class SkinTextures {
   public:
     SkinTextures() = default;
-    /// Uploads the pictures; of ones larger than the driver takes, every second pixel or fewer.
+    /// Uploads the images; reduces those that are larger than the driver allows.
     explicit SkinTextures(std::shared_ptr<const Appearance> appearance);
 
-    /// Whether these are the pictures of that appearance.
+    /// Whether these are the images of that appearance.
     bool areOf(const std::shared_ptr<const Appearance>& appearance) const {
         return appearance == appearance_;
     }
-    /// Binds one, which must be there.
+    /// Binds one, which must exist.
     void bind(int image, std::uint32_t unit) const;
 
   private:

@@ -15,7 +15,7 @@ namespace kerf::render {
 
 /// Binds the buffers of a body for the shaders that draw it.
 void bindBody(const BodyView& body, const NormalsPass& shape);
-/// The plane of the section that there must be, for a program that is in use.
+/// Sets the plane of the section, which must exist, in the current program.
 void setSection(const gpu::Program& program, const SceneView& scene);
 
 /// The body itself: skin, walls, wireframe.
@@ -24,14 +24,14 @@ class SurfacePass {
     /// `defines` of the quality tier go into every program.
     explicit SurfacePass(gpu::Defines defines) : defines_(std::move(defines)) {}
     void setDepth(const DepthField& depth);
-    /// Takes over what another pass was told of the rest shape.
+    /// Takes over the rest shape of another pass.
     void takeRestShape(SurfacePass& other) { depth_ = std::move(other.depth_); }
     /// Draws into the bound target, with the shadow map and the environment bound. Compiles the
-    /// programs of a look when it is first drawn, those of its walls too.
+    /// programs of a look, with those of its walls, on first use.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
-    /// Links every program that it can come to need. Throws gpu::ShaderError.
+    /// Links every program that it may need. Throws gpu::ShaderError.
     void linkEvery();
-    /// Colours and inner structure, of a program that is in use.
+    /// Sets colours and inner structure in the current program.
     void setLook(const gpu::Program& program, const SceneView& scene) const;
 
   private:

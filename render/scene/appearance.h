@@ -20,41 +20,41 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-/// A picture that a model brings along: the bytes of its file, PNG or JPEG, and what they show.
+/// An image of a model: the bytes of its file, PNG or JPEG, and its pixels.
 struct ModelImage {
     std::string name;   ///< of its file, without folders
     std::string bytes;  ///< as they were read
     Image pixels;       ///< empty until they are decoded
 };
 
-/// The looks that a model has of itself, besides what lies at its triangles (SkinAttributes).
+/// The model's own looks, besides those of its triangles (SkinAttributes).
 struct Appearance {
     std::vector<Material> materials;
     std::vector<ModelImage> images;
     bool empty() const { return materials.empty() && images.empty(); }
 };
 
-/// The kinds of pictures that are read for models, by their first bytes.
+/// The kinds of images of models, by their first bytes.
 enum class ImageKind { png, jpeg };
 /// ".png" or ".jpg".
 std::string_view endingOf(ImageKind kind);
 /// "image/png" or "image/jpeg".
 std::string_view mediaTypeOf(ImageKind kind);
-/// The kind of the bytes of a file; throws std::runtime_error where it is neither.
+/// The kind of a file by its bytes; throws std::runtime_error if it is neither.
 ImageKind kindOfImage(std::string_view bytes);
 
 /// Most pixels on a side of a picture of a model, and of all of its pictures together.
 inline constexpr int kMaxTextureSide = 16384;
 inline constexpr std::size_t kMaxTexturePixels = std::size_t{1} << 28;
 
-/// How large a picture is by its header, which costs nothing. Throws std::runtime_error with a
-/// clause ("it is damaged") for what is no PNG or JPEG, too large, or too short for its size.
+/// The size of an image from its header. Throws std::runtime_error with a clause ("it is damaged")
+/// for other formats, and for files that are too large, or too short for their size.
 PixelRect sizeOfImage(std::string_view bytes);
 /// Decodes a picture of sizeOfImage(). Throws as that does.
 Image decodeImage(std::string_view bytes);
 
-/// The colour of a material that is shown and multiplied: a texture under a black colour would not
-/// be seen, so writers of MTL files that leave black there can't mean it.
+/// The displayed colour of a material, by which textures are multiplied: black under a texture, as
+/// some writers of MTL files leave it, counts as white.
 Eigen::Vector4f shownColor(const Material& material);
 
 }  // namespace kerf::render

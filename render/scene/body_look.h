@@ -16,15 +16,15 @@ inline constexpr std::size_t kSkinPatterns = 7;
 enum class FleshPattern { pulp, rings, marbling, gel, meat, sponge, wood, stone, even };
 inline constexpr std::size_t kFleshPatterns = 9;
 
-/// The way in which light is taken back: by a light in the scene, or by a picture of a lit ball
-/// alone (a matcap), which is the same from wherever one looks.
+/// The shading: by a light in the scene, or by a picture of a lit ball (a matcap), which moves with
+/// the view.
 enum class Shading { lit, matcapClay, matcapSteel, normals };
 
-/// How a surface takes light, beside its colour.
+/// The reflectance of a surface, besides its colour.
 struct Finish {
     float roughness = 0.38F;  ///< of the reflection: 0 a mirror, 1 none to be seen
     float gloss = 1;          ///< strength of the reflection; 1 is that of fruit, skin and plastics
-    float glow = 0.2F;        ///< light that comes out again after a way below the skin, 0 to 1
+    float glow = 0.2F;        ///< subsurface scattering, 0 to 1
 };
 
 /// Colours and inner structure of a body, evaluated in rest space so that they stay attached.
@@ -33,7 +33,7 @@ struct BodyLook {
     Eigen::Vector3f inner = {0.42f, 0.46f, 0.17f};   ///< linear albedo of the cut faces
     /// Linear albedo just below the skin; of solid patterns that of veins, rings and pores.
     Eigen::Vector3f rind = {0.44f, 0.10f, 0.04f};
-    float rindShare = 0.11F;  ///< of the depth, 0 where what is inside begins at the skin
+    float rindShare = 0.11F;  ///< of the depth; 0: the inside begins at the skin
     SkinPattern skinPattern = SkinPattern::mottled;
     FleshPattern pattern = FleshPattern::rings;
     float mottle = 0.15f;  ///< strength of the skin's broad colour variation, 0 to 1
@@ -76,8 +76,7 @@ const LookRow& rowOf(LookName name);
 /// The look of a builtin model by name ("sphere768", "banana", "octopus"); a default for others.
 BodyLook lookFor(const std::string& modelName);
 
-/// Look and colours that a person chose instead of the model's own; colours as displays take them
-/// (sRGB, 0 to 1).
+/// Look and colours chosen instead of the model's own; display colours (sRGB, 0 to 1).
 struct ChosenColors {
     std::optional<LookName> look;
     std::optional<Vec3> skin;
@@ -92,7 +91,7 @@ struct ChosenColors {
 /// them.
 BodyLook colored(const BodyLook& own, const ChosenColors& colors);
 
-/// From linear light to what displays take, and back, each 0 to 1.
+/// From linear light to display colours, and back, each 0 to 1.
 Vec3 toDisplay(const Eigen::Vector3f& linear);
 Eigen::Vector3f toLinear(const Vec3& display);
 

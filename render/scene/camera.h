@@ -16,9 +16,9 @@ struct Camera {
     Vec3 target = {0, 0, 0};
     Vec3 up = {0, 1, 0};
     double fovY = 35;  ///< vertical field of view [degrees]
-    /// Parallel rays: the picture is as high as the perspective one is at the target.
+    /// Parallel rays, with the height of the perspective view at the target.
     bool orthographic = false;
-    /// The place of the picture at which the target is seen (-1..1, y up); no part of a session.
+    /// The position of the target in the frame (-1..1, y up); not part of a session.
     Vec2 middle = Vec2::Zero();
 
     /// World to eye space.
@@ -30,7 +30,7 @@ struct Camera {
     double farPlane() const;  ///< [m]
     /// Unit, from the eye to the target.
     Vec3 forward() const;
-    /// Unit, from a point towards where it is seen from.
+    /// Unit, from a point towards the eye.
     Vec3 towardsEye(const Vec3& point) const;
 
     /// Rotates about the target: yaw about up, pitch about the right axis, clamped short of the
@@ -46,8 +46,8 @@ struct Camera {
 
     /// World ray through `ndc` (-1..1, y up), from the eye or, orthographic, from the near plane.
     Ray ray(const Vec2& ndc, double aspect) const;
-    /// The point where the ray at `ndc` meets the plane square to the line of sight, `depth` [m]
-    /// before the eye.
+    /// The point where the ray at `ndc` hits the plane across the line of sight, `depth` [m] in
+    /// front of the eye.
     Vec3 pointAt(const Vec2& ndc, double aspect, double depth) const;
 };
 

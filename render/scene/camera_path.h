@@ -6,28 +6,28 @@
 
 namespace kerf::render {
 
-/// The view between two others, `share` 0 to 1: turned the short way, the distance in equal ratios.
+/// The view between two others, `share` 0 to 1: turned the short way, at geometric distances.
 Camera between(const Camera& from, const Camera& to, double share);
-/// The share 0 to 1 of a way that has been gone at a share of its time: it starts and ends gently.
+/// Smooth easing: the share of the path at a share of the time, 0 to 1.
 double eased(double share);
 
-/// Where a camera is at a moment [steps].
+/// A camera at a time [steps].
 struct CameraKey {
     double at = 0;
     Camera camera;
 };
 
-/// The way of a camera through its keys. It rests at each of them, and stands still before the
-/// first one and behind the last one.
+/// The path of a camera through its keys. It rests at each, and does not move before the first and
+/// after the last.
 class CameraPath {
   public:
     CameraPath() = default;
-    /// Keys by their moments; of several at one moment the last counts.
+    /// Keys by time; the last of several at one time counts.
     explicit CameraPath(std::vector<CameraKey> keys);
 
-    /// Without keys there is no camera.
+    /// Whether there are no keys, and so no camera.
     bool empty() const { return keys_.empty(); }
-    /// The camera at a moment [steps]. Needs a key.
+    /// The camera at a time [steps]. Needs a key.
     Camera at(double moment) const;
 
   private:

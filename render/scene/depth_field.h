@@ -26,8 +26,8 @@ struct DepthField {
 /// parity along x. `resolution` samples on the longest side.
 DepthField measureDepth(const SurfaceMesh& mesh, int resolution);
 
-/// The depth below the skin, as fine as drawing needs it; empty for an empty mesh. Takes long for
-/// large models, and may run on any thread.
+/// The depth below the skin, at the resolution for drawing; empty for an empty mesh. Slow for large
+/// models; may run on any thread.
 DepthField measureSkinDepth(const SurfaceMesh& mesh);
 
 /// The field as a 3D texture with linear filtering (move only).

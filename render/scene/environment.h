@@ -11,8 +11,8 @@
 
 namespace kerf::render {
 
-/// A picture of all that is around, as light: linear radiance, width x height, top row first; its
-/// middle column lies along -z, the top is +y (an equirectangular panorama).
+/// An environment map: linear radiance, width x height, top row first; its middle column lies along
+/// -z, the top is +y (an equirectangular panorama).
 struct Panorama {
     int width = 0;
     int height = 0;
@@ -22,23 +22,23 @@ struct Panorama {
 /// Reads a panorama in Radiance's .hdr format. Throws std::runtime_error with one sentence.
 Panorama readPanorama(const std::filesystem::path& file);
 
-/// The light of a panorama, blurred the more the rougher the surface that mirrors it.
+/// The light of a panorama, blurred by the roughness of reflecting surfaces.
 struct Environment {
     /// Squares of halving sides, folded from an octahedron (environment.glsl). A byte is the square
     /// root of the radiance over kEnvironmentRange.
     static constexpr int kLevels = 5;
     static constexpr int kSide = 64;
     std::array<std::vector<std::uint8_t>, kLevels> levels;  ///< RGBA8
-    /// The light that a matt surface takes from all around, of direction n:
-    /// matt[0] + n.x * matt[1] + n.y * matt[2] + n.z * matt[3].
+    /// The diffuse irradiance of a surface with normal n: matt[0] + n.x * matt[1] + n.y * matt[2] +
+    /// n.z * matt[3].
     std::array<Vec3f, 4> matt{};
 };
 inline constexpr float kEnvironmentRange = 8;
 
 /// Blurs a panorama for all levels, a few milliseconds.
 Environment prefilter(const Panorama& panorama);
-/// The level that a surface of this roughness mirrors, and how far the middles of its outermost
-/// texels lie from the middle of the square, whose border is at 1.
+/// The level for a surface of this roughness, and the distance of the centres of its outermost
+/// texels from the middle of the square, whose border is at 1.
 struct MirrorLevel {
     int level = 0;
     float reach = 1;

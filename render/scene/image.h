@@ -23,11 +23,10 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
-/// Divides the colours of a picture that was blended onto nothing by their alpha, as PNG wants it.
+/// Divides the colours of a picture on a transparent background by their alpha, as PNG needs.
 void divideByAlpha(Image& image);
 
-/// Copies a picture into `target`, its upper left corner at a pixel of that; what has no room is
-/// left out.
+/// Copies a picture into `target`, with its upper left corner at a pixel, clipped.
 void paste(Image& target, const Image& picture, int left, int top);
 
 /// The bytes of a PNG file. Throws std::runtime_error with one sentence.

@@ -6,11 +6,11 @@
 
 namespace kerf::render {
 
-/// How large a JPEG picture is by its head. Throws std::runtime_error with a clause where that is
+/// The size of a JPEG image from its header. Throws std::runtime_error with a clause if that is
 /// damaged.
 PixelRect sizeOfJpeg(std::string_view bytes);
-/// Decodes a JPEG picture of sizeOfJpeg(). Throws std::runtime_error with a clause where anything
-/// in it is damaged or missing, or it has so many scans (500) that it was made to take long.
+/// Decodes a JPEG image of sizeOfJpeg(). Throws std::runtime_error with a clause if anything in it
+/// is damaged or missing, or if it has too many scans (500), which would take long.
 Image decodeJpeg(std::string_view bytes);
 
 }  // namespace kerf::render

@@ -8,8 +8,8 @@
 
 namespace kerf::render {
 
-/// Lines and dots of one colour over a body, as of one kind of fault of its model. What is hidden
-/// by the body shines through it, fainter.
+/// Lines and dots of one colour over a body, such as one kind of fault of its model. Hidden ones
+/// are fainter.
 struct Marks {
     std::string label;  ///< what they are, for the legend: "12 open edges"
     DisplayColor color{};

@@ -12,10 +12,10 @@ struct Overlays {
     bool ispcs = false;
     bool contacts = false;
     bool boxes = false;  ///< around each piece
-    /// Colours edges, bends and ISPCs by how far they are from rest instead of by type; edges are
-    /// shown where none of the three is chosen.
+    /// Colours edges, bends and ISPCs by their deviation from rest instead of by type; shows edges
+    /// if none of the three is chosen.
     bool errors = false;
-    bool faults = false;  ///< what is poor about the triangles of the model
+    bool faults = false;  ///< faults of the model's triangles
 
     bool showsEdges() const { return edges || (errors && !bends && !ispcs); }
     /// Whether any part of the solver is shown.
@@ -23,8 +23,8 @@ struct Overlays {
     bool operator==(const Overlays&) const = default;
 };
 
-/// Red, green, blue as displays take them, 0 to 255: Okabe and Ito's, which most people with colour
-/// blindness tell apart.
+/// Red, green, blue in display colours, 0 to 255: Okabe and Ito's, which are safe for most colour
+/// blindness.
 using DisplayColor = std::array<std::uint8_t, 3>;
 inline constexpr DisplayColor kEdgeColor{86, 180, 233};
 inline constexpr DisplayColor kBendColor{230, 159, 0};

@@ -21,8 +21,7 @@ struct Plane {
 /// The weights of a filter along one axis: an odd number, the middle one for the pixel itself.
 using Kernel = std::vector<float>;
 
-/// Filters along the rows, then along the columns. Beyond its border a plane goes on as the pixels
-/// at the border are.
+/// Filters along the rows, then along the columns. The pixels at the border are repeated beyond it.
 Plane filtered(const Plane& plane, const Kernel& alongRows, const Kernel& alongColumns);
 
 }  // namespace kerf::render

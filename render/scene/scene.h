@@ -21,12 +21,12 @@
 
 namespace kerf::render {
 
-/// How a piece differs from the others of its body.
+/// The display of a single piece.
 struct PieceLook {
     Eigen::Vector3f tint = Eigen::Vector3f::Zero();  ///< linear albedo
     float strength = 0;                              ///< of the tint, 0 to 1
     bool hidden = false;                             ///< neither drawn nor casting a shadow
-    Vec3 shift = Vec3::Zero();                       ///< from where it is to where it is drawn [m]
+    Vec3 shift = Vec3::Zero();                       ///< displacement of its drawing [m]
     bool operator==(const PieceLook&) const = default;
 };
 
@@ -34,12 +34,12 @@ struct PieceLook {
 struct SceneView {
     BodyView body;
     /// Changes whenever positions or triangles of the body do, so that shadows and normals are
-    /// drawn anew; none: they always are.
+    /// redrawn; none: always.
     std::optional<int> bodyRevision;
     bool hasWalls = true;  ///< the body may have faces of cuts
     BodyLook look;
-    /// The model's own colours, in place of the look's on the skin; null for those of the look.
-    /// They tell of `body` as it is.
+    /// The model's own colours, in place of the look's on the skin; null for those of the look. For
+    /// the present `body`.
     std::shared_ptr<const SkinPaint> paint;
     FieldView field;                      ///< what the colours of the body show instead of the look
     std::optional<SectionPlane> section;  ///< opens the body
@@ -47,7 +47,7 @@ struct SceneView {
     std::vector<StaticBox> boxes;
     std::optional<double> floor;           ///< height of the grid floor [m]
     std::optional<Blade> blade;            ///< steel with a bright edge
-    std::optional<BladeMotion> bladeBody;  ///< its true shape where it pushes; drawn as it ends
+    std::optional<BladeMotion> bladeBody;  ///< its true shape if it pushes, at the end of the step
     /// An arrow for the force on the blade, from the middle of its edge [m].
     std::optional<Vec3> bladeForce;
     std::vector<Blade> strokePoses;  ///< poses of the running stroke: translucent quads
@@ -57,15 +57,15 @@ struct SceneView {
     /// Faces of the skin that met at more than this angle at rest have a hard edge [degrees].
     double hardEdges = kHardEdgeAngle;
     bool bright = false;  ///< a light backdrop and a light floor
-    /// Body, boxes and blade alone, on nothing: colours come out multiplied by their alpha.
+    /// Body, boxes and blade only, on a transparent background, with premultiplied alpha.
     bool transparent = false;
-    std::vector<PieceLook> pieces;   ///< by BodyView's pieces; those behind its end look as always
+    std::vector<PieceLook> pieces;   ///< by BodyView's pieces; later ones have the default
     std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
     Overlays overlays;
     ConstraintView constraints;         ///< what the overlays show
     std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
     std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
-    /// Further marks, as of faults; null for none. Others come with another pointer.
+    /// Further marks, such as faults; null for none. A change needs another pointer.
     std::shared_ptr<const std::vector<Marks>> marks;
 };
 

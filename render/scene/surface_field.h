@@ -11,11 +11,11 @@
 
 namespace kerf::render {
 
-/// Colours for numbers, at equal distances from the lowest to the highest, straight lines between.
+/// Colours for numbers, equally spaced from the lowest to the highest, interpolated linearly.
 using ColorMap = std::array<DisplayColor, 11>;
 
-/// Viridis by van der Walt and Smith (matplotlib, CC0), in eleven of its 256 colours: even steps
-/// look even, in grey too. For what begins at 0.
+/// Viridis by van der Walt and Smith (matplotlib, CC0), in eleven of its 256 colours: perceptually
+/// uniform, also in grey. For ranges from 0.
 inline constexpr ColorMap kViridis{{{68, 1, 84},
                                     {72, 37, 118},
                                     {65, 68, 135},
@@ -28,7 +28,7 @@ inline constexpr ColorMap kViridis{{{68, 1, 84},
                                     {187, 223, 39},
                                     {253, 231, 37}}};
 /// RdBu of ColorBrewer (Brewer and Harrower, colorbrewer2.org) from blue to red: pale in the
-/// middle, told apart with any colour blindness. For what has a sign.
+/// middle, safe for colour blindness. For signed values.
 inline constexpr ColorMap kBlueRed{{{5, 48, 97},
                                     {33, 102, 172},
                                     {67, 147, 195},
@@ -41,11 +41,11 @@ inline constexpr ColorMap kBlueRed{{{5, 48, 97},
                                     {178, 24, 43},
                                     {103, 0, 31}}};
 
-/// What the colours of the surface show: the look, or a quantity at each point of it.
+/// The meaning of the surface colours: the look, or a quantity at each point.
 enum class SurfaceField : std::uint8_t { look, strain, area, thickness };
 inline constexpr int kSurfaceFields = 4;
 
-/// How the numbers of a quantity are shown.
+/// The display of a quantity.
 struct FieldInfo {
     std::string_view name;     ///< "Strain"
     std::string_view meaning;  ///< one sentence for a tooltip
@@ -56,23 +56,22 @@ struct FieldInfo {
 };
 const FieldInfo& infoOf(SurfaceField field);
 
-/// What a range of colours goes from and to, in the quantity's own unit (share or m).
+/// The limits of a range of colours, in the quantity's unit (share or m).
 struct FieldRange {
     float low = 0;
     float high = 1;
     bool operator==(const FieldRange&) const = default;
 };
 
-/// What a person chose to see as colours.
+/// The chosen quantity for the colours.
 struct FieldChoice {
     SurfaceField field = SurfaceField::look;
-    /// The end of the range; none: the largest value of now, rounded up.
+    /// The end of the range; none: the largest present value, rounded up.
     std::optional<float> high;
     bool operator==(const FieldChoice&) const = default;
 };
 
-/// Values that were worked out elsewhere: at 2 * vertex + kind (0: skin, 1: wall), below 0 where
-/// there is none.
+/// Values computed elsewhere: at 2 * vertex + kind (0: skin, 1: wall), below 0 for none.
 using FieldValues = std::vector<float>;
 
 /// The quantity that a picture shows.
