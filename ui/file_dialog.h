@@ -8,12 +8,12 @@
 
 namespace kerf::ui {
 
-/// The file dialog: bookmarks, folders and files, a preview, a name, what it is of. All by keyboard
-/// too: typing names, arrows choose, Enter takes, Backspace in an empty name goes up, Esc closes.
+/// The file dialog: bookmarks, folders and files, a preview, a name, options. By keyboard: typing
+/// names, arrows select, Enter accepts, Backspace in an empty name goes up, Esc closes.
 class FileDialog {
   public:
     void draw(const FileDialogState& state, std::vector<Action>& actions);
-    /// Whether the dialog was there in the last update: then no key means anything else.
+    /// Whether the dialog was open in the last update: then it takes all keys.
     bool isOpen() const { return open_; }
 
   private:

@@ -10,12 +10,11 @@ namespace kerf::ui {
 
 struct PanelModel;
 
-/// Draws what to do first or next into the view: at its lower edge, or in its middle while nothing
-/// is open. It takes no input but on the buttons of its choices.
+/// Draws a hint what to do next into the view: at its lower edge, or in its middle if nothing is
+/// open. Only the buttons of its choices take input.
 void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions);
 
-/// While no side panel is shown: draws a button with the key that brings them back, where the menu
-/// was.
+/// If no side panel is shown: draws a button with the key that shows them, in place of the menu.
 void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -15,19 +15,19 @@
 
 namespace kerf::ui {
 
-/// All panels, drawn with Dear ImGui into an off-screen picture. Fed from the editor's own input
-/// queue, so that it behaves alike with a window and without one.
+/// All panels, drawn with Dear ImGui into an off-screen frame. Fed from the editor's input queue,
+/// so that it behaves the same with and without a window.
 class Interface {
   public:
     /// Needs a current OpenGL 4.5 context. `scale` is that of all lengths and letters, 1 for 96
     /// dpi.
     Interface(Theme theme, float scale);
 
-    /// Gives the panels another look from the next update on.
+    /// Changes theme and scale from the next update on.
     void restyle(Theme theme, float scale) { context_.restyle(theme, scale); }
 
-    /// Lays the panels out anew with the input of one batch, and returns the answers of the person.
-    /// An update without draw() is fine: only the last one is shown.
+    /// Lays the panels out with the input of one batch, and returns the user's actions. An update
+    /// without draw() is fine: only the last one is shown.
     std::vector<Action> update(std::span<const InputEvent> events, const PanelModel& model,
                                int width, int height, double elapsedSeconds);
     /// Draws the last update over `picture`, which must have the size of that update.
@@ -35,7 +35,7 @@ class Interface {
 
     /// Whether the pointer belonged to a panel in the last update.
     bool ownsPointer() const;
-    /// Whether it was over the view, beside a question that lets it be turned (Question::aside).
+    /// Whether it was over the view, beside a question with Question::aside.
     bool pointsBesideQuestion() const;
     /// Whether the keyboard belonged to a panel in the last update.
     bool ownsKeyboard() const;
@@ -47,7 +47,7 @@ class Interface {
 
     /// The part of the picture that the panels left free in the last update [px].
     const Rect& freeView() const { return freeView_; }
-    /// The parts of the view that the panels hid in the last update [px].
+    /// The parts of the view that the panels covered in the last update [px].
     const std::vector<Rect>& covered() const { return covered_; }
 
     /// The rectangles of the named items in the last update [px].
@@ -63,7 +63,7 @@ class Interface {
     ItemRects itemRects_;
     std::vector<Rect> covered_;
     Rect freeView_;
-    bool closesPopup_ = false;  ///< Esc was pressed for it alone
+    bool closesPopup_ = false;  ///< Esc was pressed for it only
 };
 
 }  // namespace kerf::ui

@@ -15,11 +15,11 @@ namespace kerf::ui {
 /// A box that asks a question: in the middle of the window, or at the lower edge of the view.
 class QuestionBox {
   public:
-    /// `view` is what the panels leave free [px].
+    /// `view` is the area free of panels [px].
     void draw(const Question& question, const Rect& view, std::vector<Action>& actions);
-    /// Whether the box was there in the last update: then no key means anything else.
+    /// Whether the box was open in the last update: then it takes all keys.
     bool isOpen() const { return open_; }
-    /// Whether a point [px] lay beside a box that stands aside.
+    /// Whether a point [px] was outside a box with Question::aside.
     bool leavesOpen(float x, float y) const;
 
   private:

@@ -8,8 +8,8 @@
 
 namespace kerf::ui {
 
-/// Draws the edges between the side panels and the view: dragged they set the width, dragged to the
-/// side they put the panel away; an arrow brings it back.
+/// Draws the edges between the side panels and the view: a drag sets the width, a drag to the side
+/// hides the panel; an arrow shows it again.
 void drawEdges(const Settings& settings, const Layout& layout, float scale,
                std::vector<Action>& actions);
 

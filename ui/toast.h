@@ -7,8 +7,7 @@
 
 namespace kerf::ui {
 
-/// Draws what just happened at the upper edge of the view, with a button where something can be
-/// done about it. It fades by itself.
+/// Draws a message at the upper edge of the view, with a button for a possible action. It fades.
 void drawToast(const ToastState& toast, const Rect& view, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

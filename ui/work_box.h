@@ -8,8 +8,8 @@
 
 namespace kerf::ui {
 
-/// Draws the work that takes long, its stage and its time, at the upper edge of the view, with
-/// a button to give it up where it may end; nothing where the title is empty.
+/// Draws long work, its stage and its time, at the upper edge of the view, with a button to cancel
+/// it if possible; nothing if the title is empty.
 void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions);
 
 }  // namespace kerf::ui

@@ -45,7 +45,7 @@ struct ButtonChange {
     bool down = false;
     Modifiers modifiers;
 };
-/// The wheel turned by so many notches: y > 0 away from the person.
+/// Notches by which the wheel turned: y > 0 away from the user.
 struct Wheel {
     double x = 0;
     double y = 0;
@@ -64,7 +64,7 @@ struct Character {
 struct FileDrop {
     std::vector<std::filesystem::path> files;
 };
-/// The window lost the focus: whatever is held counts as released.
+/// The window lost the focus: all held keys and buttons count as released.
 struct FocusLost {};
 
 using InputEvent =

@@ -11,10 +11,10 @@ namespace kerf::ui {
 /// click on them, so that they do not depend on the layout.
 using ItemRects = std::map<std::string, Rect, std::less<>>;
 
-/// Notes the last item under a name ("transport.play") in the rectangles of the update that runs.
+/// Records the last item under a name ("transport.play") in the rectangles of the current update.
 void noteItem(const std::string& name);
 
-/// A scope in which noteItem() writes into the rectangles that it was given.
+/// A scope in which noteItem() writes into the given rectangles.
 class ItemNotes {
   public:
     explicit ItemNotes(ItemRects& rects);

@@ -14,26 +14,25 @@ struct Rect {
 
 /// The rectangles of the fixed panels; the view fills the whole picture behind them.
 struct Layout {
-    Rect controls;      ///< left; without width where it is put away
-    Rect plots;         ///< right; without width where it is put away
+    Rect controls;      ///< left; without width if hidden
+    Rect plots;         ///< right; without width if hidden
     Rect timeline;      ///< above it, full width; without height where there is none
     Rect status;        ///< bottom, full width
-    Rect view;          ///< what the panels leave free, for hints and toasts
+    Rect view;          ///< area free of panels, for hints and toasts
     Rect controlsEdge;  ///< between the left panel and the view: drags its width
     Rect plotsEdge;     ///< between the view and the right panel
 };
 
-/// Lays the fixed panels out. `scale` is that of all lengths (1 = 96 dpi). Both side panels give
-/// way in narrow windows, so that at least a third of the width stays free.
+/// Lays the fixed panels out. `scale` is that of all lengths (1 = 96 dpi). Both side panels shrink
+/// in narrow windows, so that at least a third of the width stays free.
 Layout layoutPanels(float width, float height, float scale, const Settings& settings = {},
                     bool withTimeline = false);
 
-/// The least picture that the panels are laid out for, at scale 1 [px]. In a smaller one they are
-/// cut off.
+/// The smallest layout of the panels, at scale 1 [px]. In a smaller window they are cut off.
 inline constexpr float kLeastWidth = 640;
 inline constexpr float kLeastHeight = 360;
 inline constexpr float kLeastScale = 0.5F;
-/// The largest scale, in quarters, at which the panels have that room in a picture; kLeastScale at
+/// The largest scale, in quarters, at which the panels have that room in a window; kLeastScale at
 /// least.
 float largestScale(int width, int height);
 

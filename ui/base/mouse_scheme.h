@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 
-/// How the mouse turns and moves the view: as here, or as in programs that people know.
+/// How the mouse turns and moves the view: Kerf's way, or that of other programs.
 enum class MouseScheme { kerf, blender, cad };
 inline constexpr int kMouseSchemes = 3;
 
@@ -25,7 +25,7 @@ struct ViewDrag {
 
 struct MouseSchemeRow {
     std::string_view id;     ///< in the file of settings
-    std::string_view label;  ///< to choose it by
+    std::string_view label;  ///< for its button
     std::span<const ViewDrag> drags;
 };
 
@@ -59,7 +59,7 @@ constexpr const MouseSchemeRow& rowOf(MouseScheme scheme) {
     return kMouseTable[static_cast<std::size_t>(scheme)];
 }
 
-/// What a press of this button begins; none where it is a tool's.
+/// The motion begun by a press of this button; none if it belongs to a tool.
 constexpr ViewMotion motionOf(MouseScheme scheme, Button button, const Modifiers& held) {
     for (const ViewDrag& drag : rowOf(scheme).drags) {
         const bool fits = (held.shift || !drag.with.shift) &&

@@ -16,9 +16,9 @@ class PanelContext {
     PanelContext(const PanelContext&) = delete;
     PanelContext& operator=(const PanelContext&) = delete;
 
-    /// Makes this context the one that ImGui's functions and palette() mean.
+    /// Makes this context current for ImGui's functions and palette().
     void makeCurrent() const;
-    /// Gives the panels another look from the next update on, at no cost where nothing changes.
+    /// Changes theme and scale from the next update on, at no cost if nothing changes.
     void restyle(Theme theme, float scale);
     float scale() const { return scale_; }
 

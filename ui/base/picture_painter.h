@@ -7,7 +7,7 @@
 
 namespace kerf::ui {
 
-/// Draws what a panel shows into pictures without a window, for reports and exports.
+/// Draws the content of a panel into pictures without a window, for reports and exports.
 class PicturePainter {
   public:
     /// Needs a current OpenGL 4.5 context; text is 15 px high times `scale`.
@@ -16,7 +16,7 @@ class PicturePainter {
     /// A picture of `width` x `height` pixels. `content` adds items to a panel that fills it; it is
     /// called twice.
     render::Image draw(int width, int height, const std::function<void()>& content);
-    /// Makes fonts and colours those of this painter, to measure text before drawing.
+    /// Makes the fonts and colours of this painter current, to measure text before drawing.
     void makeCurrent() const { context_.makeCurrent(); }
 
   private:

@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 
-/// A person's preferences for the window: kept in a file by the editor
+/// The user's preferences for the window: kept in a file by the editor
 /// (app/editor/storage/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
 struct Settings {
     static constexpr double kLeastWidth = 230;  ///< of a side panel [px]
@@ -20,14 +20,14 @@ struct Settings {
     bool showControls = true;
     bool showReadings = true;
     bool timeRunsWhileCutting = false;  ///< in a pause; it stands otherwise
-    bool keepsJournal = true;  ///< of what is done, for the case that the program ends unexpectedly
-    bool softwareRenderer = false;  ///< draws and computes on the processor, from the next start on
-    double controlsWidth = 300;     ///< of the left panel [px]
-    double readingsWidth = 300;     ///< of the right panel [px]
-    double piecesShare = 0.2;       ///< of the left panel's height
-    double plotsShare = 0.62;       ///< of the right panel's height
+    bool keepsJournal = true;           ///< for recovery after a crash
+    bool softwareRenderer = false;      ///< draws and computes on the CPU, from the next start on
+    double controlsWidth = 300;         ///< of the left panel [px]
+    double readingsWidth = 300;         ///< of the right panel [px]
+    double piecesShare = 0.2;           ///< of the left panel's height
+    double plotsShare = 0.62;           ///< of the right panel's height
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
-    /// Ids of the sections of the left panel that are folded.
+    /// Ids of the collapsed sections of the left panel.
     std::vector<std::string> folded{"experiments", "model", "display", "cuts", "window"};
 
     bool operator==(const Settings&) const = default;
@@ -35,7 +35,7 @@ struct Settings {
     bool showsPanels() const { return showControls || showReadings; }
 };
 
-/// Scales that a person can choose.
+/// Scales to choose from.
 inline constexpr double kUiScales[] = {0.75, 1, 1.25, 1.5, 2};
 
 }  // namespace kerf::ui

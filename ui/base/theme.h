@@ -9,12 +9,12 @@ namespace kerf::ui {
 /// The two looks of the window.
 enum class Theme { dark, light };
 
-/// Hues of data, by their index in Palette::hues: the Okabe-Ito palette, which stays apart for
-/// every kind of colour vision. Nothing is told by a hue alone.
+/// Hues of data, by their index in Palette::hues: the Okabe-Ito palette, which is safe for every
+/// kind of colour vision. Nothing depends on hue alone.
 enum class Hue { blue, orange, green, vermillion, purple, yellow, cyan, gray };
 inline constexpr int kHues = 8;
 
-/// Colours of a theme that ImGui's style has no entry for.
+/// Colours of a theme without an entry in ImGui's style.
 struct Palette {
     std::array<ImU32, kHues> hues{};  ///< of curves and marks
     ImU32 text = 0;
@@ -24,7 +24,7 @@ struct Palette {
     ImU32 plotGround = 0;
     ImU32 mark = 0;         ///< lines of events and references
     ImU32 splitter = 0;     ///< under the pointer
-    ImU32 primary = 0;      ///< ground of the button that people want most
+    ImU32 primary = 0;      ///< background of the default button
     ImU32 primaryText = 0;  ///< on it
     ImU32 blade = 0;
 
@@ -44,7 +44,7 @@ void applyTheme(Theme theme, float scale);
 void usePalette(Theme theme);
 
 /// Loads DejaVu Sans (that of the archive, or of Debian's fonts-dejavu-core) at 15 px times
-/// `scale`, or ImGui's own bitmap font where it is missing, which is said in the log.
+/// `scale`, or ImGui's bitmap font if it is missing, which is logged.
 void loadFont(float scale);
 
 }  // namespace kerf::ui

@@ -5,7 +5,7 @@
 
 namespace kerf::ui {
 
-/// A text with units as people write them: "m/s^2" with a raised 2.
+/// A text with superscripts in units: "m/s^2" with a raised 2.
 std::string withRaisedDigits(std::string_view text);
 
 }  // namespace kerf::ui

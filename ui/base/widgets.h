@@ -13,7 +13,7 @@ void beginPanel(const char* name, const Rect& rect, bool withMenu = false);
 
 /// Begins a modal window of a size [px] (height 0: as its content needs) in the middle of the
 /// picture, once it was opened by its title's popup id; end with ImGui::EndPopup(). With `wanted`
-/// false it closes. False where nothing is to be drawn.
+/// false it closes. Returns false if nothing is to be drawn.
 bool beginModal(const std::string& title, float width, float height, bool wanted);
 
 /// beginModal() at the lower edge of `view` [px], which is not dimmed.
@@ -25,45 +25,45 @@ struct BannerStyle {
     float opacity = 1;
     bool takesInput = false;
 };
-/// Begins a dark rounded ground around `content` [px]; end with endBanner().
+/// Begins a dark rounded background around `content` [px]; end with endBanner().
 void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
 /// Ends the banner that beginBanner() began.
 void endBanner();
 /// The gap between the content of a banner and its sides [px].
 float bannerPadding();
-/// Draws a text without interaction on a dark rounded ground, centred at (x, y) [px], wrapped at
-/// `maxWidth`.
+/// Draws a text without interaction on a dark rounded background, centred at (x, y) [px], wrapped
+/// at `maxWidth`.
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
                 const BannerStyle& style);
 
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
 
-/// Lets the popup that begins next open below the last item, which it would cover otherwise.
+/// Makes the next popup open below the last item instead of over it.
 void placePopupBelowItem();
 
 /// The width of a button with this text [px].
 float buttonWidth(std::string_view label);
 
-/// Draws a text at the right end of what is left of the line or of the table's cell.
+/// Draws a text at the right end of the line or the table's cell.
 void textRight(std::string_view text);
 
-/// Draws the left part of a row, with dots where it is too long. The right part comes next on the
+/// Draws the left part of a row, with an ellipsis if too long. The right part comes next on the
 /// line.
 void rowLabel(std::string_view text);
 
-/// Draws a row of a legend: a patch of a colour, and what it means.
+/// Draws a row of a legend: a patch of a colour, and its meaning.
 void colorRow(std::string_view label, const render::DisplayColor& color);
 
-/// Whether the drag that changes the last item already changed it in an earlier update: one undo
-/// for all of a drag. Call it in each update, with whether this one changed the item; one item for
-/// an id on the stack.
+/// Whether the drag of the last item already changed it in an earlier update, so that one undo
+/// reverts the drag. Call it in each update, with whether this one changed the item; one item per
+/// id on the stack.
 bool continuesGesture(bool changed);
 
 /// The format of numbers in metres about a body of this size [m]: three decimals, or three digits
-/// where it is tiny or huge.
+/// if it is tiny or huge.
 const char* lengthFormat(double size);
-/// A number that is slid: of ImGui's type `type`, from `low` to `high`.
+/// The number of a slider: of ImGui's type `type`, from `low` to `high`.
 struct Slide {
     int type = 0;  ///< ImGuiDataType
     void* value = nullptr;
@@ -72,7 +72,7 @@ struct Slide {
     std::string format;  ///< with the unit: "%.3f m"
     bool logarithmic = false;
 };
-/// What stands at a slide, and its name for tests.
+/// The label of a slider, and its name for tests.
 struct SlideText {
     std::string label;
     std::string tooltip;

@@ -4,7 +4,7 @@
 
 namespace kerf::ui {
 
-/// Draws how well the cuts came out: the figures of all of them beside those of the last stroke.
+/// Draws the quality of the cuts: the figures of all of them beside those of the last stroke.
 void drawCuts(const CutsState& cuts);
 
 }  // namespace kerf::ui

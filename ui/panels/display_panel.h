@@ -10,11 +10,11 @@ namespace kerf::ui {
 
 struct PanelModel;
 
-/// Draws the switches of all that is drawn over the body, and the choosers of its colours.
+/// Draws the toggles of the overlays, and the choosers of the body's colours.
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions);
 
-/// Draws the meaning of the colours of the overlays, and of the body where they show a quantity, at
-/// the right of the view, while any is shown.
+/// Draws a legend of the colours of overlays, and of a quantity on the body, at the right of the
+/// view, while any is shown.
 void drawLegend(const LooksState& looks, const DisplaySettings& display, const Rect& view,
                 float scale);
 

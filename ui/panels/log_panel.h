@@ -6,7 +6,7 @@
 
 namespace kerf::ui {
 
-/// Draws the sentences that were shown so far, the newest at the bottom and in sight.
+/// Draws the messages so far, scrolled to the newest at the bottom.
 void drawLog(const std::vector<LogLine>& log);
 
 }  // namespace kerf::ui

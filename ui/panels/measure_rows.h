@@ -7,8 +7,8 @@
 
 namespace kerf::ui {
 
-/// Draws what the clicks of the measuring tool tell, and the list of all measures. True where
-/// `tools` changed.
+/// Draws the kind of the measuring tool, and the list of measurements. Returns whether `tools`
+/// changed.
 bool drawMeasureRows(const std::vector<MeasureRow>& measures, ToolSettings& tools,
                      std::vector<Action>& actions);
 

@@ -8,8 +8,8 @@
 
 namespace kerf::ui {
 
-/// Draws what the open model is in the scene: its unit, up axis, turn and scale, which a click or a
-/// drag changes, and what physics makes of its size.
+/// Draws the open model's unit, up axis, rotation and scale, which a click or a drag changes, and
+/// the physics of its size.
 void drawModel(const ModelPanelState& model, const ParametersState& parameters,
                const DisplaySettings& display, std::vector<Action>& actions);
 

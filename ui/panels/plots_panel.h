@@ -9,7 +9,7 @@
 
 namespace kerf::ui {
 
-/// The plots that are chosen in the settings. What they point to lives as long as the model.
+/// The plots chosen in the settings. They refer to the model.
 std::vector<PlotSpec> chosenPlots(const PlotsState& state, const Settings& settings);
 
 /// Draws a line of buttons and the chosen plots, together `height` pixels high; they scroll where

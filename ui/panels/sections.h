@@ -6,8 +6,8 @@
 
 namespace kerf::ui {
 
-/// Draws the heading of a part of a panel that a click folds away. `id` is its name in
-/// Settings::folded. False where it is folded: then nothing of it is drawn.
+/// Draws the heading of a collapsible section. `id` is its name in Settings::folded. Returns false
+/// if collapsed: then draw nothing of it.
 bool beginSection(const char* id, const char* title, const Settings& settings,
                   std::vector<Action>& actions);
 

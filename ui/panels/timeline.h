@@ -9,11 +9,11 @@
 
 namespace kerf::ui {
 
-/// Draws the time line of a session that is played over the whole of `rect`: a slider to go to any
-/// step with ticks for strokes and changes, and above it a mark for each picture, export and check.
+/// Draws the timeline in `rect`: a slider to seek to any step with ticks for strokes and changes,
+/// and above it a mark for each picture, export and check.
 void drawTimeline(const SessionPanelState& session, const Rect& rect, std::vector<Action>& actions);
 
-/// A mark as people read it: "Picture ball-120.png".
+/// A mark for display: "Picture ball-120.png".
 std::string labelOf(const SessionMark& mark);
 
 }  // namespace kerf::ui

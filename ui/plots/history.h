@@ -10,8 +10,8 @@
 
 namespace kerf::ui {
 
-/// A value that is remembered against simulated time. The tables of
-/// app/scene/readout/editor_readings.cpp have its source, in the same order.
+/// A value recorded over simulated time. The tables of app/scene/readout/editor_readings.cpp have
+/// its source, in the same order.
 enum class Reading : std::uint8_t {
     deformMs,
     collideMs,
@@ -23,9 +23,9 @@ enum class Reading : std::uint8_t {
     totalEnergy,      ///< the sum of those there are [J]
     touchedTriangles,
     bladeForce,      ///< on the blade [N]; nothing where it is not measured
-    bladeWork,       ///< of what led the blade against its edge, since the start [J]
+    bladeWork,       ///< of the blade's edge, since the start [J]
     fractureEnergy,  ///< that new surface took since the start [J]
-    lostPieces,      ///< taken back since the start, where there were any
+    lostPieces,      ///< reset since the start, if any
     framesPerSecond,
     frameMs,  ///< from picture to picture
     renderMs,
@@ -35,7 +35,7 @@ enum class Reading : std::uint8_t {
 /// Number of pieces whose volumes the plots follow: the first ones.
 inline constexpr int kPlottedPieces = 8;
 
-/// All that the plots show of a run, against simulated time [s].
+/// The data of the plots of a run, over simulated time [s].
 struct History {
     std::array<Series, static_cast<std::size_t>(Reading::count)> readings;
     std::vector<Series> piecePercent;  ///< of the rest volume of each, at most kPlottedPieces
@@ -71,7 +71,7 @@ struct PlotKind {
     double minSpan = 1;                   ///< see PlotSpec
     int readoutDecimals = 1;              ///< see PlotSpec
     double RunFigures::*paper = nullptr;  ///< the figure of the paper that it is compared with
-    std::optional<double> atRest = {};    ///< what it is compared with where the paper has none
+    std::optional<double> atRest = {};    ///< reference value if the paper has none
 };
 
 /// All plots in their order on the screen.

@@ -11,7 +11,7 @@
 
 namespace kerf::ui {
 
-/// The style of a curve's line, so that curves are not told apart by their hues alone.
+/// The style of a curve's line, so that curves do not differ only in hue.
 enum class CurveStyle { solid, dashed, dotted };
 
 /// One curve of a plot.
@@ -23,13 +23,13 @@ struct PlotCurve {
     const Series* series = nullptr;
 };
 
-/// A value that the curve is compared with: a dashed line, or an arrow where it lies outside.
+/// A reference value of the curve: a dashed line, or an arrow if out of range.
 struct PlotReference {
     double value = 0;
     std::string label;  ///< "paper 98.0"
 };
 
-/// Curves against time with what belongs to them.
+/// Curves over time with their title, legend and marks.
 struct PlotSpec {
     const char* id = "";     ///< unique among the plots of a frame; its name in settings and files
     std::string_view title;  ///< "Volume, % of rest"
@@ -56,7 +56,7 @@ double newestOf(std::span<const PlotSpec> plots);
 
 /// Draws the plot as the next item, `height` pixels high over the whole width: title, last value or
 /// legend, notes, axes with round ticks, for each curve the band from lowest to highest and the
-/// mean, marks, and a crosshair under the pointer. Wheel, drag and double click answer with another
+/// mean, marks, and a crosshair under the pointer. Wheel, drag and double click return another
 /// view.
 std::optional<PlotView> drawPlot(const PlotSpec& spec, const PlotTimeline& timeline, float height);
 

@@ -15,7 +15,7 @@ struct PlotPoint {
     double y = 0;
 };
 
-/// Something that happened at x.
+/// An event at x.
 struct PlotMark {
     double x = 0;
     std::string label;
@@ -29,8 +29,8 @@ struct PlotRange {
     bool operator==(const PlotRange&) const = default;
 };
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) inside the range, at most `maxCount`
-/// (at least 2), rising. `decimals` is what a label needs to tell neighbours apart.
+/// Round numbers (1, 2 or 5 times a power of ten apart) inside the range, at most `maxCount` (at
+/// least 2), rising. `decimals`: enough to distinguish neighbours.
 struct PlotTicks {
     std::vector<double> values;
     int decimals = 0;
@@ -39,12 +39,12 @@ struct PlotTicks {
 PlotTicks niceTicks(const PlotRange& range, int maxCount);
 
 /// The range with a margin of a twentieth at both ends, opened about its middle to at least
-/// `minSpan`; {0, minSpan} for one that is turned over.
+/// `minSpan`; {0, minSpan} for an inverted one.
 PlotRange paddedRange(const PlotRange& range, double minSpan);
 
 /// The buckets that begin in the range, and the one before.
 std::span<const SeriesBucket> bucketsIn(std::span<const SeriesBucket> buckets, const PlotRange& x);
-/// Lowest and highest value of the buckets; turned over where there are none.
+/// Lowest and highest value of the buckets; inverted without buckets.
 PlotRange valueRange(std::span<const SeriesBucket> buckets);
 
 /// The part of the time axis that all plots show.

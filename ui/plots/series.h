@@ -15,17 +15,17 @@ struct SeriesBucket {
     int count = 0;
 };
 
-/// Values against a rising x, in a bounded number of buckets: as long as there are few values a
-/// bucket holds one; then neighbours are merged, again and again, and no extreme is lost. So hours
-/// cost no more memory and time than minutes.
+/// Values over a rising x, in a bounded number of buckets: at first a bucket holds one value; then
+/// neighbours are merged repeatedly, keeping extremes. So hours cost no more memory and time than
+/// minutes.
 class Series {
   public:
     static constexpr std::size_t kMostBuckets = 16384;
 
-    /// Adds a value at an `x` that is not below the one before. Values that are not finite are left
-    /// out.
+    /// Adds a value at an `x` that is not below the previous one. Ignores values that are not
+    /// finite.
     void add(double x, double y);
-    /// Leaves out the buckets that begin behind `x`.
+    /// Drops the buckets that begin after `x`.
     void forgetAfter(double x);
 
     bool empty() const { return buckets_.empty(); }

@@ -18,69 +18,69 @@ namespace kerf::ui {
 /// (ui/state/action_table.h).
 enum class ActionId : std::uint8_t;
 
-/// Undoes or redoes until so many changes are in force.
+/// Undoes or redoes until `done` changes are applied.
 struct GoToChange {
     std::size_t done = 0;
 };
-/// Lets simulated time run at another speed, against the clock.
+/// Sets the speed of simulated time relative to the clock.
 struct SetSpeed {
     double factor = 1;
 };
 
-/// Goes to a step of the session that is played.
+/// Seeks to a step of the played session.
 struct SeekTo {
     int step = 0;
 };
-/// Takes a picture, an export or a check out of the session, by its SessionMark::id.
+/// Removes a picture, an export or a check from the session, by its SessionMark::id.
 struct RemoveMark {
     int id = 0;
 };
-/// Takes another tool, or another depth or radius of it.
+/// Selects another tool, or another depth or radius of it.
 struct SetTools {
     ToolSettings settings;
 };
 
-/// Places the model otherwise; where it stands follows, so its translation does not matter.
+/// Changes the placement of the model; its translation follows and is ignored.
 struct PlaceModel {
     Placement placement;
-    bool continues = false;  ///< the same gesture had placed it before
+    bool continues = false;  ///< part of the previous gesture
     int model = 0;           ///< of the scene, by number
 };
-/// Takes a model out of the scene, by number; the first stays.
+/// Removes a model from the scene, by number; not the first.
 struct RemoveModel {
     int model = 0;
 };
-/// Exchanges a model of the scene, by number, for one with even triangles.
+/// Remeshes a model of the scene, by number.
 struct Remesh {
     int model = 0;
-    double edge = 0;  ///< how long theirs are, in the unit of its file; 0: as proposed
+    double edge = 0;  ///< edge length, in the unit of its file; 0: as proposed
 };
-/// Exchanges a model of the scene, by number, for one whose crossing pieces are one surface.
+/// Unites the intersecting pieces of a model of the scene, by number.
 struct UnitePieces {
     int model = 0;
 };
-/// Gives a model of the scene a material, both by number; the first stands for all that have none
-/// of their own.
+/// Gives a model of the scene a material, both by number; the first model's applies to all without
+/// their own.
 struct TakeMaterial {
     int material = 0;
     int model = 0;
 };
-/// Asks for a file into which the values of the body go as a material.
+/// Asks for a file to save the body's values as a material.
 struct SaveMaterial {};
-/// Puts a new box beside the body.
+/// Adds a box beside the body.
 struct PlaceBox {};
-/// Gives up the work that takes long.
+/// Cancels the long work.
 struct CancelWork {};
-/// Shows the body another way.
+/// Changes the display of the body.
 struct SetDisplay {
     DisplaySettings settings;
 };
-/// Takes one of the choices of the question that is asked.
+/// Answers the open question.
 struct AnswerQuestion {
     int choice = 0;
 };
 
-/// Gives the window another look.
+/// Changes the settings of the window.
 struct SetSettings {
     Settings settings;
 };
@@ -92,17 +92,17 @@ struct SetPlotView {
 struct ExportPlots {
     bool asPicture = false;  ///< as PNG; otherwise their values as CSV
 };
-/// Takes a measure out of the list, or with 0 all of them.
+/// Removes a measurement from the list, or with 0 all.
 struct RemoveMeasure {
     int id = 0;
 };
-/// Writes the measures into the current folder as CSV.
+/// Writes the measurements into the current folder as CSV.
 struct ExportMeasures {};
 /// Opens the session of one of the paper's experiments.
 struct OpenExperiment {
     std::string name;
 };
-/// The pointer rests on a row of the piece list, -1 on none.
+/// The pointer hovers over a row of the piece list, -1 for none.
 struct HoverPiece {
     int piece = -1;
 };
@@ -112,13 +112,13 @@ struct FramePiece {
 };
 /// Writes the list of pieces into the current folder as CSV.
 struct ExportPieces {};
-/// Shows or hides a piece; it is simulated and cut all the same.
+/// Shows or hides a piece; hidden ones are still simulated and cut.
 struct ShowPiece {
     int piece = 0;
     bool visible = true;
 };
 
-/// All that panels answer with. The editor drains them once per frame; panels change nothing.
+/// All actions of panels. The editor executes them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
                  PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial, SaveMaterial, PlaceBox,

@@ -34,7 +34,7 @@ bool draws(const PanelModel& model) {
     return model.display.overlays.*member;
 }
 
-/// All actions but those that take a tool, in the order of the menus.
+/// All actions except those that select a tool, in the order of the menus.
 constexpr std::array kOtherActions{
     ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open a model or a session...",
               "File", always},

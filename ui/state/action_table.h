@@ -80,11 +80,11 @@ enum class ActionId : std::uint8_t {
     count
 };
 
-/// A key with its modifiers that asks for an action; no key where there is none.
+/// A key with its modifiers for an action; may be none.
 struct Shortcut {
     Key key = Key::none;
     Modifiers modifiers;
-    std::string_view text;  ///< as people read it: "Ctrl+O"
+    std::string_view text;  ///< for display: "Ctrl+O"
 
     bool presses(Key other, const Modifiers& with) const {
         return key != Key::none && key == other && modifiers == with;
@@ -100,11 +100,11 @@ struct ActionRow {
     std::string_view label;  ///< what it does: "Play or pause"
     std::string_view group;  ///< its menu, and its heading in the help
     Condition available;     ///< whether it would do something now
-    Condition on = nullptr;  ///< whether it is on; nullptr where it switches nothing
-    Shortcut second = {};    ///< another key that does it too
+    Condition on = nullptr;  ///< whether it is on; nullptr for no toggle
+    Shortcut second = {};    ///< another key for it
 };
 
-/// The action that takes a tool.
+/// The action that selects a tool.
 constexpr ActionId actionOf(Tool tool) {
     return static_cast<ActionId>(static_cast<int>(ActionId::firstTool) + static_cast<int>(tool));
 }
@@ -141,7 +141,7 @@ struct PointerHint {
     std::string gesture;
     std::string_view label;
 };
-/// All of them, as the mouse moves the view.
+/// All of them, for a mouse scheme.
 std::vector<PointerHint> pointerTable(MouseScheme scheme);
 
 /// The row of an action.
@@ -153,7 +153,7 @@ inline const ActionRow& rowOf(ActionId id) {
 inline bool isAvailable(const PanelModel& model, ActionId id) {
     return rowOf(id).available(model);
 }
-/// Whether the thing that an action switches is on; false where it switches nothing.
+/// Whether the toggle of an action is on; false for no toggle.
 inline bool isOn(const PanelModel& model, ActionId id) {
     return rowOf(id).on != nullptr && rowOf(id).on(model);
 }
@@ -161,7 +161,7 @@ inline bool isOn(const PanelModel& model, ActionId id) {
 /// The action of a key, none where the key is free.
 std::optional<ActionId> findAction(Key key, Modifiers modifiers);
 
-/// The first key of an action as people read it: "F1".
+/// The first key of an action for display: "F1".
 inline std::string_view keyOf(ActionId id) {
     return rowOf(id).shortcut.text;
 }

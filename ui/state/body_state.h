@@ -7,14 +7,14 @@
 
 namespace kerf::ui {
 
-/// What several panels show of the body.
+/// The state of the body for several panels.
 struct BodyState {
     double size = 1;               ///< its diagonal at rest [m]
-    Bounds bounds;                 ///< as it is [m]
+    Bounds bounds;                 ///< at present [m]
     std::vector<StaticBox> boxes;  ///< that it collides with
     int vertices = 0;
     int triangles = 0;
-    std::size_t pinned = 0;  ///< vertices that are held in place
+    std::size_t pinned = 0;  ///< pinned vertices
     std::size_t hooks = 0;   ///< of retractors, which hold cuts open
 };
 

@@ -6,17 +6,17 @@
 
 namespace kerf::ui {
 
-/// One row of the history: something that can be taken back or brought back.
+/// One row of the history: a change that can be undone or redone.
 struct ChangeRow {
     std::string name;
-    double time = 0;  ///< simulated, when it happened [s]
+    double time = 0;  ///< simulated time of the change [s]
 };
 
-/// The changes that can be taken back.
+/// The undo history.
 struct ChangeList {
     std::vector<ChangeRow> rows;  ///< oldest first
-    std::size_t done = 0;         ///< so many of them are in force, the others undone
-    int forgotten = 0;            ///< older ones that had to go
+    std::size_t done = 0;         ///< number of applied ones; the others are undone
+    int forgotten = 0;            ///< older ones that were dropped
     std::size_t bytes = 0;
     std::size_t budget = 0;  ///< [bytes]
 };

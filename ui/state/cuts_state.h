@@ -8,10 +8,10 @@
 
 namespace kerf::ui {
 
-/// How the cuts came out.
+/// The quality of the cuts.
 struct CutsState {
     std::vector<CutRow> rows;
-    std::string note;                  ///< what is to be said of them; may be empty
+    std::string note;                  ///< about them; may be empty
     SubdivisionCounts subdivisions{};  ///< of the surface, since the body was whole
 };
 

@@ -11,17 +11,17 @@
 
 namespace kerf::ui {
 
-/// The way in which the body is shown. Nothing of it changes the simulation.
+/// The display of the body. It does not affect the simulation.
 struct DisplaySettings {
     render::Quality quality = render::Quality::full;
     bool wireframe = false;
-    bool cutLines = true;  ///< a dark line along the rim of each cut: a closed one shows by it
+    bool cutLines = true;  ///< a dark line along the rim of each cut, so that closed ones show
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     bool pieceDetails = false;  ///< the list of pieces has all its columns
     render::Overlays overlays;
-    render::FieldChoice field;                    ///< what its colours show instead of the look
-    std::optional<render::SectionPlane> section;  ///< opens the picture of the body
+    render::FieldChoice field;                    ///< shown by its colours instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the view of the body
     render::ChosenColors colors;                  ///< look and colours instead of the model's own
     /// Faces that meet at more than this angle have a hard edge between them [degrees].
     double hardEdges = kHardEdgeAngle;

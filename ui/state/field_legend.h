@@ -7,12 +7,12 @@
 
 namespace kerf::ui {
 
-/// What the colours of the body mean, where they show a quantity.
+/// The legend of the body's colours, if they show a quantity.
 struct FieldLegend {
     render::SurfaceField field = render::SurfaceField::look;
     render::FieldRange range;
     std::optional<double> underPointer;  ///< in the quantity's own unit (share or m)
-    std::string note;                    ///< where the values are not those of now; may be empty
+    std::string note;                    ///< about outdated values; may be empty
 };
 
 /// "12.3 %" of a share, "3.5 mm" of a length [m].

@@ -20,7 +20,7 @@ enum class FilePurpose : std::uint8_t {
     saveMaterial
 };
 
-/// A folder or a file that is offered.
+/// A folder or a file in the list.
 struct FileRow {
     std::string name;
     bool isFolder = false;
@@ -28,23 +28,23 @@ struct FileRow {
     std::string modified;      ///< local time, "2026-11-20 14:05"
 };
 
-/// A folder that can be gone to at once.
+/// A link to a folder.
 struct FolderLink {
     std::string label;
     std::filesystem::path folder;
 };
 
-/// How a film is to look.
+/// Options of a film.
 struct FilmLook {
     int width = 0;           ///< [px]; 0: what suits the format
     int height = 0;          ///< [px]; 0: what suits the format
     int rate = 0;            ///< pictures in a second; 0: what suits the format
     double speed = 1;        ///< simulated seconds in a second of the film
-    bool captions = true;    ///< with the time, and what happens
+    bool captions = true;    ///< with time and events
     bool turntable = false;  ///< the camera turns about the scene once
 };
 
-/// All that a file dialog shows; nothing where the purpose is none.
+/// All that a file dialog shows; nothing if the purpose is none.
 struct FileDialogState {
     FilePurpose purpose = FilePurpose::none;
     std::filesystem::path folder;
@@ -57,11 +57,11 @@ struct FileDialogState {
     std::string name;                  ///< as typed or chosen
     std::vector<std::string> preview;  ///< lines about what is selected
     std::string problem;               ///< one sentence; empty for none
-    bool asksToOverwrite = false;      ///< the name is taken
+    bool asksToOverwrite = false;      ///< the file exists
     bool filePerPiece = false;         ///< of an export
     bool inScene = false;              ///< of an export: in metres of the scene
     FilmLook film;                     ///< of a film
-    bool adds = false;  ///< what is opened is added to the scene instead of opened in its place
+    bool adds = false;                 ///< adds the file to the scene instead of replacing it
     std::vector<std::filesystem::path> recent;  ///< files that were opened last
 };
 
@@ -71,7 +71,7 @@ struct FileDialogState {
 struct GoToFolder {
     std::filesystem::path folder;
 };
-/// Goes to the folder around the one that is shown.
+/// Goes to the parent folder.
 struct GoToParentFolder {};
 /// Selects a row of the list, -1 for none.
 struct SelectFile {
@@ -81,7 +81,7 @@ struct SelectFile {
 struct MoveFileSelection {
     int steps = 0;
 };
-/// Types another name.
+/// Changes the name.
 struct NameFile {
     std::string name;
 };
@@ -97,12 +97,12 @@ struct SetFilePerPiece {
 struct SetExportInScene {
     bool on = false;
 };
-/// Gives a film another look.
+/// Changes the options of a film.
 struct SetFilmLook {
     FilmLook look;
 };
-/// Takes the name: goes into a folder, or ends the dialog with the file. Before it overwrites a
-/// file it asks.
+/// Accepts the name: enters a folder, or ends the dialog with the file. Asks before overwriting a
+/// file.
 struct AcceptFile {
     bool overwrite = false;
 };
@@ -123,7 +123,7 @@ using FileAction = std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFi
 std::string_view titleOf(const FileDialogState& dialog);
 /// The label of the button that accepts the file: "Open".
 std::string_view verbOf(const FileDialogState& dialog);
-/// A size in the unit that suits it: "1.5 MB".
+/// A size in a suitable unit: "1.5 MB".
 std::string sizeText(std::uintmax_t bytes);
 
 }  // namespace kerf::ui

@@ -13,7 +13,7 @@ struct HintChoice {
     std::string label;
 };
 
-/// A sentence that says what to do first or next.
+/// A sentence on what to do next.
 struct Hint {
     std::string text;  ///< empty for no hint
     std::vector<HintChoice> choices;

@@ -8,11 +8,11 @@
 
 namespace kerf::ui {
 
-/// What the looks of the body and the legend are drawn from.
+/// The state of the looks and the legend.
 struct LooksState {
     FieldLegend field;
     std::vector<FaultRow> faults;  ///< that are marked in the view
-    /// A model that can't be cut stands in the view, with its faults, instead of the body.
+    /// The view shows a model that can't be cut, with its faults, instead of the body.
     bool showsFaulty = false;
     Vec3 ownSkin = Vec3::Zero();  ///< colours of the look itself (see DisplaySettings::colors)
     Vec3 ownFlesh = Vec3::Zero();

@@ -19,9 +19,9 @@ struct Overlay {
     };
 
     std::vector<Face> touched;  ///< triangles that will be cut
-    std::vector<Line> swept;    ///< outline of the way of the blade
-    std::vector<Line> wound;    ///< where that meets the surface
-    std::vector<Line> guides;   ///< how far the tool reaches
+    std::vector<Line> swept;    ///< outline of the blade's path
+    std::vector<Line> wound;    ///< its intersection with the surface
+    std::vector<Line> guides;   ///< reach of the tool
     std::vector<Handle> handles;
     /// A number beside the body.
     struct Label {
@@ -42,8 +42,8 @@ struct Overlay {
     };
     std::vector<AxisLine> axisLines;
     std::vector<AxisDot> axisDots;
-    bool chooses = false;         ///< a click would choose something
-    std::vector<PlotPoint> dots;  ///< points that were measured, or that a press would hold
+    bool chooses = false;         ///< a click would select something
+    std::vector<PlotPoint> dots;  ///< measured points, or those that a press would hold
     std::vector<Label> labels;
 };
 

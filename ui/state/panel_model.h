@@ -28,7 +28,7 @@
 
 namespace kerf::ui {
 
-/// What is drawn into the view beside the scene.
+/// The content of the view besides the scene.
 struct ViewState {
     Overlay overlay;  ///< of the coming cut
     ViewAxes axes;
@@ -37,9 +37,9 @@ struct ViewState {
     std::string device;                ///< what draws: "llvmpipe"
 };
 
-/// All that the panels show, a part for each: filled by the editor every frame, read only here.
+/// The content of all panels, a part for each: filled by the editor every frame, read only here.
 struct PanelModel {
-    std::string name;  ///< of what is open; empty while nothing is
+    std::string name;  ///< of the open document; empty for none
     ModelPanelState model;
     ParametersState parameters;
     BodyState body;

@@ -11,7 +11,7 @@ namespace kerf::ui {
 /// What the panel of parameters shows.
 struct ParametersState {
     Params now;
-    Params start;  ///< as they were when it was opened: what the reset mark returns to
+    Params start;                           ///< when opened, for the reset button
     const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
 };
 

@@ -8,7 +8,7 @@
 
 namespace kerf::ui {
 
-/// What needs a look at all of a piece.
+/// Measures that need all triangles of a piece.
 struct PieceSums {
     double skinArea = 0;           ///< [m^2]
     double cutArea = 0;            ///< of the faces of cuts [m^2]
@@ -23,14 +23,14 @@ struct PieceRow {
     bool hidden = false;
     double shareOfAll = 0;            ///< of the volume of all pieces, 1 = all
     Bounds bounds{};                  ///< [m]
-    std::optional<PieceSums> sums{};  ///< none until they were asked for while time stood
+    std::optional<PieceSums> sums{};  ///< none until requested while paused
 };
 
 /// The columns of the table, in their order.
 enum class PieceColumn { number, triangles, volume, ofRest, ofAll, area, size, centre };
 
-/// The numbers of the rows as the table shows them: sorted by a column, falling where `descending`.
-/// Rows that are equal keep their order.
+/// The numbers of the rows sorted by a column, in falling order if `descending`. Equal rows keep
+/// their order.
 std::vector<int> sortedPieces(const std::vector<PieceRow>& rows, PieceColumn column,
                               bool descending);
 

@@ -10,7 +10,7 @@ namespace kerf::ui {
 /// What the plots show.
 struct PlotsState {
     const History* history = nullptr;  ///< never null while panels are drawn
-    std::optional<RunFigures> paper;   ///< of what is open, where the paper has it
+    std::optional<RunFigures> paper;   ///< of the open experiment, if in the paper
     PlotView view;
 };
 

@@ -6,29 +6,29 @@
 
 namespace kerf::ui {
 
-/// The course on the time line: the session that is played, or what was done so far.
+/// The timeline: the played session, or what was done so far.
 struct PlaybackState {
     int step = 0;
     int steps = 0;
     bool goesBack = false;  ///< whether earlier steps are kept
-    bool played = false;    ///< not the present: events are to come by themselves
+    bool played = false;    ///< events are still to come
     bool loop = false;
-    std::optional<int> divergedAt;  ///< the first step that came out differently
+    std::optional<int> divergedAt;  ///< the first step that differed
 };
 
-/// Something that happens at a step of the session: what a replay does there and changes nothing,
-/// or a change of the body or of a parameter.
+/// A mark at a step of the session: an output or check of a replay, or a change of the body or of a
+/// parameter.
 struct SessionMark {
     enum class Kind { picture, exported, check, camera, stroke, change };
 
-    int id = 0;  ///< what RemoveMark asks for
+    int id = 0;  ///< for RemoveMark
     int step = 0;
     Kind kind = Kind::picture;
     std::string
         text;  ///< name of the file, or what is checked: "2 pieces, state"; none of a camera
 };
 
-/// What the time line and the list of marks show.
+/// The state of the timeline and the list of marks.
 struct SessionPanelState {
     PlaybackState playback;
     /// Pictures, exports and checks of the session that would be saved now, by step.

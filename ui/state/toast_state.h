@@ -7,12 +7,12 @@
 
 namespace kerf::ui {
 
-/// What just happened, in the view.
+/// A message in the view.
 struct ToastState {
     std::string text;  ///< empty for none
     bool isError = false;
     float opacity = 1;                 ///< 0 to 1, while it fades
-    std::optional<HintChoice> choice;  ///< what can be done about it
+    std::optional<HintChoice> choice;  ///< possible action
 };
 
 }  // namespace kerf::ui

@@ -10,7 +10,7 @@
 
 namespace kerf::ui {
 
-/// The tool of the left button in the view: it leads a blade in one of three ways, or touches the
+/// The tool of the left button in the view: it moves a blade in one of three ways, or touches the
 /// body.
 enum class Tool : std::uint8_t {
     stroke,      ///< along the line of sight, wherever the pointer goes
@@ -19,19 +19,19 @@ enum class Tool : std::uint8_t {
     grab,        ///< pulls at the body
     pin,         ///< holds parts of the body in place, or frees them
     retract,     ///< holds cuts open by hooks
-    move,        ///< moves, turns and sizes boxes, pins and the model by a gizmo
-    measure,     ///< tells distances, angles, areas and volumes by clicks
+    move,        ///< moves, turns and resizes boxes, pins and the model by a gizmo
+    measure,     ///< measures distances, angles, areas and volumes by clicks
 };
 
-/// One row of the table of tools: panel, actions and hints go by it. What a tool does stands in
+/// One row of the table of tools for panel, actions and hints. Their implementation is in
 /// app/tools.
 struct ToolRow {
     Tool tool;
-    Key key;  ///< that takes it
+    Key key;  ///< that selects it
     std::string_view keyText;
     const char* name;        ///< on its button
-    std::string_view label;  ///< of the action that takes it
-    std::string_view hint;   ///< to somebody who has not used it yet
+    std::string_view label;  ///< of the action that selects it
+    std::string_view hint;   ///< until its first use
     bool leadsBlade = false;
     bool readsBody = true;          ///< or changes it, so it waits for a step to end
     std::string_view trigger = {};  ///< what ActionId::bringDown does with it, if anything
@@ -63,7 +63,7 @@ inline constexpr std::array kToolRows{
             "Click on the body. Esc ends it."},
 };
 inline constexpr int kTools = static_cast<int>(kToolRows.size());
-/// The tool that a person begins with, and that Esc goes back to.
+/// The initial tool, to which Esc returns.
 inline constexpr Tool kFirstTool = Tool::stroke;
 
 constexpr const ToolRow& rowOf(Tool tool) {
@@ -81,7 +81,7 @@ static_assert(coversTools(kToolRows), "a Tool has no row, or not at its place");
 // The settings of each tool that has any. Lengths in metres.
 struct StrokeSettings {
     bool throughAll = true;  ///< the blade reaches beyond the body
-    double depth = 0.3;      ///< how far behind the nearest point of the body it ends otherwise
+    double depth = 0.3;      ///< otherwise its end behind the nearest point of the body
 };
 struct ScalpelSettings {
     double depth = 0.1;  ///< below the surface
@@ -92,13 +92,13 @@ struct GuillotineSettings {
     double lowered = 0;  ///< share of that, 0 to 1
 };
 struct GrabSettings {
-    double radius = 0.1;  ///< of what the hand takes hold of
+    double radius = 0.1;  ///< of the hand
 };
 struct PinSettings {
     double radius = 0.1;  ///< of the brush
 };
 
-/// The tool in hand and the settings of all, which the tools panel shows and answers with.
+/// The selected tool and the settings of all, shown and changed by the tools panel.
 struct ToolSettings {
     Tool tool = kFirstTool;
     StrokeSettings stroke;

@@ -2,7 +2,7 @@
 
 namespace kerf::ui {
 
-/// How time runs.
+/// The state of time.
 struct TransportState {
     bool playing = false;
     bool recording = false;

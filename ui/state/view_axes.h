@@ -6,7 +6,7 @@
 
 namespace kerf::ui {
 
-/// The world's axes as the view shows them: x to the right, y up, z towards the viewer; unit.
+/// The world's axes in the view: x to the right, y up, z towards the viewer; unit.
 struct ViewAxes {
     std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 };

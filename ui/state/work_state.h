@@ -5,14 +5,14 @@
 
 namespace kerf::ui {
 
-/// Something that takes long while the editor goes on.
+/// Long work in the background.
 struct WorkState {
-    std::string title;  ///< "Opening ball.ply"; empty while there is nothing to tell
+    std::string title;  ///< "Opening ball.ply"; empty for none
     std::string stage;  ///< "Building the constraints"
     double seconds = 0;
-    /// What is done of it, 0 to 1; none where that is not known.
+    /// The share done, 0 to 1; none if unknown.
     std::optional<double> share = std::nullopt;
-    bool mayEnd = true;  ///< before it is done, if the person wishes
+    bool mayEnd = true;  ///< can be cancelled
 };
 
 }  // namespace kerf::ui
