@@ -26,7 +26,7 @@ std::function<int()> describeImportWorker(CLI::App& verb) {
     return [file] { return runImportWorker(*file); };
 }
 
-/// Not for people: model_source runs it to keep the file readers in a process of their own.
+/// Internal: model_source runs it to keep the file readers in a separate process.
 constexpr Verb kImportWorkerVerb{"import-worker", "", describeImportWorker};
 
 /// All verbs, in the order of `kerf --help`.

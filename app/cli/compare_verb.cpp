@@ -208,7 +208,7 @@ void describeHowToCompare(CLI::App& verb, CompareArguments& arguments) {
                     arguments.masks.push_back(*readMask(mask));
                 }
             },
-            "A rectangle of pixels to leave out; may be given several times")
+            "A rectangle of pixels to ignore; may be given several times")
         ->check(refuseNoMask)
         ->allow_extra_args(false)
         ->type_name("X,Y,W,H");
@@ -217,10 +217,10 @@ void describeHowToCompare(CLI::App& verb, CompareArguments& arguments) {
 std::function<int()> describeCompare(CLI::App& verb) {
     const auto arguments = std::make_shared<CompareArguments>();
     verb.add_option("A", arguments->a, "A PNG file")->required();
-    verb.add_option("B", arguments->b, "Another one")->required();
+    verb.add_option("B", arguments->b, "The other picture")->required();
     describeHowToCompare(verb, *arguments);
     verb.add_option("--diff", arguments->diff,
-                    "Picture of the difference, written only where they differ")
+                    "Picture of the difference, written only if they differ")
         ->type_name("D.png");
     verb.add_flag("--json", arguments->json, "Print one JSON object");
     verb.footer(explainLimits());

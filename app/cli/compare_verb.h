@@ -19,7 +19,7 @@ struct CompareArguments {
     std::optional<double> threshold;
     bool tolerant = false;                 ///< kTolerantLimits instead of kStrictLimits
     std::vector<render::PixelRect> masks;  ///< left out
-    std::filesystem::path diff;  ///< written only when the pictures differ; empty for none
+    std::filesystem::path diff;            ///< written only if the pictures differ; empty for none
     bool json = false;
 };
 
@@ -27,10 +27,10 @@ struct CompareArguments {
 /// and height, all in whole pixels, the latter two at least 1. Empty for other texts.
 std::optional<render::PixelRect> readMask(const std::string& text);
 
-/// Prints one line (or one JSON object) about the two pictures on `out`. Returns the exit code:
-/// 0 within the limits or the threshold, 1 where they differ (in size too). Throws InputError where
-/// a picture can't be read or the masks don't fit it, OutputError where the picture of the
-/// difference can't be written.
+/// Prints one line (or one JSON object) about the two pictures on `out`. Returns the exit code: 0
+/// within the limits or the threshold, 1 if they differ (in size too). Throws InputError if a
+/// picture can't be read or the masks don't fit it, OutputError if the difference picture can't be
+/// written.
 int runCompare(const CompareArguments& arguments, std::ostream& out);
 
 }  // namespace kerf::app

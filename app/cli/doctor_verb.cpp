@@ -152,9 +152,8 @@ int runDoctor(const DoctorArguments& arguments, std::ostream& out, std::ostream&
 
 std::function<int()> describeDoctor(CLI::App& verb) {
     const auto arguments = std::make_shared<DoctorArguments>();
-    verb.add_flag("--quick", arguments->quick, "Leave the speed of the models out");
-    addOut(verb, arguments->out,
-           "Folder for a report with a picture, to look at or to attach to a bug");
+    verb.add_flag("--quick", arguments->quick, "Skip the speed of the models");
+    addOut(verb, arguments->out, "Folder for a report with a picture, to attach to a bug");
     verb.add_flag("--json", arguments->json, "Print one JSON object");
     return [arguments] { return runDoctor(*arguments, std::cout, std::cerr); };
 }
@@ -162,7 +161,7 @@ std::function<int()> describeDoctor(CLI::App& verb) {
 }  // namespace
 
 const Verb kDoctorVerb{"doctor",
-                       "Check whether Kerf works as it should on this machine's graphics driver",
+                       "Check whether Kerf works correctly with this machine's graphics driver",
                        describeDoctor};
 
 }  // namespace kerf::app

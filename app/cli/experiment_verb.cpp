@@ -29,8 +29,8 @@ int becomeLaboratory(char** words) {
 
 const Verb kExperimentVerb{"experiment",
                            "Run the paper's experiments, the virtual test bench, or a "
-                           "comparison with finite elements, headless and write a report; by "
-                           "kerf-lab, which is made from the source tree and not installed",
+                           "comparison with finite elements, headless, and write a report; "
+                           "needs kerf-lab, which is built from the source tree, not installed",
                            nullptr, becomeLaboratory};
 
 }  // namespace kerf::app

@@ -493,7 +493,7 @@ MendOptions describeMends(CLI::App& verb, InspectArguments& arguments, CLI::Opti
             ->each([ask](const std::string&) { ask(); });
     };
     CLI::Option* const repair =
-        mends("--repair", "Write the model here as a repair leaves it, and report that one", [] {});
+        mends("--repair", "Write the repaired model here, and report that one", [] {});
     CLI::Option* const remesh =
         mends("--remesh", "Write the model here, repaired and with even triangles", [&mending] {
             mending.remesh = true;
@@ -521,14 +521,15 @@ void describePicture(CLI::App& verb, InspectArguments& arguments, CLI::Option* p
 
 void describeLengths(CLI::App& verb, Mending& mending, const MendOptions& mends) {
     verb.add_option("--edge", mending.edge,
-                    "Length of their edges in the model's unit; as those of even triangles with "
-                    "the same areas, of a coarse model a 25th of its diagonal at most")
+                    "Length of their edges in the model's unit; by default that of even triangles "
+                    "with the same areas, at most a 25th of the diagonal of a coarse model")
         ->type_name("LENGTH")
         ->check(refuseNoLength)
         ->needs(mends.remesh);
-    verb.add_option("--thickness", mending.thicken,
-                    "That thickness in the model's unit; a 50th of the model's diagonal, or less "
-                    "where the sheet is bent or close to itself")
+    verb.add_option(
+            "--thickness", mending.thicken,
+            "That thickness in the model's unit; by default a 50th of its diagonal, or less "
+            "where the sheet is bent or close to itself")
         ->type_name("LENGTH")
         ->check(refuseNoLength)
         ->needs(mends.thicken);
@@ -552,7 +553,6 @@ std::function<int()> describeInspect(CLI::App& verb) {
 
 }  // namespace
 
-const Verb kInspectVerb{"inspect", "Say what a model is and whether it can be cut",
-                        describeInspect};
+const Verb kInspectVerb{"inspect", "Describe a model and whether it can be cut", describeInspect};
 
 }  // namespace kerf::app

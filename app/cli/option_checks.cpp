@@ -78,7 +78,7 @@ CLI::Option* addPictureSize(CLI::App& verb, std::function<void(const PictureSize
 
 void addJobs(CLI::App& verb, int& jobs) {
     jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    verb.add_option("--jobs", jobs, "Runs at a time; one per core otherwise")
+    verb.add_option("--jobs", jobs, "Parallel runs; one per core by default")
         ->check(CLI::Range(1, kMostJobs))
         ->type_name("N");
 }

@@ -15,11 +15,11 @@ class Option;
 // What options of several verbs have in common. Checks return why a text is refused, or nothing.
 namespace kerf::app {
 
-/// An empty name is a mistake of the script that called, most often an unset variable.
+/// Refuses an empty name, usually an unset variable of a script.
 std::string refuseEmpty(const std::string& text);
 /// Takes a length above zero.
 std::string refuseNoLength(const std::string& text);
-/// A file in the place of the folder for results is told before anything runs, by an InputError.
+/// Throws InputError if the folder for results is a file.
 void refuseFileAsFolder(const std::filesystem::path& out);
 
 /// A number and nothing else.
@@ -30,7 +30,7 @@ CLI::Option* addOut(CLI::App& verb, std::filesystem::path& out, const char* abou
 /// `--size WxH`, the size of a picture.
 CLI::Option* addPictureSize(CLI::App& verb, std::function<void(const PictureSize&)> take,
                             const char* about);
-/// `--jobs N`: runs at a time, one per core where it is not given.
+/// `--jobs N`: parallel runs, by default one per core.
 void addJobs(CLI::App& verb, int& jobs);
 
 }  // namespace kerf::app

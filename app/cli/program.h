@@ -12,12 +12,12 @@ inline constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 a check failed, 2 wrong usage, 3 input missing or invalid,\n"
     "4 no usable OpenGL 4.5, 5 out of memory or another limit.";
 
-/// Comes first in a program: its standard streams, signals, memory and log.
+/// Sets up standard streams, signals, memory and log. Call it first.
 void setUpProgram();
 
-/// The exit code where the words end the program: by a mistake, or by asking for help.
+/// The exit code if the arguments end the program: by a mistake, or by asking for help.
 std::optional<int> parseWords(CLI::App& parser, int argc, char** argv);
-/// What the verb returns; every error of it as a sentence and an exit code.
+/// Runs a verb; turns its errors into a sentence and an exit code.
 int runSafely(const std::function<int()>& verb);
 /// What people are told of an error of a verb, and the exit code for it.
 struct Complaint {
@@ -26,7 +26,7 @@ struct Complaint {
 };
 /// That of the exception that is being handled; one that no verb throws is thrown on.
 Complaint complaintAboutThrown();
-/// Says the sentence on standard error; returns the code.
+/// Prints the sentence on standard error; returns the code.
 int complain(const std::string& sentence, int exitCode);
 
 }  // namespace kerf::app

@@ -42,8 +42,7 @@ void describeReplayChanges(CLI::App& verb, ReplayArguments& arguments) {
 
 /// Options that compare the run with another one, or write what later runs can be compared with.
 void describeReplayChecks(CLI::App& verb, ReplayArguments& arguments) {
-    verb.add_flag("--hashes", arguments.hashes,
-                  "Also write hashes.csv: what state each step ended in");
+    verb.add_flag("--hashes", arguments.hashes, "Also write hashes.csv: the state after each step");
     verb.add_flag("--pieces", arguments.pieces,
                   "Also write pieces.csv: volume and box of each piece after each step");
     verb.add_flag("--forces", arguments.forces,
@@ -62,7 +61,7 @@ void describeReplayChecks(CLI::App& verb, ReplayArguments& arguments) {
         ->needs(reference);
     verb.add_flag("--keep-going", arguments.keepGoing, "Run all steps, also after a check failed");
     verb.add_flag("!--no-hash-checks", arguments.hashChecks,
-                  "Pass over the state hashes in the session's own checks");
+                  "Ignore the state hashes in the session's own checks");
 }
 
 /// The film, and how it looks.
@@ -73,18 +72,18 @@ void describeFilm(CLI::App& verb, ReplayArguments& arguments) {
                         "Also make a film of the run, by ffmpeg; FILE ends in " + filmEndings())
             ->check(refuseEmpty)
             ->type_name("FILE");
-    verb.add_option("--fps", film.rate, "Pictures in a second of the film (30, of a .gif 25)")
+    verb.add_option("--fps", film.rate, "Frames per second of the film (30, of a .gif 25)")
         ->check(CLI::Range(1, kMostFilmRate))
         ->type_name("N")
         ->needs(movie);
     verb.add_option("--speed", film.speed,
-                    "Simulated seconds in a second of the film (1): 0.25 slows it down")
+                    "Simulated seconds per second of the film (1): 0.25 slows it down")
         ->check(refuseNoSpeed)
         ->type_name("S")
         ->needs(movie);
-    verb.add_flag("--turntable", film.turntable, "The camera turns once about the scene")
+    verb.add_flag("--turntable", film.turntable, "Turn the camera once about the scene")
         ->needs(movie);
-    verb.add_flag("--captions", film.captions, "The film tells the time, and what happens")
+    verb.add_flag("--captions", film.captions, "Caption the film with the time and events")
         ->needs(movie);
 }
 
@@ -105,7 +104,7 @@ void describeFilms(CLI::App& verb, ReplayArguments& arguments) {
                 arguments.strip.file = words[0];
                 arguments.strip.pictures = readCount(words[1]);
             },
-            "Also make a picture (.png) of so many pictures of the run side by side")
+            "Also make one picture (.png) of N pictures of the run side by side")
         ->type_size(2)
         ->expected(1)
         ->type_name("FILE N");
@@ -130,7 +129,7 @@ std::string refuseNoMeshFormat(const std::string& name) {
 void describeSequence(CLI::App& verb, ReplayArguments& arguments) {
     CLI::Option* const sequence =
         verb.add_option("--sequence", arguments.sequence.every,
-                        "Also write the mesh every so many steps, into the folder sequence")
+                        "Also write the mesh at this interval of steps, into the folder sequence")
             ->check(CLI::Range(1, kMaxSteps))
             ->type_name("EVERY");
     verb.add_option_function<std::string>(
@@ -147,8 +146,7 @@ void describeSequence(CLI::App& verb, ReplayArguments& arguments) {
 }  // namespace
 
 void describeReplay(CLI::App& verb, ReplayArguments& arguments) {
-    verb.add_option("SESSION", arguments.session,
-                    "A *.kerf.json file, or a .journal that a window left behind")
+    verb.add_option("SESSION", arguments.session, "A *.kerf.json file, or the .journal of a window")
         ->required()
         ->check(refuseEmpty);
     addOut(verb, arguments.out, "Folder for the results")->required();
@@ -157,7 +155,7 @@ void describeReplay(CLI::App& verb, ReplayArguments& arguments) {
     describeFilms(verb, arguments);
     describeSequence(verb, arguments);
     CLI::Option* json = verb.add_flag("--json", arguments.json, "Print one JSON object");
-    verb.add_flag("--jsonl", arguments.jsonl, "Print a JSON object for each step, as it is done")
+    verb.add_flag("--jsonl", arguments.jsonl, "Print a JSON object after each step")
         ->excludes(json);
 }
 

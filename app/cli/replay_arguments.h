@@ -26,7 +26,7 @@ struct ReplayArguments : ReplayOptions {
     bool jsonl = false;
 };
 
-/// Describes the options that fill them in.
+/// Describes the options that set them.
 void describeReplay(CLI::App& verb, ReplayArguments& arguments);
 
 }  // namespace kerf::app

@@ -5,8 +5,8 @@
 
 namespace kerf::app {
 
-/// Throws UsageError where a replay would write over what it reads (session, models, material,
-/// hashes, reference pictures), or would write two of its results to one file.
+/// Throws UsageError if a replay would overwrite an input (session, models, material, hashes,
+/// reference pictures), or write two results to one file.
 void checkReplayTargets(const Session& session, const ReplayArguments& arguments);
 
 }  // namespace kerf::app

@@ -277,7 +277,8 @@ std::function<int()> describeReplayVerb(CLI::App& verb) {
 
 }  // namespace
 
-const Verb kReplayVerb{"replay", "Run a session headless, as fast as it can, and write its results",
+const Verb kReplayVerb{"replay",
+                       "Run a session headless, as fast as possible, and write its results",
                        describeReplayVerb};
 
 }  // namespace kerf::app

@@ -16,7 +16,7 @@ constexpr std::uintmax_t kMostBytes = 1u << 20;
 
 std::function<int()> describeSchema(CLI::App& verb) {
     const auto kind = std::make_shared<std::string>("session");
-    verb.add_option("KIND", *kind, "session (where left out) or material")
+    verb.add_option("KIND", *kind, "session (default) or material")
         ->check(CLI::IsMember({"session", "material"}));
     return [kind] {
         std::cout << readInputFile(gpu::dataPath("docs/" + *kind + ".schema.json"), kMostBytes);
@@ -28,7 +28,7 @@ std::function<int()> describeSchema(CLI::App& verb) {
 
 const Verb kSchemaVerb{
     "schema",
-    "Print the JSON Schema of sessions or materials, by which text editors complete and check",
+    "Print the JSON Schema of sessions or materials, for checks and completion in text editors",
     describeSchema};
 
 }  // namespace kerf::app

@@ -294,7 +294,7 @@ int runSweep(const SweepArguments& arguments, std::ostream& out, std::ostream& e
 /// What is done instead of the whole sweep; one of these at most.
 void describePartsOfSweep(CLI::App& verb, SweepArguments& arguments) {
     CLI::Option* run =
-        verb.add_option("--run", arguments.run, "Do this run alone, from 0; gather nothing")
+        verb.add_option("--run", arguments.run, "Do only this run, from 0; gather nothing")
             ->check(CLI::Range(std::size_t{0}, kMostRuns - 1))
             ->type_name("K");
     CLI::Option* list =
@@ -320,7 +320,7 @@ std::function<int()> describeSweep(CLI::App& verb) {
 
 }  // namespace
 
-const Verb kSweepVerb{
-    "sweep", "Run sessions with many values of parameters; begun anew, it goes on", describeSweep};
+const Verb kSweepVerb{"sweep", "Run sessions with many values of parameters; resumes if stopped",
+                      describeSweep};
 
 }  // namespace kerf::app

@@ -275,12 +275,11 @@ int runTests(const TestArguments& arguments, std::ostream& out) {
 
 std::function<int()> describeTest(CLI::App& verb) {
     const auto arguments = std::make_shared<TestArguments>();
-    verb.add_option("PATH", arguments->paths,
-                    "A session, or a folder that is searched for *.kerf.json")
+    verb.add_option("PATH", arguments->paths, "A session, or a folder to search for *.kerf.json")
         ->required()
         ->check(refuseEmpty);
     verb.add_flag("--update", arguments->update,
-                  "Make or renew the expectations (NAME.expected beside NAME.kerf.json)");
+                  "Write or renew the expectations (NAME.expected beside NAME.kerf.json)");
     addJobs(verb, arguments->jobs);
     verb.add_option("--junit", arguments->junit, "Write the results as JUnit XML")
         ->check(refuseEmpty)
@@ -289,7 +288,7 @@ std::function<int()> describeTest(CLI::App& verb) {
                     "Write a page with expected, actual and different pictures, and plots")
         ->check(refuseEmpty)
         ->type_name("FILE.html");
-    addOut(verb, arguments->out, "Keep what the runs write, a folder for each");
+    addOut(verb, arguments->out, "Keep the output of the runs, a folder for each");
     verb.add_flag("--json", arguments->json, "Print one JSON object");
     return [arguments] { return runTests(*arguments, std::cout); };
 }

@@ -4,8 +4,8 @@
 
 namespace kerf::app {
 
-/// The command line asks for something that can't be: what() is one sentence that says what and
-/// what to do. Exit code 2.
+/// A mistake on the command line: what() is one sentence that says what and what to do. Exit code
+/// 2.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -12,34 +12,34 @@
 
 namespace kerf::app {
 
-/// What the doctor found of the driver of this machine.
+/// The findings about the driver of this machine.
 struct Diagnosis {
     gpu::DeviceInfo device;
     std::vector<gpu::DriverLimit> limits;
     std::vector<DriverFinding> findings;
-    std::vector<ModelSpeed> speeds;  ///< none of a quick examination
-    render::Image picture;           ///< of the cut body, as this driver draws it
-    int debugErrors = 0;             ///< that OpenGL told of on the way
+    std::vector<ModelSpeed> speeds;  ///< none in a quick examination
+    render::Image picture;           ///< of the cut body, drawn by this driver
+    int debugErrors = 0;             ///< reported by OpenGL
     double seconds = 0;
 
-    /// Whether all is as it should be.
+    /// Whether all checks hold.
     bool right() const;
-    /// What came of it and what to do, in a sentence or two.
+    /// The result and what to do, in a sentence or two.
     std::string verdict() const;
 };
 
-/// How thoroughly the doctor looks.
+/// The extent of an examination.
 struct Examination {
     bool speeds = true;
     double secondsEach = 8;  ///< of a model's speed
-    /// Called with the name of what comes next; may be null.
+    /// Called with the name of the next part; may be null.
     std::function<void(const std::string& part)> next = nullptr;
 };
 
-/// Examines the driver of the context that is current: its limits, each kernel against the same in
-/// double precision, free fall, rest, what a body meets, a cut and the same again, a picture, and
-/// how fast the paper's models run. What throws there, such as a shader that does not compile, is a
-/// finding. Throws InputError where the builtin models are missing.
+/// Examines the driver of the current context: its limits, each kernel against the double-precision
+/// reference, free fall, rest, contact, a cut and its repetition, a picture, and the speed of the
+/// paper's models. Exceptions, as of a shader that does not compile, are findings. Throws
+/// InputError if the builtin models are missing.
 Diagnosis diagnose(const Examination& examination = {});
 
 }  // namespace kerf::app

@@ -5,18 +5,18 @@
 
 namespace kerf::app {
 
-/// How fast a recorded cut runs, each step with its picture.
+/// The speed of a recorded cut, with a picture each step.
 struct ModelSpeed {
     std::string model;
-    int frames = 0;         ///< that were timed
+    int frames = 0;         ///< that were measured
     double medianMs = 0;    ///< of a frame
-    double worstCutMs = 0;  ///< the longest frame while the blade was down; 0 where it never was
+    double worstCutMs = 0;  ///< the longest frame while the blade was down; 0 if it never was
     double framesPerSecond() const { return medianMs > 0 ? 1000 / medianMs : 0; }
 };
 
-/// Plays the recorded cut of each of the paper's models, a picture of 1280x720 a step, for so many
-/// seconds each at most. The first frames, in which drivers compile, are left out. Throws as
-/// Simulation does, and InputError.
+/// Plays the recorded cut of each of the paper's models, with a picture of 1280x720 a step, for at
+/// most `secondsEach`. The first frames, in which drivers compile, are omitted. Throws like
+/// Simulation, and InputError.
 std::vector<ModelSpeed> modelSpeeds(double secondsEach);
 
 }  // namespace kerf::app

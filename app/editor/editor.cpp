@@ -114,7 +114,7 @@ void beginSteps(State& s) {
                   [&s, needed, most](EditorScene& now) { s.clock.run(now, needed, most); });
 }
 
-/// Compiles on where nobody waits.
+/// Continues compiling kernels while idle.
 void prepareKernels(State& s, double elapsedSeconds) {
     if (s.scene == nullptr || s.scene.underWay() || s.scene->running() || !s.queue.empty() ||
         s.view.camera.dragging() || s.work.opening() != nullptr ||
@@ -125,8 +125,7 @@ void prepareKernels(State& s, double elapsedSeconds) {
     }
 }
 
-/// Writes the settings where they have changed, once a drag is over and not at each of its
-/// moves.
+/// Writes changed settings, after a drag and not at each of its moves.
 void keepSettings(State& s) {
     const std::string problem = s.panels.interface.isDragging() ? "" : s.panels.settings.save();
     if (!problem.empty()) {

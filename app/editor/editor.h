@@ -19,8 +19,8 @@ namespace kerf::app {
 class EditorScene;
 
 /// The editor behind a window or without one: events in, pictures out. It needs a current OpenGL
-/// 4.5 context with loaded functions. Each frame() takes the input in batches through the panels,
-/// drains what they and the keys ask for, steps the simulation and draws.
+/// 4.5 context with loaded functions. Each frame() passes the input in batches to the panels,
+/// carries out the actions of panels and keys, steps the simulation and draws.
 class Editor {
   public:
     /// Opens `document`, or nothing. Throws gpu::ShaderError, gpu::OutOfMemory.
@@ -29,33 +29,32 @@ class Editor {
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    /// Puts input into the queue for the next frame.
+    /// Queues input for the next frame.
     void post(ui::InputEvent event);
-    /// Changes the size of the picture [px]; ignored where a side is 0, as of a hidden window.
+    /// Changes the size of the frame [px]; ignored if a side is 0, as for a hidden window.
     void resize(int width, int height);
-    /// Changes the scale of the display, as the window moves to another one; 1 = 96 dpi.
+    /// Changes the scale of the display, when the window moves to another one; 1 = 96 dpi.
     void setScale(float scale);
-    /// Makes one picture, `elapsedSeconds` after the one before.
+    /// Makes one frame, `elapsedSeconds` after the previous one.
     void frame(double elapsedSeconds);
-    /// Goes on with what the scene is doing, where no picture is due before it is done. False where
-    /// one is, or nothing is under way.
+    /// Continues the scene's work, if no frame is due before it is done. False if one is, or
+    /// without work.
     bool workOn();
-    /// Time for which nothing will change without input [s]; 0 while something moves.
+    /// Time until something changes without input [s]; 0 while something moves.
     double idleSeconds() const;
 
-    /// Whether a file is on its way in or out, or a model to another place; what is open goes on
-    /// meanwhile.
+    /// Whether a file is being read or written, or a model being placed, in the background.
     bool working() const;
-    /// The person wants to leave, as by the window's own button: asks about work that is not saved.
+    /// Requests to quit, as by the window's close button: asks about unsaved work.
     void askToLeave();
-    /// Whether the person asked to leave and nothing is left to be saved.
+    /// Whether quitting was requested and nothing is left to be saved.
     bool closing() const;
 
-    /// The scene and the panels, as the window shows them.
+    /// The scene and the panels, as shown in the window.
     const gpu::Framebuffer& picture() const;
-    /// The shape of the pointer as it stands.
+    /// The present shape of the pointer.
     ui::Cursor cursor() const;
-    /// A copy of picture() in main memory; draws it first where frames are not drawn.
+    /// A copy of picture() in main memory; draws it first if frames are not drawn.
     render::Image readPicture() const;
     /// The title of the window: "Kerf - NAME - N pieces".
     std::string title() const;
@@ -64,11 +63,11 @@ class Editor {
 
     /// The rectangles of the named items of the panels [px].
     const ui::ItemRects& itemRects() const;
-    /// The scene that is open, for tests that look into it; null while none is.
+    /// The open scene, for tests; null if none is open.
     EditorScene* scene();
 
-    /// Begins to open a model or a session, which takes some frames. What cannot be opened is said
-    /// in the view and changes nothing.
+    /// Begins to open a model or a session, which takes some frames. Failures are shown in the view
+    /// and change nothing.
     void open(const std::filesystem::path& file);
 
     /// All that an editor holds (app/editor/editor_state.h).

@@ -22,7 +22,7 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
     return {{turn.col(0), turn.col(1), turn.col(2)}};
 }
 
-/// The legend of the colours, with the value under the pointer where the scene rests.
+/// The legend of the colours, with the value under the pointer if the scene is at rest.
 ui::FieldLegend fieldLegend(State& s, bool inView) {
     ui::FieldLegend legend{s.view.display.settings.field.field, s.picture.fieldRange(), {}, ""};
     if (legend.field == render::SurfaceField::look || s.view.faulty || s.scene == nullptr ||

@@ -98,7 +98,7 @@ std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
     return helps;
 }
 
-/// Nothing is open then, and nothing is kept.
+/// Closes the scene; nothing is kept.
 void closeScene(State& s) {
     s.leaveScene();
     s.keeping.discard();
@@ -106,7 +106,7 @@ void closeScene(State& s) {
     s.redraw.scene();
 }
 
-/// Undoes the repair of the model as it was opened: it stands there with its faults again.
+/// Undoes the repair of the model on opening: shows its faults again.
 void askAboutRepair(State& s) {
     const Mended& mended = *s.sceneSteps.mended;
     s.view.showFaulty(mended.fault, mended.order);
@@ -126,7 +126,7 @@ void askAboutRepair(State& s) {
     s.redraw.scene();
 }
 
-/// Opens the scene anew with `model` of `start`, as a change that undo takes back.
+/// Reopens the scene with `model` of `start`, as a change that can be undone.
 void exchangeModel(State& s, const Session& start, const ModelReference& model,
                    const std::string& doing, const std::string& change) {
     const OpeningOrder order{doing, model.file(),

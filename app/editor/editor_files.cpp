@@ -35,7 +35,7 @@ void openAnew(State& s, OpeningOrder order) {
         }};
 }
 
-/// Opens the scene with the model of a file added, or with one of its models taken out.
+/// Reopens the scene with the model of a file added, or with a model removed.
 void addModel(State& s, const std::filesystem::path& file) {
     if (s.scene == nullptr) {
         s.open(file);
@@ -110,7 +110,7 @@ void followPlacing(State& s) {
     s.goOn();
 }
 
-/// Takes note of the end of a saving.
+/// Handles the end of a save.
 void onSaved(State& s, const SavingQueue::Outcome& outcome) {
     constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
     if (outcome.number != kNoNumber || !s.work.onceSaved) {

@@ -23,7 +23,7 @@ bool pointsAtView(const State& s) {
     return !s.panels.interface.ownsPointer() || s.panels.interface.pointsBesideQuestion();
 }
 
-/// The scene for the tool in hand: one that leads the blade doesn't wait for it.
+/// The scene for the current tool: one that moves the blade doesn't wait.
 BusyScene sceneInHand(State& s, bool presses = false) {
     if (s.view.faulty || (presses && s.comesBack())) {
         return {};
@@ -78,8 +78,8 @@ void dispatch(State& s, const ui::InputEvent& event) {
     }
 }
 
-/// Updates the panels with a batch and does what they answer. `last` of this picture: what it
-/// shows is the panels' last word.
+/// Updates the panels with a batch and carries out their actions. `last`: the last one of this
+/// frame.
 void updatePanels(State& s, const std::vector<ui::InputEvent>& batch, double elapsedSeconds,
                   bool last) {
     s.describe(last);

@@ -27,8 +27,8 @@
 
 namespace kerf::app {
 
-/// The parts of an editor, and what joins several of them. The functions stand in a file per
-/// concern, as the headings say.
+/// The parts of an editor, and the functions that connect several of them, in a file per concern,
+/// as the headings say.
 struct Editor::State {
     explicit State(const EditorOptions& options)
         : kernels(options.warmsUp),
@@ -68,64 +68,64 @@ struct Editor::State {
     bool closing = false;
 
     // A picture: editor.cpp.
-    /// One picture, as Editor::frame() makes it.
+    /// One frame of Editor::frame().
     void makePicture(double elapsedSeconds);
-    /// Works, and gives the scene up where memory runs out.
+    /// Works, and closes the scene if memory runs out.
     void sparingly(const std::function<void()>& doWork);
-    /// Does what waits for the scene, as far as that takes no longer than a portion.
+    /// Does waiting actions, for at most a portion of time.
     void workOff();
-    /// Goes on with what the scene is doing.
+    /// Continues the scene's work.
     void goOn();
-    /// Says what went wrong, in the log too.
+    /// Shows and logs a problem.
     void complain(const std::string& sentence);
     /// Scene and panels.
     void draw();
 
     // Input: editor_input.cpp.
     void takeInput(double elapsedSeconds);
-    /// The scene once what it does is done.
+    /// The scene after its work is done.
     BusyScene restingScene() { return {scene.get(), false}; }
-    /// That for a tool that is to let go: it waits where it holds the body.
+    /// The scene for a tool that must release: waits if it holds the body.
     BusyScene sceneOfTool() { return view.tools.holdsBody() ? restingScene() : scene.meanwhile(); }
 
     // Answers to keys and panels: editor_actions.cpp.
-    /// Does what was asked for, at once or once the scene is done with what it does.
+    /// Carries an action out, at once or after the scene's work.
     void apply(const ui::Action& action);
     void answer(const ui::Action& action);
-    /// Does a command to the open body. False where that failed, which is said in the view.
+    /// Executes a command on the open body. False if it failed, which is shown in the view.
     bool execute(const Command& command);
-    /// Shows what came of something that was done to the body: "" or one sentence.
+    /// Shows the result of an action on the body: "" or one sentence.
     void say(const std::string& problem);
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file) { open(orderOf(file)); }
-    /// The same, after a question about work that is not saved. A material is taken at once.
+    /// The same, after a question about unsaved work. A material is applied at once.
     void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, const Mending& mending = {});
     void removeModel(int model);
     void show(UploadedDocument uploaded);
-    /// What follows where another scene is open than before.
+    /// Called after another scene was opened.
     void beginScene();
     void followFiles();
-    /// Places a model: a large one is prepared behind the scene first.
+    /// Places a model: a large one is prepared in the background first.
     void place(const Place& command);
     void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
 
     // Faults, and what is done about them: editor_faults.cpp.
     /// Shows the scene again.
     void hideFaulty();
-    /// Begins to exchange a model for one with even triangles, after a question where it was cut.
+    /// Begins to remesh a model, after a question if it was cut.
     void remesh(const ui::Remesh& wanted);
-    /// Shows what is told of what was opened, and offers to remesh a model whose skin is coarse.
+    /// Shows the notes on the opened file, and offers to remesh a coarse model.
     void tellOfModel(std::string note);
     void unitePieces(int model);
-    /// Exchanges the only model for one for each object of its file.
+    /// Replaces the only model by one for each object of its file.
     void partModel();
-    /// The scene with even triangles is there: it takes the place of the one before, which is kept.
+    /// Replaces the scene by the remeshed one, and keeps the old one.
     void exchange(UploadedDocument uploaded, const std::string& change);
-    /// Does an exchange that undo or redo asked for.
+    /// Does an exchange requested by undo or redo.
     void followExchange();
-    /// Whether an undo takes the whole scene back, which it asks for then.
+    /// Whether an undo reverts the whole scene, which it then requests.
     bool undoesScene();
     bool redoesScene();
     /// Goes to a row of the history, which may be of another scene.
@@ -138,34 +138,32 @@ struct Editor::State {
     void save(const ChosenFile& chosen);
     int savePicture(render::Image image, const std::string& name);
 
-    /// Lists the materials anew, and tells of those that can't be read.
+    /// Lists the materials again, and reports those that can't be read.
     void lookForMaterials();
-    /// Gives a model a material: one change, and the look with it.
+    /// Gives a model a material with its look, as one change.
     void takeMaterial(const ui::TakeMaterial& wanted);
     void browseToSaveMaterial();
 
     // Work that must not be lost: editor_keeping.cpp.
     void keepWork(double elapsedSeconds);
-    /// Keeps a small picture of the scene, where one is due.
+    /// Saves a small picture of the scene, if due.
     void keepPicture();
-    /// Asks what becomes of what a window left behind, if there is any.
+    /// Offers work that a window left behind, if any.
     void offerLeftWork();
     void tellOfDriver();
-    /// Lets go of the scene and of all that concerns it: nothing is open then.
+    /// Drops the scene and all that concerns it.
     void leaveScene();
-    /// The scene could not go on, for the reason that `sentence` gives: nothing is open then, and
-    /// what was done is offered as work that was left behind.
+    /// Closes a failed scene, for the reason in `sentence`, and offers its work as left behind.
     void giveUpScene(const std::string& sentence);
-    /// Whether it is still being played: what is done now would leave the rest of it out.
+    /// Whether recovered work is still being played: an action now would cut off the rest.
     bool comesBack();
     bool hasUnsavedWork() const;
-    /// Does `next`, before which a person is asked about work that is not saved: "WHAT and lose
-    /// what was done?"
+    /// Does `next`, after a question about unsaved work: "WHAT and lose what was done?"
     void askBefore(const std::string& what, const std::function<void()>& next);
     void leave();
 
     // What the panels show: editor_description.cpp.
-    /// Fills it in. Without `withOverlay` the lines of the coming cut stay as they were.
+    /// Fills in the panel model. Without `withOverlay` the lines of the coming cut are unchanged.
     void describe(bool withOverlay);
     void describeScene();
     /// The title of the window.

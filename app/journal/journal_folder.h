@@ -11,20 +11,19 @@
 
 namespace kerf::app {
 
-/// The journals that are kept at most, and for how long.
+/// The most journals to keep, and for how long.
 inline constexpr std::size_t kMostLeftJournals = 20;
 inline constexpr int kDaysOfJournals = 30;
 
-/// A journal that a window left behind: it ended without being closed. It is ours alone as long as
-/// this lives.
+/// A journal left behind by a window that ended without being closed. Locked during its lifetime.
 class LeftJournal {
   public:
-    /// Takes the lock of a journal. False then for isOurs() where a window has it, or it is gone.
+    /// Locks a journal. isOurs() is false if a window has it, or if it is gone.
     explicit LeftJournal(std::filesystem::path file);
 
     bool isOurs() const { return ours_; }
     const std::filesystem::path& file() const { return file_; }
-    /// Takes it away with its picture.
+    /// Removes it with its picture.
     void remove();
 
   private:
@@ -33,7 +32,7 @@ class LeftJournal {
     bool ours_;
 };
 
-/// Work that can be gone on from.
+/// Work that can be recovered.
 struct LeftWork {
     std::shared_ptr<LeftJournal> journal;
     KeptWork kept;
@@ -41,8 +40,8 @@ struct LeftWork {
     std::shared_ptr<const render::Image> picture;  ///< null for none
 };
 
-/// Looks through a folder for what windows left behind, the last first. Takes away what nobody
-/// needs: journals without unsaved work, and those beyond the number and the age that are kept.
+/// Finds the work left behind in a folder, the newest first. Removes journals without unsaved work,
+/// and those beyond the number and age to keep.
 std::vector<LeftWork> lookForLeftWork(const std::filesystem::path& folder);
 
 /// $XDG_STATE_HOME/kerf/journal, by default below ~/.local/state; empty without a home.

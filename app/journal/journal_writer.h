@@ -14,15 +14,15 @@
 
 namespace kerf::app {
 
-/// A journal on its way to the disk: what is added is written at once and flushed, on a thread of
-/// its own. Its file is locked as long as it is written, so a journal whose lock is free was left
-/// behind. The file stays, unless it is removed.
+/// Writes a journal: what is added is written at once and flushed, on a separate thread. Its file
+/// is locked meanwhile, so an unlocked journal was left behind. The file stays, unless it is
+/// removed.
 class JournalWriter {
   public:
-    /// What is to be written, made on the thread; may throw.
+    /// Makes the text to write, on the thread; may throw.
     using Text = std::function<std::string()>;
 
-    /// A new file in `folder`, which is made where it is missing.
+    /// A new file in `folder`, which is made if missing.
     explicit JournalWriter(std::filesystem::path folder);
     /// Waits until all that was added is on the disk.
     ~JournalWriter();
@@ -31,19 +31,19 @@ class JournalWriter {
 
     /// Appends to the journal, soon. Nothing more is written once something has failed.
     void add(Text text);
-    /// Does something on the thread that may take its time, such as to write the picture beside the
-    /// journal. What it throws is passed over.
+    /// Runs slow work on the thread, such as writing the picture beside the journal. Ignores what
+    /// it throws.
     void run(std::function<void(const std::filesystem::path& journal)> work);
-    /// Takes the journal away and what lies beside it, and writes nothing more.
+    /// Removes the journal and its picture, and writes nothing more.
     void remove();
 
     /// The sentence about what has failed, once.
     std::optional<std::string> takeProblem();
     /// Whether all that was added is on the disk.
     bool flushed() const;
-    /// Whether nothing is on its way there, and no problem waits to be taken.
+    /// Whether nothing is being written, and no problem waits to be taken.
     bool settled() const;
-    /// Whether it has been taken away.
+    /// Whether it was removed.
     bool removed() const;
     /// Where the journal is, or will be.
     const std::filesystem::path& file() const { return file_; }
@@ -75,9 +75,9 @@ class JournalWriter {
     std::thread thread_;  ///< last: it uses all the others
 };
 
-/// Takes away a journal and the picture of it.
+/// Removes a journal and its picture.
 void removeJournal(const std::filesystem::path& journal);
-/// The picture that lies beside a journal.
+/// The picture beside a journal.
 std::filesystem::path pictureOf(const std::filesystem::path& journal);
 
 }  // namespace kerf::app

@@ -14,11 +14,10 @@ inline constexpr const char* kExpectedFile = "expected.json";
 inline constexpr const char* kCourseFile = "course.csv";
 inline constexpr const char* kPieceBoxesFile = "pieces.csv";
 
-/// The folder beside a session that holds what its runs shall come out like: NAME.expected beside
-/// NAME.kerf.json.
+/// The folder of a session's expectations: NAME.expected beside NAME.kerf.json.
 std::filesystem::path expectationFolder(const std::filesystem::path& session);
 
-/// What a run was made with. Runs of one Driver come out with the same bits.
+/// The driver of a run. Runs on one Driver give the same bits.
 struct Driver {
     std::string renderer;  ///< GL_RENDERER
     std::string version;   ///< GL_VERSION
@@ -26,21 +25,21 @@ struct Driver {
     bool operator==(const Driver&) const = default;
 };
 
-/// How far a run on another driver may be off.
+/// The tolerances of a run on another driver.
 struct Tolerances {
     double positions = 0.05;  ///< of boxes around pieces, as a share of the body's diagonal
     double volume = 0.01;     ///< of the whole, as a share of its volume at the start
     render::PictureLimits pictures = render::kTolerantLimits;  ///< instead of their own limits
 };
 
-/// A picture that a run shall give.
+/// An expected picture.
 struct ExpectedPicture {
-    std::string file;  ///< as the session names it
+    std::string file;  ///< as named in the session
     render::ComparisonOptions options;
     std::optional<render::PictureLimits> limits;  ///< instead of the usual ones
 };
 
-/// What a session's runs shall come out like, without the tables beside it.
+/// The expectation for a session's runs, without the tables beside it.
 struct Expectation {
     std::string kerf;  ///< version of the program that made it
     Driver driver;

@@ -16,16 +16,16 @@ namespace kerf::app {
 /// A screenshot of a session.
 struct TakenPicture {
     std::string file;
-    int step = 0;  ///< before which it is taken; of several with one name, that of the last
+    int step = 0;  ///< before which it is taken; the last one of a name
 };
 
-/// What a replay left in its folder, as far as it is compared.
+/// The compared results of a replay.
 struct RunResults {
     std::filesystem::path folder;
     Driver driver;
     std::string stateHash;
     std::vector<std::string> failures;  ///< of checks and invariants during the run
-    std::vector<std::string> messages;  ///< what it said of steps in which something went wrong
+    std::vector<std::string> messages;  ///< about problems in steps
     std::vector<TakenPicture> pictures;
     HashCourse hashes;
     Course course;
@@ -34,12 +34,12 @@ struct RunResults {
 /// Reads the results of `kerf replay --hashes --pieces` of a session. Throws InputError.
 RunResults readResults(const std::filesystem::path& folder, const Session& session);
 
-/// Something in which a run is not as expected.
+/// A difference of a run from its expectation.
 struct Finding {
     /// "topology", "positions and velocities", "volume", "picture", "check", ...
     std::string part;
-    int step = -1;         ///< the first at which it shows; -1 where it has none
-    std::string sentence;  ///< one, with step, part and how far off
+    int step = -1;         ///< the first that differs; -1 for none
+    std::string sentence;  ///< one, with step, part and deviation
     std::string file{};    ///< the picture that it is about; "" for none
 };
 /// The finding about a failure of a run, a sentence that begins with its step.
@@ -51,7 +51,7 @@ struct Deviation {
     double value = 0;
 };
 
-/// What came of comparing a run with its expectation.
+/// The result of comparing a run with its expectation.
 struct Judgement {
     bool otherDriver = false;  ///< judged by tolerance then
     Driver expectedDriver;     ///< that of the expectation
@@ -59,14 +59,14 @@ struct Judgement {
     std::vector<PictureCheck> pictures;
     Course expectedCourse;
     Course course;
-    /// How far boxes around pieces are from where they should be, at some steps [m].
+    /// The deviation of boxes around pieces at some steps [m].
     std::vector<Deviation> positions;
 
     bool holds() const { return findings.empty(); }
 };
 
 /// Compares a run with the expectation in a folder, which must have one, and writes pictures of
-/// what differs into `differences`. Throws InputError where the expectation can't be read,
+/// what differs into `differences`. Throws InputError if the expectation can't be read,
 /// OutputError.
 Judgement judge(const std::filesystem::path& expectationFolder, const RunResults& results,
                 const std::filesystem::path& differences);

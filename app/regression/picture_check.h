@@ -8,20 +8,20 @@
 
 namespace kerf::app {
 
-/// How a picture of a run compares with the one that it shall be like.
+/// The comparison of a picture of a run with the expected one.
 struct PictureCheck {
     std::string file;
     bool alike = false;
     bool missing = false;                  ///< the run did not give it
     bool unknown = false;                  ///< the folder of expectations lacks it
     render::PictureComparison comparison;  ///< without its errors by pixel
-    std::string sizes;  ///< "96x64 pixels instead of 48x32", where they are not the same
-    std::filesystem::path difference;  ///< a picture of it; empty where there is none
+    std::string sizes;                     ///< "96x64 pixels instead of 48x32", if they differ
+    std::filesystem::path difference;      ///< a picture of it; empty for none
 };
 
 /// Compares the picture in the folder `run` with that in the folder `expected`, and writes a
-/// picture of the difference into `differences`. They are alike within `limits`. Throws InputError
-/// where a picture can't be read, OutputError.
+/// picture of the difference into `differences`. They are equal within `limits`. Throws InputError
+/// if a picture can't be read, OutputError.
 PictureCheck checkPicture(const ExpectedPicture& picture, const std::filesystem::path& expected,
                           const std::filesystem::path& run, OutputFolder& differences,
                           const render::PictureLimits& limits);

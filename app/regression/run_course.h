@@ -28,7 +28,7 @@ struct PieceBox {
 using PieceCourse = std::map<int, std::vector<PieceBox>>;
 
 /// Reads the columns step, volume, pieces, vertices and triangles of a metrics.csv or course.csv.
-/// Throws InputError naming file and line, as readPieces() does.
+/// Throws InputError naming file and line, like readPieces().
 Course readCourse(const std::filesystem::path& file);
 /// The text of a course.csv.
 std::string formatCourse(const Course& course);
@@ -40,7 +40,7 @@ std::string formatPieces(const PieceCourse& pieces);
 /// Some thirty steps of a run, evenly spaced, the last one among them.
 PieceCourse thinnedOut(const PieceCourse& pieces);
 
-/// The last of these steps; -1 where there is none.
+/// The last of these steps; -1 for none.
 int lastStepOf(const PieceCourse& pieces);
 
 /// The box around all pieces.

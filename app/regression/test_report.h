@@ -7,9 +7,9 @@
 
 namespace kerf::app {
 
-/// The results as one HTML page that needs no other file: each picture expected, as it is, and the
-/// difference, with a slider between them, and plots of what deviates. Throws InputError where the
-/// page's template or a picture can't be read.
+/// The results as a self-contained HTML page: each picture expected, actual, and the difference,
+/// with a slider between them, and plots of deviations. Throws InputError if the page's template or
+/// a picture can't be read.
 std::string formatTestReport(const std::vector<TestResult>& results);
 
 }  // namespace kerf::app

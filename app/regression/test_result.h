@@ -8,15 +8,15 @@
 
 namespace kerf::app {
 
-/// What came of a regression test.
+/// The status of a regression test.
 enum class TestStatus {
     passed,
     failed,      ///< it differs, or has no expectation
     unreadable,  ///< session, model or expectation can't be read
     unwritable,  ///< something can't be written, such as its new expectation
     made,        ///< its expectation was written for the first time
-    renewed,     ///< its expectation was written anew
-    notRun,      ///< somebody stopped the tests before its turn
+    renewed,     ///< its expectation was renewed
+    notRun,      ///< the tests were stopped before its turn
 };
 
 /// A session that was run as a regression test.
@@ -27,8 +27,8 @@ struct TestResult {
     double seconds = 0;             ///< of the run, wall clock
     Judgement judgement;            ///< its findings say why it failed, or what was renewed
     std::filesystem::path results;  ///< folder of the run
-    Driver driver;                  ///< of the run; empty where there was none
-    /// Sentences that no test fails for, but its owner should know.
+    Driver driver;                  ///< of the run; empty for none
+    /// Sentences for the owner, for which no test fails.
     std::vector<std::string> notes;
 
     bool failed() const {

@@ -10,9 +10,9 @@
 
 namespace kerf::app {
 
-/// The sessions at these paths: files as they are, folders searched for *.kerf.json, each once, by
-/// name; of folders that are hidden, named *.expected or behind links nothing. A folder that can't
-/// be searched stands among them. Throws InputError for a path that is missing or leads to none.
+/// The sessions at these paths: files, and *.kerf.json in folders, each once, by name; skips
+/// folders that are hidden, named *.expected or behind links. Includes folders that can't be
+/// searched. Throws InputError for a path that is missing or leads to none.
 std::vector<std::filesystem::path> findSessions(const std::vector<std::filesystem::path>& paths);
 
 /// The arguments of the run of a session into a folder, with or without the state hashes in the
@@ -20,16 +20,16 @@ std::vector<std::filesystem::path> findSessions(const std::vector<std::filesyste
 std::vector<std::string> runArguments(const std::filesystem::path& session,
                                       const std::filesystem::path& results, bool hashChecks);
 
-/// The result of a test that needs no run to be known: its expectation can't be read, or it has
-/// none and is not to be made with `update`; nothing where it must be run.
+/// The result of a test without a run: its expectation can't be read, or is missing without
+/// `update`; nothing if it must be run.
 std::optional<TestResult> judgeWithoutRun(const std::filesystem::path& session, bool update);
 
-/// The result of a test whose turn never came, since somebody stopped the tests.
+/// The result of a test that was not run, since the tests were stopped.
 TestResult resultOfNoRun(const std::filesystem::path& session);
 
-/// Judges a run that has ended, whose results lie in `results`, by the expectation beside the
-/// session. With `update` that is made or renewed instead, unless a check of the session failed.
-/// Throws gpu::ContextError where the run found no usable OpenGL.
+/// Judges a finished run, with its results in `results`, by the expectation beside the session.
+/// With `update` that is made or renewed instead, unless a check of the session failed. Throws
+/// gpu::ContextError if the run found no usable OpenGL.
 TestResult judgeRun(const std::filesystem::path& session, const std::filesystem::path& results,
                     const ChildOutcome& outcome, bool update);
 

@@ -33,12 +33,11 @@ struct Document;
 struct SceneBody;
 struct SurfacePoint;
 
-/// An open document as it runs: its body, the stroke that is being drawn, the hands that pull, its
-/// way through the steps, what was done since the start, and what is read of all that. Each has a
-/// part of its own; here stands what joins several of them.
+/// An open, running document: its body, the current stroke, the hands, the timeline, the recorder
+/// and the readout. Each is a separate part; this class has what connects several of them.
 ///
-/// A stroke needs steps to cut. While time is paused, each of its poses runs one step, in which
-/// time stands unless it is to run while cutting.
+/// A stroke needs steps to cut. While paused, each of its poses runs one step, without time unless
+/// time runs while cutting.
 class EditorScene {
   public:
     /// Opens `document`, whose body `body` is. Throws gpu::OutOfMemory.
@@ -49,33 +48,33 @@ class EditorScene {
 
     /// Executes a command of a person, apart from strokes. Returns "" or one sentence.
     std::string execute(const Command& command);
-    /// Places a model otherwise: in another unit, turned, scaled. It stands on the floor below
-    /// where it was, and all models are uncut; the translation of `wanted` does not matter.
-    /// `continues`: with the gesture of the placement before. Returns "" or one sentence.
+    /// Places a model: unit, rotation, scale. It stands on the floor below its old place, and all
+    /// models are uncut; the translation of `wanted` is ignored. `continues`: with the gesture of
+    /// the previous placement. Returns "" or one sentence.
     std::string place(const Placement& wanted, bool continues, int model = 0);
     /// One step with what is due before it: the session's events, or the next pose of the stroke.
     void step();
-    /// Back to the uncut body, paused, with the parameters as they are. Where a session is open, it
-    /// will be played from its start, and what was done since cannot be undone.
+    /// Back to the uncut body, paused, with the present parameters. An open session will be played
+    /// from its start, and what was done since cannot be undone.
     void reset();
-    /// Goes to a step of the session or of the past, at once where it is a keyframe; otherwise
-    /// SceneTimeline::seekSteps() are left to do. What was done after a step that lies back plays
-    /// again from there, until a person takes blade or body in hand: then it is left out.
+    /// Seeks to a step of the session or of the past, at once if it is a keyframe; otherwise
+    /// SceneTimeline::seekSteps() are left to do. Later actions play again from there, until the
+    /// user cuts or pulls: then they are discarded.
     void seek(int step);
-    /// Starts anew and adds a check of the state now and then.
+    /// Restarts, and adds a check of the state from time to time.
     void startRecording();
-    /// Whether steps are due: time runs, or a stroke or a seek is under way.
+    /// Whether steps are due: time runs, or a stroke or a seek is in progress.
     bool running() const;
-    /// Steps that the stroke needs for the coming picture so as not to fall behind the hand.
+    /// Steps that the stroke needs in the coming frame to keep up with the pointer.
     int strokeSteps() const;
-    /// Whether time runs while a stroke is cut in a pause; otherwise it stands, so that the stroke
-    /// cuts where it was aimed, and costs no more than the cut.
+    /// Whether time runs while a stroke is cut in a pause; otherwise the stroke cuts where it was
+    /// aimed, and costs no more than the cut.
     bool timeRunsWhileCutting = false;
-    /// Finds the point at which a ray meets the body as it is.
+    /// Finds the point at which a ray hits the present body.
     std::optional<SurfacePoint> pick(const render::Ray& ray);
-    /// Finds the places where a blade would meet the body on its way.
+    /// Finds where a blade would cut the body on its path.
     const CutPreview& preview(const std::vector<Blade>& way);
-    /// Sentences for the person: those of the simulation, and what came out differently.
+    /// Messages for the user: those of the simulation, and differences from checks.
     std::vector<std::string> takeMessages();
     /// Fills in what the panels show of the scene.
     void describe(ui::PanelModel& model);
@@ -86,7 +85,7 @@ class EditorScene {
     const Simulation& simulation() const;
     SceneBody& body();
     const RestOfBody& rest() const;
-    /// The stroke; its first pose ends the session that is played: a person goes on alone.
+    /// The stroke; its first pose ends the played session.
     BladeStroke& stroke();
     const BladeStroke& stroke() const;
     HeldHands& hands();

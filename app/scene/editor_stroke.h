@@ -9,7 +9,7 @@
 
 namespace kerf::app {
 
-/// The fineness with which the way of a blade is divided into steps.
+/// The resolution at which the path of a blade is divided into steps.
 struct StrokeScale {
     double share = 0.5;  ///< the point of the blade that is measured: 0 at A, 1 at B
     double maxStep = 0;  ///< the farthest that it may move in one step [m]
@@ -20,8 +20,7 @@ struct StrokeScale {
 /// The farthest that a blade may move in a step, for a body of these bounds [m].
 double maxStrokeStep(const Bounds& bounds);
 
-/// How far the poses of a stroke have been stepped through: those of all that were queued since
-/// the queue was last empty.
+/// The progress of a stroke: poses done and queued since the queue was last empty.
 struct StrokeProgress {
     std::size_t done = 0;
     std::size_t poses = 0;
@@ -29,11 +28,11 @@ struct StrokeProgress {
 
 /// Turns points of the view into blades: A on a plane before the body, B on a plane behind it, both
 /// square to the view direction, so that the blade is seen as a point and a straight stroke sweeps
-/// a plane. The view it was made with stays.
+/// a plane. It keeps the view of its construction.
 class StrokeSpace {
   public:
-    /// `bounds` are those of the body as it is [m], `aspect` is width over height of the view, and
-    /// B lies `depth` behind the nearest point of the body [m]; without it, behind the body.
+    /// `bounds` are those of the present body [m], `aspect` is width over height of the view, and B
+    /// is `depth` behind the nearest point of the body [m]; without it, behind the body.
     StrokeSpace(const render::Camera& camera, double aspect, const Bounds& bounds,
                 std::optional<double> depth = std::nullopt);
 
@@ -57,24 +56,23 @@ class StrokeSpace {
     double maxStep_;
 };
 
-/// A stroke as it is drawn and the blade poses still to be stepped through: one per simulation
-/// step, in order, none dropped, long moves divided. The lift comes after the last pose, with a
-/// step of its own.
+/// A stroke while it is drawn, and the queue of its poses: one per simulation step, in order, none
+/// dropped, long moves divided. The lift comes after the last pose, with a separate step.
 class BladeStroke {
   public:
-    /// The pointer went down. The blade appears once it moves: a mere click does nothing.
+    /// After a press of the button. The blade appears once the pointer moves: a click does nothing.
     void begin(const Blade& first, const StrokeScale& scale);
     void moveTo(const Blade& blade);
-    /// Begins a stroke, and goes on with it, by points of the view.
+    /// Begins and continues a stroke by points of the view.
     void begin(const StrokeSpace& space, const Vec2& ndc);
     void moveTo(const Vec2& ndc);
-    /// Time goes by for the hand while time of the body stands [s].
+    /// Adds real time of the drawing [s].
     void elapse(double seconds) { elapsed_ += drawing() ? seconds : 0; }
-    /// The pointer went up.
+    /// After the release of the button.
     void end();
-    /// Forgets the poses still to come; where the blade already moves it is lifted.
+    /// Drops the queued poses; lifts a blade that already moves.
     void cancel();
-    /// Forgets everything, for a body that begins anew.
+    /// Drops everything, for a restarted body.
     void clear() { *this = BladeStroke{}; }
 
     bool drawing() const { return scale_.has_value(); }
@@ -82,7 +80,7 @@ class BladeStroke {
     StrokeProgress progress() const { return {given_, given_ + queue_.size()}; }
     /// The command of the coming step.
     std::optional<Command> next();
-    /// The way that is still to be cut: from the pose that was done last, or the first one.
+    /// The path still to be cut: from the last pose done, or the first one.
     std::vector<Blade> wayAhead() const;
 
   private:
@@ -92,13 +90,13 @@ class BladeStroke {
 
     std::optional<StrokeSpace> space_;  ///< of a stroke by points of the view
     std::optional<StrokeScale> scale_;  ///< while it is drawn
-    Blade first_;                       ///< where the pointer went down
-    std::optional<Blade> queued_;       ///< last pose put into the queue
+    Blade first_;                       ///< where the button was pressed
+    std::optional<Blade> queued_;       ///< last queued pose
     Blade latest_;                      ///< where the pointer is
-    double elapsed_ = 0;                ///< since the last pose was put there [s]
+    double elapsed_ = 0;                ///< since the last pose was queued [s]
     std::deque<Command> queue_;
-    std::size_t given_ = 0;      ///< poses given out since the queue was last empty
-    std::optional<Blade> done_;  ///< the last pose that was given out, until the lift
+    std::size_t given_ = 0;      ///< poses taken since the queue was last empty
+    std::optional<Blade> done_;  ///< the last pose that was taken, until the lift
 };
 
 }  // namespace kerf::app

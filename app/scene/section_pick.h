@@ -9,8 +9,8 @@
 
 namespace kerf::app {
 
-/// The point of the body's surface that the picture shows along a ray, where a section plane may
-/// open it: none where the ray meets the filled section first.
+/// The visible point of the body's surface along a ray, behind an optional section plane: none if
+/// the ray hits the filled section first.
 std::optional<SurfacePoint> pickVisible(EditorScene& scene, const render::Ray& ray,
                                         const std::optional<render::SectionPlane>& section);
 

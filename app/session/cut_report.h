@@ -13,55 +13,53 @@
 
 namespace kerf::app {
 
-/// How well cuts came out: those of one stroke, or of all. What is measured is the rest shape, so
-/// it does not matter how the body lies.
+/// The quality of the cuts of one stroke, or of all, measured in the rest shape.
 struct CutFigures {
-    StrokeRecord steps;     ///< what the steps did
+    StrokeRecord steps;     ///< results of the steps
     ShapeFigures walls;     ///< walls, of both sides
     ShapeFigures skin;      ///< skin that was divided
     double woundArea = 0;   ///< of the walls, of both sides [m^2]
-    int slitEdges = 0;      ///< edges along which a slit ends inside of the material
+    int slitEdges = 0;      ///< edges at the ends of slits inside the material
     double slitLength = 0;  ///< of these edges [m]
 
     /// All triangles that were made.
     ShapeFigures triangles() const;
-    /// The area of the wound against twice the area that the blade swept in the material at rest;
-    /// none where it swept nothing.
+    /// The area of the wound over twice the area swept by the blade in the material at rest; none
+    /// if it swept nothing.
     std::optional<double> woundToSwept() const;
 };
 
-/// Pairs of triangles that pass through each other, deeper than floats round coordinates; those of
-/// cuts deeper than a thousandth of an edge, as the sides of a wall may be divided differently.
+/// Pairs of intersecting triangles, deeper than float rounding; those of cuts deeper than a
+/// thousandth of an edge, since the sides of a wall may be divided differently.
 struct CrossingPairs {
     int all = 0;
-    int ofCuts = 0;  ///< of these: a cut has made one of the two, at least
+    int ofCuts = 0;  ///< of these: with a triangle made by a cut
 };
 
 /// The quality of all cuts of a body, by which methods are compared.
 struct CutReport {
     CutFigures all;
     std::vector<CutFigures> strokes;  ///< of those that met the body, in their order
-    /// By how much the rest volume of all pieces, with the debris that was removed, is more than
-    /// that of the uncut body, as a share of it.
+    /// The excess of the rest volume of all pieces and removed debris over that of the uncut body,
+    /// as a share of it.
     double volumeError = 0;
     CrossingPairs crossings;  ///< of the rest shape
 };
 
-/// A body and how it was cut, for reportOn().
+/// A body and its strokes, for reportOn().
 struct CutBodyView {
     const SurfaceMesh& mesh;
     const SurfaceMesh& uncut;               ///< with the same slots
     std::span<const StrokeRecord> strokes;  ///< since it was whole
 };
 
-/// Measures what the strokes made of a body; none where none of them met it. Reads the rest shape
-/// alone. O(n log n).
+/// Measures the cuts of a body; none if no stroke met it. Reads only the rest shape. O(n log n).
 std::optional<CutReport> reportOn(const CutBodyView& body);
-/// Measures the cuts of the body of a simulation as it is.
+/// Measures the cuts of the present body of a simulation.
 std::optional<CutReport> reportOnCuts(const Simulation& simulation);
 
-/// Pairs of triangles of the model that pass through each other as the body lies now, deeper than
-/// rounding, and do not at rest. O(n log n).
+/// The number of pairs of the model's triangles that intersect at present, deeper than rounding,
+/// and not at rest. O(n log n).
 int countSkinCrossings(const SurfaceMesh& mesh, const SurfaceMesh& uncut);
 /// "" or a sentence for people about such pairs, with what helps.
 std::string remarkOnCrossings(Simulation& simulation);

@@ -36,16 +36,16 @@ struct Limits {
 constexpr Limits within(double limit) {
     return {-limit, limit};
 }
-/// A text of so many lower-case hexadecimal digits.
+/// A text of `count` lower-case hexadecimal digits.
 struct HexDigits {
     std::size_t count;
 };
-/// The name of a file below the output folder that no replay writes of itself, with one of these
-/// endings (".png"), in capitals or not.
+/// The name of a file below the output folder that is not reserved for replays, with one of these
+/// endings (".png"), case-insensitive.
 struct OutputName {
     std::vector<std::string_view> endings;
 };
-/// A text of at most so many bytes.
+/// A text of at most `most` bytes.
 struct ShortText {
     std::size_t most;
 };
@@ -58,7 +58,7 @@ struct Words {
 inline constexpr const char* kTypeKey = "type";
 
 inline constexpr Limits kCoordinates = within(kMaxSessionCoordinate);  // [m]
-/// A place in the scene, which lies elsewhere about another origin.
+/// A position in the scene, which depends on the origin.
 struct Positions : Limits {};
 inline constexpr Positions kPositions{kCoordinates};
 inline constexpr Limits kScales{1e-6, 1e6};
@@ -90,7 +90,7 @@ inline constexpr Word kHand{"hand", "The number of the hand."};
 // - check(holds, key, problem): more that must hold, with the key that is to blame ("": the item).
 //   A schema can't tell these.
 
-/// `fields` to which nothing matters; those to which something does hide that.
+/// A default for `fields` without special rules; others hide it.
 struct NoFields {
     void type(const Word&) {}
     void type(const Word&, const Word&, bool) {}
@@ -305,8 +305,7 @@ void describe(auto& fields, CameraEvent& event) {
     describe(fields, event.camera);
 }
 
-/// Calls `visit` with an event of each kind, as it is before any field is known, in the order of
-/// the variant.
+/// Calls `visit` with a default event of each kind, in the order of the variant.
 template <class... Events, class Visit>
 void forEachKind(std::type_identity<std::variant<Events...>>, Visit visit) {
     (visit(Events{}), ...);

@@ -8,14 +8,13 @@
 
 namespace kerf::app {
 
-/// Watches over a run for steps with too few sweeps for the stiffness (sim/solve/sweep_strength.h),
-/// which make a body softer than its modulus without any other sign of it.
+/// Watches a run for steps with too few sweeps for the stiffness (sim/solve/sweep_strength.h),
+/// which silently make a body softer than its modulus.
 class IterationWatch {
   public:
-    /// Takes note of a step that runs with this body and these parameters.
+    /// Adds a step with this body and these parameters.
     void add(int step, const BodyModel& body, const Params& params);
-    /// One sentence on what is too few, where it is worst and what to do; "" where no step had too
-    /// few.
+    /// One sentence on the worst step and what to do; "" if no step had too few.
     std::string sentence() const;
 
   private:

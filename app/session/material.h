@@ -16,30 +16,30 @@ namespace kerf::app {
 /// Limits of a material file; beyond them it is refused.
 inline constexpr std::uintmax_t kMaxMaterialBytes = 1u << 20;
 inline constexpr std::size_t kMostSources = 100;
-/// The ending of files that people save; those that come with Kerf are NAME.json.
+/// The ending of user files; built-in ones are NAME.json.
 inline constexpr std::string_view kMaterialEnding = ".material.json";
 
-/// A quantity of a material, and how far what is measured differs.
+/// A quantity of a material, with the range of measurements.
 struct MaterialValue {
-    std::optional<double> value;  ///< a typical one; none where it is not known
-    std::optional<double> low;    ///< the ends of the spread
+    std::optional<double> value;  ///< a typical one; none if unknown
+    std::optional<double> low;    ///< the ends of the range
     std::optional<double> high;
 };
 
-/// Where values come from.
+/// The source of values.
 struct MaterialSource {
     std::vector<std::string> of;  ///< names of properties
     std::string text;             ///< paper, table; or the reason of an estimate
-    std::string says;             ///< what stands there; may be empty
+    std::string says;             ///< what it says; may be empty
     std::string doi;              ///< may be empty
-    bool estimate = false;        ///< nobody has measured that
+    bool estimate = false;        ///< not measured
 };
 
 /// What a body is made of, by name. See docs/materials.md.
 struct Material {
     std::string name;   ///< of its file, without endings: "liver"
     std::string label;  ///< for people: "Liver"
-    std::string about;  ///< what exactly it is; may be empty
+    std::string about;  ///< a description; may be empty
     MaterialValue youngsModulus;
     MaterialValue density;
     MaterialValue friction;
@@ -51,7 +51,7 @@ struct Material {
     std::vector<MaterialSource> sources;
 };
 
-/// A row of the table of what materials have values of.
+/// A row of the table of material properties.
 struct MaterialProperty {
     const char* name;     ///< in files; that of the parameter
     const char* label;    ///< for people
@@ -63,15 +63,15 @@ struct MaterialProperty {
 };
 const std::array<MaterialProperty, 7>& materialProperties();
 
-/// The parameters that a material gives values to, in the order of the properties. For a model
-/// behind the first those that it may have of its own. A material without a skin takes that away.
+/// The parameters that a material sets, in the order of the properties. For a model after the first
+/// only per-model ones. A material without a skin removes it.
 std::vector<SetParam> settingsOf(const Material& material, int model = 0);
 /// Gives parameters the values of a material.
 void applyMaterial(Params& params, const Material& material);
-/// Gives a session the values of a material, and its look where the session has chosen none.
+/// Gives a session the values of a material, and its look if the session has none.
 void applyMaterial(Session& session, const Material& material);
-/// Whether the parameters have all values of the material; for a model behind the first, those that
-/// are its own.
+/// Whether the parameters have all values of the material; for a model after the first, the
+/// per-model ones.
 bool isMadeOf(const Params& params, const Material& material, int model = 0);
 /// The values of parameters as a material without sources and spread.
 Material materialFrom(const Params& params, const render::ChosenColors& colors);
@@ -84,35 +84,35 @@ Material parseMaterial(const std::string& text);
 /// Text of a material file.
 std::string formatMaterial(const Material& material);
 
-/// The materials that come with Kerf, by label: the files of assets/materials.
+/// The built-in materials, by label: the files of assets/materials.
 const std::vector<Material>& builtinMaterials();
 /// The names of these.
 std::vector<std::string> materialNames();
-/// The materials of a folder, by label. What can't be read is left out, with a sentence in
-/// `problems`. A folder that is not there has none.
+/// The materials of a folder, by label. Unreadable files are skipped, with a sentence in
+/// `problems`. A missing folder has none.
 std::vector<Material> materialsIn(const std::filesystem::path& folder,
                                   std::vector<std::string>& problems);
-/// The material of a builtin name, or of a file relative to `baseFolder` where `text` ends in
-/// ".json". Throws InputError, which lists the names where there is none of that name.
+/// The material of a builtin name, or of a file relative to `baseFolder` if `text` ends in ".json".
+/// Throws InputError, which lists the names for an unknown one.
 Material findMaterial(const std::string& text, const std::filesystem::path& baseFolder);
 /// Whether a text names a file rather than a builtin material.
 bool namesMaterialFile(std::string_view text);
-/// Whether a file has the ending of those that people save.
+/// Whether a file has the ending of user files.
 bool isMaterialFile(const std::filesystem::path& file);
 
-/// A value in the unit that suits it: "5.4 kPa"; empty where it is not known.
+/// A value in a suitable unit: "5.4 kPa"; empty if unknown.
 std::string valueText(const Material& material, const MaterialProperty& property);
 /// One line about a property of a material: "Density: 1060 kg/m^3 (1050 to 1070)", "Friction: 0.2,
-/// an estimate". Empty where its value is not known.
+/// an estimate". Empty if its value is unknown.
 std::string describeProperty(const Material& material, const MaterialProperty& property);
-/// Where the value of a property comes from, a line per source: "Estimate: A wet gel".
+/// The sources of a property's value, a line each: "Estimate: A wet gel".
 std::vector<std::string> describeSources(const Material& material,
                                          const MaterialProperty& property);
 
 /// All of a material in a few lines, for people: what it is, its values, the names of its sources.
 std::string describeMaterial(const Material& material);
-/// The folder of materials that a person keeps: $XDG_DATA_HOME/kerf/materials, by default in
-/// ~/.local/share; empty where there is no home.
+/// The user's folder of materials: $XDG_DATA_HOME/kerf/materials, by default in ~/.local/share;
+/// empty without a home.
 std::filesystem::path defaultMaterialFolder();
 
 }  // namespace kerf::app

@@ -31,7 +31,7 @@ class Range {
     int count_ = 0;
 };
 
-/// One row of metrics.csv: what the simulation says and what the replay measured around it.
+/// One row of metrics.csv: values of the simulation and measurements of the replay.
 struct MetricsRow {
     StepReport report;
     double renderMs = 0;  ///< pictures taken before this step, wall clock
@@ -39,9 +39,9 @@ struct MetricsRow {
     bool namesToughness = true;  ///< see namesToughness(); else there is no fracture energy
 };
 
-/// Whether somebody named the toughness that a session runs with: it has a material at the start,
-/// an event sets it, it is not the parameter's default, or the blade feels it. `now`: the
-/// parameters of the coming step.
+/// Whether the toughness of a session was chosen: it has a material at the start, an event sets it,
+/// it is not the parameter's default, or `blade_feels` uses it. `now`: the parameters of the coming
+/// step.
 bool namesToughness(const Session& session, const Params& now);
 
 /// What a cell of metrics.csv holds; nothing where it is empty.
@@ -63,8 +63,7 @@ std::string formatJsonLine(const MetricsRow& row);
 
 /// First line of pieces.csv.
 std::string piecesHeader();
-/// Its rows after a step, one for each piece, from 0, with the boxes around them, which
-/// are counted from `from`.
+/// Its rows after a step, one for each piece, from 0, with their boxes, relative to `from`.
 std::string formatPieces(int step, const std::vector<Piece>& pieces,
                          const std::vector<Bounds>& boxes, const Vec3& from);
 
@@ -88,7 +87,7 @@ struct RunStatistics {
     Range searchMs;
     SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
-    int lostPieces = 0;  ///< taken back, over all steps
+    int lostPieces = 0;  ///< reset, over all steps
     Debris debris;       ///< removed, over all steps
 
     void add(const MetricsRow& row);
@@ -96,7 +95,7 @@ struct RunStatistics {
     double meanFps() const { return frameMs.mean() > 0 ? 1000 / frameMs.mean() : 0; }
 };
 
-/// The contents of summary.json but for the paths.
+/// The contents of summary.json without paths.
 struct RunSummary {
     std::string model;
     std::string renderer;  ///< GL_RENDERER
@@ -106,11 +105,11 @@ struct RunSummary {
     Counts after;
     std::vector<Piece> pieces;
     RunStatistics statistics;
-    std::optional<CutReport> cuts;  ///< none where no stroke met the body
+    std::optional<CutReport> cuts;  ///< none if no stroke met the body
     std::vector<std::string>
         failures;  ///< checks and invariants that did not hold, one sentence each
-    std::vector<std::string> messages;  ///< what went wrong in steps, as the log says it
-    std::vector<std::string> remarks;   ///< sentences that the figures are to be read with
+    std::vector<std::string> messages;  ///< problems in steps, as in the log
+    std::vector<std::string> remarks;   ///< warnings about the figures
 };
 
 /// The keys of summary.json (docs/session-format.md).

@@ -14,11 +14,11 @@ Command countedFrom(Command command, const Vec3& by);
 render::Camera countedFrom(render::Camera camera, const Vec3& by);
 Params countedFrom(Params params, const Vec3& by);
 std::vector<StaticBox> countedFrom(std::vector<StaticBox> boxes, const Vec3& by);
-/// A session with its places counted from `origin`, which becomes its Session::origin.
+/// A session with positions relative to `origin`, which becomes its Session::origin.
 Session withOrigin(Session session, const Vec3& origin);
 
-/// A command as a replay of the session in which it is saved reads it: what lies near the origin of
-/// the scene is rounded as its file rounds it.
+/// A command as a replay of its saved session reads it: positions near the origin of the scene are
+/// rounded as in the file.
 Command asReplayed(const Command& command, const Vec3& origin);
 
 }  // namespace kerf::app

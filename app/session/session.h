@@ -46,7 +46,7 @@ inline constexpr std::array kReplayFiles{kMetricsFile, kSummaryFile, kMeshFile, 
 /// Moves a mesh at rest: positions and rest positions.
 void place(SurfaceMesh& mesh, const Placement& placement);
 
-/// The model that a session is about, and what is done to it before it is cut.
+/// The model of a session, and its repairs before it is cut.
 struct ModelReference : Mending {
     std::string builtin;                       ///< name of a builtin model, or
     std::filesystem::path path;                ///< absolute once read
@@ -55,31 +55,31 @@ struct ModelReference : Mending {
 
     /// The file that holds the model. Throws InputError for an unknown builtin name.
     std::filesystem::path file() const;
-    /// The name by which people call it: the builtin's, or the file's without its extension.
+    /// Its display name: the builtin's, or the file's without its extension.
     std::string name() const;
 };
 
-/// A model of a scene behind the first.
+/// A model of a scene after the first.
 struct FurtherModel {
     ModelReference model;
     Placement placement;
-    std::optional<Vec3> color;  ///< of its skin where the file brings none, as displays take it
+    std::optional<Vec3> color;  ///< of its skin if the file has none, in display colours
 };
 
-/// A PNG of the scene, as it stands before the step. `file` is relative to the output folder.
+/// A PNG of the scene before the step. `file` is relative to the output folder.
 struct ScreenshotEvent {
     std::string file;
     int width = 1280;  ///< [pixels]
     int height = 720;  ///< [pixels]
 };
-/// The mesh as it stands before the step: a file of meshFormats() below the output folder.
+/// The mesh before the step: a file of meshFormats() below the output folder.
 struct ExportEvent {
     std::string file;
     bool filePerPiece = false;               ///< see pieceFile()
     std::optional<Coordinates> coordinates;  ///< see coordinatesOf()
 };
-/// The coordinates that an export is written in. Where the event does not say: the model's own if
-/// its placement names a unit, else those of the scene, as sessions meant before there were units.
+/// The coordinates of an export. By default the model's own if its placement has a unit, else those
+/// of the scene, as in sessions before there were units.
 Coordinates coordinatesOf(const ExportEvent& event, const Placement& placement);
 
 /// A check of the state before the step: what is set must hold.
@@ -88,8 +88,7 @@ struct CheckEvent {
     std::optional<int> pieces;
 };
 
-/// A key of the camera that films and strips are seen by: see CameraPath. Screenshots keep the
-/// view.
+/// A camera key of films and strips: see CameraPath. Screenshots keep the view.
 struct CameraEvent {
     render::Camera camera;
 };
@@ -102,9 +101,9 @@ struct Extended<std::variant<Kinds...>, More...> {
     using Type = std::variant<Kinds..., More...>;
 };
 
-/// The action of a session event: a command, or something that changes no simulation. A blade
-/// event is a key pose: between two of them the ends move linearly, a quad per step. So do hands
-/// from their grab or drag to their next drag. See event_table.h for their fields.
+/// The action of a session event: a command, or one that changes no simulation. A blade event is a
+/// key pose: between two of them the ends move linearly, a quad per step. So do hands from their
+/// grab or drag to their next drag. See event_table.h for their fields.
 using SessionAction =
     Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent, CameraEvent>::Type;
 
@@ -112,7 +111,7 @@ using SessionAction =
 struct SessionEvent {
     int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
     SessionAction action;
-    int number = -1;  ///< in the file's list, from 0; -1 where it stands in no file
+    int number = -1;  ///< in the file's list, from 0; -1 without a file
 };
 
 /// How the names of session files end.
@@ -120,13 +119,13 @@ inline constexpr std::string_view kSessionEnding = ".kerf.json";
 
 /// A *.kerf.json file: start state, commands, checks. See docs/session-format.md.
 struct Session {
-    std::string fileName;  ///< without its folder, as errors name it; empty where it is no file
-    /// From where its places are counted [m]; 0 as it is read and written: see withOrigin().
+    std::string fileName;  ///< without its folder, for errors; empty without a file
+    /// The origin of its positions [m]; 0 when read and written: see withOrigin().
     Vec3 origin = Vec3::Zero();
     ModelReference model;
     Placement placement;
     std::vector<FurtherModel> moreModels;  ///< models 1, 2, ... of the scene
-    /// The material that comes with Kerf whose values and look it has at the start; empty: none.
+    /// The built-in material with its values and look at the start; empty: none.
     std::string material;
     Params params;
     std::vector<StaticBox> boxes;  ///< at the start
@@ -137,11 +136,11 @@ struct Session {
     std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
 
-/// Takes one of the further models out of the scene, with what the parameters say of it alone;
-/// those behind it move up.
+/// Removes one of the further models from the scene, with its own parameters; those behind it move
+/// up.
 void takeModelOut(Session& session, int model);
 
-/// The command that an action is; none where it changes no simulation.
+/// The command of an action; none if it changes no simulation.
 std::optional<Command> commandOf(const SessionAction& action);
 /// The files of its models, the first one's first.
 std::vector<std::filesystem::path> modelFiles(const Session& session);
@@ -149,15 +148,14 @@ std::vector<std::filesystem::path> modelFiles(const Session& session);
 const std::string* fileOf(const SessionAction& action);
 /// The files of its screenshot events, each once.
 std::vector<std::string> pictureFiles(const Session& session);
-/// Tells whether the body begins anew with an action, so that no hand holds it any more.
+/// Whether an action restarts the body, so that no hand holds it any more.
 bool startsAnew(const SessionAction& action);
-/// Tells whether the blade is gone after an action, so that the next pose places it anew.
+/// Whether an action removes the blade, so that the next pose places it again.
 bool takesBladeAway(const SessionAction& action);
 
-/// The memory that a replay gives to what its undo events bring back [bytes]: a run that a person
-/// made within the editor's budget must not fail here.
+/// The undo memory of a replay [bytes]: a run made within the editor's budget must not fail.
 inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;
-/// Tells whether a session takes changes back, so that they must be kept.
+/// Whether a session has undo events, so that changes must be kept.
 bool undoesAnything(const Session& session);
 
 /// Reads and checks a session. Throws InputError naming the file and the place in it
@@ -166,40 +164,38 @@ Session readSession(const std::filesystem::path& file);
 /// Reads and checks the text of a session, whose model paths are relative to `baseFolder`. Throws
 /// InputError naming the place in it.
 Session parseSession(const std::string& text, const std::filesystem::path& baseFolder);
-/// Reads an event of a session that stands alone, without its step: {"type": "lift"}. What is no
-/// mistake but means nothing is told in `warnings`. Throws InputError naming the type and the key
-/// ("grab.radius: expected a number (1e-09 to 1e+06).").
+/// Reads a single event of a session, without its step: {"type": "lift"}. Unknown extra keys go to
+/// `warnings`. Throws InputError naming the type and the key ("grab.radius: expected a number
+/// (1e-09 to 1e+06).").
 SessionAction parseAction(const std::string& text, std::vector<std::string>& warnings);
-/// Reads the camera of a `view` that stands alone; the colours of one belong to the whole session.
-/// Throws InputError ("view.eye: expected three numbers.").
+/// Reads the camera of a single `view`, which must have no colours. Throws InputError ("view.eye:
+/// expected three numbers.").
 render::Camera parseCamera(const std::string& text, std::vector<std::string>& warnings);
-/// Sets a parameter to a value that is written as in a session: 0.5, [0, -9.81, 0], null, "pbd". A
-/// bare word is a text. Throws InputError, naming the parameter; none has changed then.
+/// Sets a parameter to a value written as in a session: 0.5, [0, -9.81, 0], null, "pbd". A bare
+/// word is a text. Throws InputError, naming the parameter, without a change.
 void setParamFromText(Params& params, const std::string& name, const std::string& value);
-/// Throws InputError where a parameter at the start is of a model that the session does not have.
+/// Throws InputError if a parameter at the start belongs to a missing model.
 void requireModelsOfParams(const Session& session);
-/// Text of a session file that lies in `baseFolder` (model paths become relative to it where it
-/// is given). Throws InputError rather than write what parseSession would refuse.
+/// Text of a session file in `baseFolder` (if given, model paths become relative to it). Throws
+/// InputError rather than write what parseSession() would refuse.
 std::string formatSession(const Session& session, const std::filesystem::path& baseFolder = {});
 
-/// An event as it stands in the list of a session file, on one line. Throws InputError as
-/// formatSession().
+/// An event as in the list of a session file, on one line. Throws InputError like formatSession().
 std::string formatEvent(const SessionEvent& event);
 
-/// The models of a session, placed in the scene, as one, about ModelMesh::origin. Throws
-/// InputError, also where a sha256 differs or where a model would be too small, or too far from the
-/// others, for floats.
+/// The placed models of a session, as one mesh, relative to ModelMesh::origin. Throws InputError,
+/// also if a sha256 differs, or a model is too small, or too far from the others, for floats.
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options);
 ModelMesh loadSessionModel(const Session& session);
 
-/// The session's view, or the default one: from the front right above, `bounds` in the middle and
-/// room around it for what falls.
+/// The session's view, or the default one: from the front right above, with `bounds` in the middle
+/// and room for falling pieces.
 render::Camera sessionCamera(const Session& session, const Bounds& bounds);
 
-/// The way of the camera of films and strips, by the session's camera events; empty without any.
+/// The camera path of films and strips, from the session's camera events; empty without any.
 render::CameraPath cameraPathOf(const Session& session);
 
-/// An action that a session takes before a step.
+/// An action of a session before a step.
 struct PlayedAction {
     SessionAction action;
     int number = -1;  ///< SessionEvent::number; between two key poses, that of the later one
@@ -210,10 +206,10 @@ class SessionPlayer {
   public:
     /// The session must outlive the player.
     explicit SessionPlayer(const Session& session);
-    /// Everything that happens before step `step`, in order; where the blade is between two key
-    /// poses, its pose of this step comes last. `step` equal to session.steps: after the run.
+    /// All actions before step `step`, in order; between two key poses the blade's pose comes last.
+    /// `step` equal to session.steps: after the run.
     std::vector<PlayedAction> actionsAt(int step) const;
-    /// The poses among them that lie between two key poses: first the blade's, then those of hands.
+    /// The poses among them between two key poses: first the blade's, then those of hands.
     std::vector<PlayedAction> posesBetweenKeys(int step) const;
 
   private:

@@ -11,21 +11,21 @@
 
 namespace kerf::app {
 
-/// The values of a simulation that differ from those that a check expects; empty where none does.
+/// The values of a simulation that differ from a check; empty for none.
 struct CheckDifference {
     std::optional<std::string> hash;  ///< state hash of the simulation
     std::optional<int> pieces;        ///< number of pieces
 };
 
-/// Leads a simulation through its steps and through what a session says before each of them, for a
-/// replay and for the editor alike.
+/// Runs a simulation through its steps and a session's events before each, for replays and the
+/// editor.
 class SessionRunner {
   public:
     /// The simulation must outlive the runner.
     explicit SessionRunner(Simulation& simulation) : simulation_(simulation) {}
 
-    /// Gives `host` what happens before the coming step, in its order: `host.perform(command,
-    /// number)` with the SessionEvent::number of a command, `host.take(event)` of any other event.
+    /// Passes the events before the coming step to `host`, in order: `host.perform(command,
+    /// number)` for a command with its SessionEvent::number, `host.take(event)` for others.
     template <class Host>
     void applyActions(const SessionPlayer& player, Host&& host) const {
         for (const PlayedAction& played : player.actionsAt(simulation_.stepCount())) {
@@ -45,8 +45,8 @@ class SessionRunner {
 
     /// Compares the simulation with a check, before the coming step.
     CheckDifference compare(const CheckEvent& check) const;
-    /// The invariants that this step broke, as parts of a sentence. Each is told once: later steps
-    /// inherit the break.
+    /// The invariants that this step broke, as parts of a sentence. Each is reported once, since
+    /// later steps inherit the break.
     std::vector<std::string> newlyBroken(const StepReport& report);
 
     /// Poses of the blade after each step of the running stroke, drawn or played.

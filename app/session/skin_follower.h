@@ -11,19 +11,18 @@
 
 namespace kerf::app {
 
-/// Paints a body with its model's own colours and follows whatever changes its triangles: cuts,
-/// undo, placements. What has not changed is not looked for again.
+/// Paints a body with its model's own colours and follows changes of its triangles: cuts, undo,
+/// placements. Unchanged ones are reused.
 class SkinFollower {
   public:
-    /// The looks of the uncut body, which must stay.
+    /// The looks of the uncut body, which must outlive it.
     explicit SkinFollower(const OwnLooks& looks) : looks_(looks) {}
 
-    /// The paint for the body as it is, where Simulation::isWhole(); null where the model has no
-    /// colours.
+    /// The paint for the present body, if Simulation::isWhole(); null if the model has no colours.
     std::shared_ptr<const render::SkinPaint> paintOf(const Simulation& simulation);
 
   private:
-    /// What a triangle of skin had, and where its corners rested then.
+    /// The attributes of a triangle of skin, and its corners at rest then.
     struct Known {
         Corners corners;
         TriangleAttributes attributes;

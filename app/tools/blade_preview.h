@@ -6,11 +6,10 @@
 
 namespace kerf::app {
 
-/// Adds the outline of a blade's way.
+/// Adds the outline of a blade's path.
 void addSwept(ui::Overlay& overlay, const std::vector<Blade>& way, const ViewFrame& view);
 
-/// Adds that of a coming cut, if there is any; between two steps also what it would meet of the
-/// body.
+/// Adds that of a coming cut, if any; between two steps also its intersection with the body.
 void addPreview(ui::Overlay& overlay, const std::vector<Blade>& way, const ToolContext& c);
 
 }  // namespace kerf::app

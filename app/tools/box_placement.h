@@ -13,16 +13,16 @@ namespace kerf::app {
 StaticBox boxBeside(const Bounds& body, std::optional<double> floor,
                     const Vec3& direction = Vec3::UnitX());
 
-/// Such a cube on the side of the body where it is seen best: whole in what the panels leave free
-/// [px], and rather beside the body than before or behind it.
+/// Such a cube on the side of the body where it is most visible: whole in the area free of panels
+/// [px], and beside the body rather than before or behind it.
 StaticBox boxInView(const Bounds& body, std::optional<double> floor, const ViewFrame& view,
                     const ui::Rect& free);
 
-/// Whether all of a box is seen there [px].
+/// Whether a box is entirely visible there [px].
 bool isInView(const StaticBox& box, const ViewFrame& view, const ui::Rect& free);
 
-/// The box between two points of the view: across the axis nearest to the line of sight it lies in
-/// the plane through the middle of `body`, along that it reaches through all of `body`.
+/// The box between two points of the view: across the axis nearest to the line of sight it is in
+/// the plane through the middle of `body`, along that axis it spans all of `body`.
 Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const Bounds& body);
 
 }  // namespace kerf::app

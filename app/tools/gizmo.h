@@ -10,16 +10,16 @@
 
 namespace kerf::app {
 
-/// What a gizmo is put on: something that has a place and axes, and perhaps a size.
+/// The subject of a gizmo: something with a place and axes, and perhaps a size.
 struct GizmoFrame {
     Vec3 at = Vec3::Zero();                              ///< [m]
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: its own axes
-    /// Half its size along its own axes; zero where it can't be sized [m].
+    /// Half its size along its own axes; zero if it can't be resized [m].
     Vec3 half = Vec3::Zero();
     bool scales = false;  ///< as a whole
 };
 
-/// What a drag of a gizmo has changed since it was taken.
+/// The change by a drag of a gizmo since the press.
 struct GizmoChange {
     Vec3 by = Vec3::Zero();                              ///< [m]
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< about the place
@@ -27,13 +27,13 @@ struct GizmoChange {
     double factor = 1;                                   ///< of the whole
 };
 
-/// Arrows that move, rings that turn, and handles that size, drawn over the scene. One is held at a
-/// time. It knows nothing of what it is put on.
+/// Arrows that move, rings that turn, and handles that resize, drawn over the scene. One is held at
+/// a time. It is independent of its subject.
 class Gizmo {
   public:
-    /// Takes a part at a pixel of the picture. False where there is none.
+    /// Grabs a part at a pixel of the frame. False if there is none.
     bool press(const ViewFrame& view, const Vec2& pixel, const GizmoFrame& frame);
-    /// What the pointer at a pixel has changed since the press; `snaps`: in whole steps.
+    /// The change by the pointer at a pixel since the press; `snaps`: in whole steps.
     GizmoChange moved(const ViewFrame& view, const Vec2& pixel, bool snaps);
     void release() { held_.reset(); }
     bool holds() const { return held_.has_value(); }

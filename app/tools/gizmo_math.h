@@ -9,12 +9,12 @@ namespace kerf::app {
 
 // What a drag in the picture means in the scene.
 
-/// How far along an axis (unit, through `point`) the place lies that is nearest to a ray [m]. None
-/// where the ray looks along the axis, so that a pixel more or less would be far away.
+/// The position along an axis (unit, through `point`) nearest to a ray [m]. None if the ray is
+/// nearly along the axis, so that a pixel would be a large distance.
 std::optional<double> alongAxis(const render::Ray& ray, const Vec3& point, const Vec3& axis);
 
-/// The angle about an axis (unit, through `center`) between the places where two rays meet the
-/// plane across it [degrees], from -180 to 180. None where one doesn't meet it before the eye.
+/// The angle about an axis (unit, through `center`) between the points where two rays hit the plane
+/// across it [degrees], from -180 to 180. None if one doesn't hit it in front of the eye.
 std::optional<double> turnAbout(const Vec3& center, const Vec3& axis, const render::Ray& from,
                                 const render::Ray& to);
 

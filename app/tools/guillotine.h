@@ -8,7 +8,7 @@
 
 namespace kerf::app {
 
-/// A posed blade above the body and the way straight down that it will go.
+/// A posed blade above the body and its straight path down.
 class Guillotine {
   public:
     /// The points by which the pointer poses the blade.
@@ -19,7 +19,7 @@ class Guillotine {
     /// A blade across the middle of `bounds`, from above it to below it.
     explicit Guillotine(const Bounds& bounds);
 
-    /// The blade once it went the share `lowered` of its way, 0 to 1.
+    /// The blade at the share `lowered` of its path, 0 to 1.
     Blade at(double lowered) const;
     double length() const { return 2 * halfLength_; }
     double drop() const { return drop_; }
@@ -27,8 +27,7 @@ class Guillotine {
     void setDrop(double drop) { drop_ = drop; }
 
     /// Positions of the handles [m]. The middle moves the blade, the ends turn and lengthen it
-    /// about its middle, the bottom one turns its way down about the blade and says how far it
-    /// goes.
+    /// about its middle, the bottom one turns its path about the blade and sets its length.
     std::array<Vec3, kHandles> handles() const;
     void move(Handle handle, const Vec3& to);
 

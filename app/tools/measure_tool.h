@@ -8,30 +8,29 @@
 
 namespace kerf::app {
 
-/// What a person measures by clicks on the body (ui::Tool::measure). Points stick to its material;
-/// a measure ends with the material of one of its points. Measures stand while other tools are
-/// used.
+/// Measurements by clicks on the body (ui::Tool::measure). Points stick to its material; a
+/// measurement ends with the material of one of its points. They stay while other tools are used.
 class MeasureTool : public Tool {
   public:
     static constexpr ui::Tool kTool = ui::Tool::measure;
 
-    /// Takes a point of a measure, which is there once it has all of its points.
+    /// Adds a point of a measurement, which is complete once it has all of its points.
     std::string press(const ToolContext& c) override;
-    /// Forgets the points of a measure that is not there yet.
+    /// Drops the points of an incomplete measurement.
     void putAway(const ToolContext& /*c*/) override { dropPending(); }
-    /// The same; where there are none, the first tool is taken.
+    /// The same; without such points, selects the first tool.
     bool escape(ui::ToolSettings& settings) override;
     /// Whether there is anything to follow.
     bool any() const { return !rows_.empty() || !pending_.anchors.empty(); }
-    /// Takes out a measure by its number, or all of them by 0.
+    /// Removes a measurement by its number, or all of them by 0.
     void remove(int id);
 
-    /// Goes on with the body between two of its steps: where all points are, and while time stands
-    /// what the pieces measure. Returns "" or a sentence about what ended.
+    /// Follows the body between two steps: updates all points, and while paused the measures of
+    /// pieces. Returns "" or a sentence about what ended.
     std::string follow(EditorScene& scene);
 
     const std::vector<ui::MeasureRow>& rows() const { return rows_; }
-    /// Adds the measures to what the view shows, and from the last point a line to the pointer.
+    /// Adds the measurements to the overlay, and a line from the last point to the pointer.
     void addMeasures(ui::Overlay& overlay, const ViewFrame& view, const Vec2& pixel) const;
 
   private:

@@ -10,31 +10,31 @@
 
 namespace kerf::app {
 
-/// Moves, turns and sizes by a gizmo what stands in the scene (ui::Tool::move): a box, what is
-/// pinned, or the uncut model. A click chooses which. It changes nothing itself: what a drag asks
-/// for is taken from it between two steps.
+/// Moves, turns and resizes by a gizmo (ui::Tool::move): a box, pinned vertices, or the uncut
+/// model, selected by a click. It changes nothing itself: the commands of a drag are taken from it
+/// between two steps.
 class MoveTool : public Tool {
   public:
     static constexpr ui::Tool kTool = ui::Tool::move;
 
-    /// Takes a part of the gizmo, or chooses what lies under the pointer.
+    /// Grabs a part of the gizmo, or selects what is under the pointer.
     std::string press(const ToolContext& c) override;
     /// With Ctrl in whole steps.
     void move(const ToolContext& c) override;
-    /// The drag is over; what it asks for is still to be taken.
+    /// Ends the drag; its last command is still to be taken.
     std::string release(const ToolContext& c) override;
-    /// Ends the drag; what it still asks for is forgotten.
+    /// Ends the drag; drops its last command.
     void cancel(const ToolContext& c) override;
     void takeBack(const ToolContext& c) override;
     bool holds() const override { return gizmo_.holds(); }
-    /// Chooses a box by its number.
+    /// Selects a box by its number.
     void chooseBox(int box) { subject_ = {Kind::box, box}; }
 
-    /// What the drag asks for since the last time; none where it asks for nothing.
+    /// The command of the drag since the last call; none for no change.
     std::optional<Command> takeCommand(const EditorScene& scene);
-    /// Notes that it was done, or could not be.
+    /// Records whether it was done.
     void noteOutcome(bool done, const EditorScene& scene);
-    /// Adds the gizmo; whether a press would choose something else is told too.
+    /// Adds the gizmo, and whether a press would select something else.
     void addTo(ui::Overlay& overlay, const ToolContext& c) const override;
     ui::Cursor cursor(const ui::Overlay& overlay) const override;
 
@@ -45,19 +45,19 @@ class MoveTool : public Tool {
         int number = 0;  ///< of the model or the box
         bool operator==(const Subject&) const = default;
     };
-    /// What is held as it was when it was taken, and what was asked for so far.
+    /// The subject at the press, and the commands so far.
     struct Start {
         Subject subject;
         GizmoFrame frame;
         StaticBox box;
         Placement placement;
         bool continues = false;
-        std::size_t changes = 0;  ///< in force once the last command was done
+        std::size_t changes = 0;  ///< applied after the last command
         GizmoChange sent;
     };
     Subject subjectOf(const EditorScene& scene) const;
     static std::optional<Subject> subjectAt(const ToolContext& c);
-    /// Where the gizmo is; none where there is nothing to handle.
+    /// The frame of the gizmo; none without a subject.
     std::optional<GizmoFrame> frameOf(EditorScene& scene) const;
     bool isOver(const ToolContext& c, const std::optional<GizmoFrame>& frame) const;
     Command commandOf(const GizmoChange& change) const;
@@ -65,9 +65,9 @@ class MoveTool : public Tool {
 
     std::optional<Subject> subject_;  ///< that was chosen
     Gizmo gizmo_;
-    std::optional<Start> start_;  ///< from the press until all that it asked for is done
+    std::optional<Start> start_;  ///< from the press until all its commands are done
     std::optional<GizmoChange> wanted_;
-    /// The middle of what is pinned, which is costly to read.
+    /// The middle of the pinned vertices, which is costly to read.
     struct PinsMiddle {
         std::vector<std::uint32_t> vertices;
         int revision = -1;

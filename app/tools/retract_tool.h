@@ -9,19 +9,19 @@
 namespace kerf::app {
 
 /// Holds cuts open (ui::Tool::retract): a press beside a cut hooks both lips, a drag pulls them
-/// apart by the way of the pointer, and they stay so. A drag of a hook moves its retractor on.
+/// apart with the pointer, and they stay so. A drag of a hook moves its retractor.
 class RetractTool : public Tool {
   public:
     static constexpr ui::Tool kTool = ui::Tool::retract;
 
     void fitTo(const Bounds& /*bounds*/, ui::ToolSettings& /*settings*/) override { *this = {}; }
-    /// Hooks the lips near the pointer, or takes a hook there.
+    /// Hooks the lips near the pointer, or grabs a hook there.
     std::string press(const ToolContext& c) override;
     void move(const ToolContext& c) override;
     /// Leaves the hooks where they are.
     std::string release(const ToolContext& c) override;
     void putAway(const ToolContext& c) override { release(c); }
-    /// Brings a retractor back to where it was, or takes away a new one.
+    /// Restores a retractor, or removes a new one.
     void cancel(const ToolContext& c) override;
     bool holds() const override { return drag_.has_value(); }
     /// On a hook, removes its retractor.
@@ -40,10 +40,10 @@ class RetractTool : public Tool {
         std::array<int, 2> hooks{};
         std::array<Vec3, 2> from;     ///< where they were [m]
         Vec3 across = Vec3::UnitX();  ///< unit, from the first to the second
-        Vec3 at = Vec3::Zero();       ///< where the pointer took hold [m]
+        Vec3 at = Vec3::Zero();       ///< where the pointer grabbed it [m]
         bool isNew = true;
-        double before = 0;  ///< how far they stood apart [m]
-        double by = 0;      ///< how much farther they shall stand [m]
+        double before = 0;  ///< their distance then [m]
+        double by = 0;      ///< the increase of it [m]
     };
     void moveHooks(EditorScene& scene) const;
     std::string hookLips(const ToolContext& c);

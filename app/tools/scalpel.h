@@ -8,15 +8,15 @@
 
 namespace kerf::app {
 
-/// Leads a blade over the surface: upright, a set depth below it. It swings in from the air above,
-/// so that it comes through the skin edge first, as a blade has to.
+/// Moves a blade over the surface: upright, a set depth below it. It swings in from the air above,
+/// so that it enters the skin edge first.
 class Scalpel {
   public:
     /// A scalpel that goes `depth` below the surface [m].
     explicit Scalpel(double depth) : depth_(depth) {}
 
-    /// The poses that lead to another point of the surface, in order; none until the first two
-    /// points lie far enough apart to tell the direction.
+    /// The poses to another point of the surface, in order; none until the first two points are far
+    /// enough apart to define the direction.
     std::vector<Blade> moveTo(const SurfacePoint& point);
     /// The blade, upright at a point of the surface.
     Blade at(const SurfacePoint& point) const;
@@ -24,8 +24,8 @@ class Scalpel {
   private:
     double lift() const { return kLift * depth_; }
 
-    static constexpr double kLift = 0.4;   ///< what stands out of the body, of the depth
-    static constexpr double kTell = 0.15;  ///< least way that tells a direction, of the depth
+    static constexpr double kLift = 0.4;   ///< part above the surface, as a share of the depth
+    static constexpr double kTell = 0.15;  ///< least way that has a direction, of the depth
 
     double depth_;
     std::optional<SurfacePoint> first_;

@@ -8,8 +8,8 @@
 
 namespace kerf::app {
 
-/// The plane through the middle of `bounds`, square to the axis that points most to the eye: the
-/// half before it is hidden.
+/// The plane through the middle of `bounds`, across the axis that points most to the eye: the half
+/// in front of it is hidden.
 render::SectionPlane sectionAcross(const Bounds& bounds, const render::Camera& camera);
 
 /// Poses a section plane by two handles in the view: the middle one shifts it along its normal, the
@@ -19,10 +19,10 @@ class SectionTool {
     enum Handle { middle, tip };
     static constexpr int kHandles = 2;
 
-    /// Takes a handle at a pixel. False where there is none; `bounds` are those of the body.
+    /// Grabs a handle at a pixel. False if there is none; `bounds` are those of the body.
     bool press(const ViewFrame& view, const Vec2& pixel, const render::SectionPlane& plane,
                const Bounds& bounds);
-    /// Where the plane goes with the handle that is held.
+    /// The plane moved with the held handle.
     render::SectionPlane moved(const ViewFrame& view, const Vec2& pixel, render::SectionPlane plane,
                                const Bounds& bounds);
     void release() { held_.reset(); }

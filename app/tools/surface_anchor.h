@@ -7,17 +7,17 @@
 
 namespace kerf::app {
 
-/// A point that sticks to the material of a surface: it moves with its triangle, and goes over to
-/// the one that has its place at rest where a cut divides that.
+/// A point that sticks to the material of a surface: it moves with its triangle, and after a cut
+/// with the part that has its rest position.
 class SurfaceAnchor {
   public:
     /// At a point that pickSurface() found.
     SurfaceAnchor(const SurfaceMesh& mesh, const SurfacePoint& point);
 
-    /// Goes on with the mesh as it is now. False where its material was cut away: nothing has
-    /// changed then. O(1), or O(triangles) where its triangle is no longer there.
+    /// Follows the present mesh. False, without a change, if its material was cut away. O(1), or
+    /// O(triangles) if its triangle no longer exists.
     bool follow(const SurfaceMesh& mesh);
-    /// Where it is now [m]; reads back what is old of its triangle alone.
+    /// Its present position [m]; reads back only its triangle if stale.
     Vec3 position(const SurfaceMesh& mesh) const;
     int triangle() const { return triangle_; }
 
@@ -30,7 +30,7 @@ class SurfaceAnchor {
     Triangle corners_;  ///< of the triangle
     SurfaceKind kind_;
     Vec3 shares_;  ///< of the corners
-    Vec3 rest_;    ///< where it rests [m]
+    Vec3 rest_;    ///< at rest [m]
 };
 
 }  // namespace kerf::app

@@ -16,60 +16,59 @@ namespace kerf::app {
 class BladeStroke;
 class EditorScene;
 
-/// What a tool goes by at each of its verbs.
+/// The context of each call to a tool.
 struct ToolContext {
     ViewFrame view;
-    Vec2 pixel = Vec2::Zero();  ///< where the pointer is, in the picture
+    Vec2 pixel = Vec2::Zero();  ///< pointer, in the frame
     ui::Modifiers modifiers;
-    ui::ToolSettings& settings;  ///< of all tools; each changes its own alone
+    ui::ToolSettings& settings;  ///< of all tools; each changes only its own
     BladeStroke& stroke;         ///< that takes the poses of a blade
     const Bounds& bounds;        ///< of the body [m]
-    const std::optional<render::SectionPlane>& section;  ///< that opens the body in the view
+    const std::optional<render::SectionPlane>& section;  ///< of the view
     /// The open scene between two steps; may be null for a tool that reads no body (ui::ToolRow).
     EditorScene* scene;
 };
 
-/// A tool of the left button in the view (ui::Tool). It is told of the pointer, leads the blade or
-/// changes the body, and shows over the body what it would do. Sentences are "" where all is well.
+/// A tool of the left button in the view (ui::Tool). It follows the pointer, moves the blade or
+/// changes the body, and shows an overlay of its effect. Returned sentences are "" on success.
 class Tool {
   public:
     virtual ~Tool() = default;
 
-    /// Fits its settings to another body, or to one that was placed otherwise, and forgets what it
-    /// holds of the one before.
+    /// Fits its settings to another body or placement, and drops what it holds of the previous one.
     virtual void fitTo(const Bounds& /*bounds*/, ui::ToolSettings& /*settings*/) {}
 
-    /// The left button went down. Returns "" or one sentence.
+    /// The left button was pressed. Returns "" or one sentence.
     virtual std::string press(const ToolContext& /*c*/) { return ""; }
     virtual void move(const ToolContext& /*c*/) {}
-    /// The left button went up. Returns "" or one sentence.
+    /// The left button was released. Returns "" or one sentence.
     virtual std::string release(const ToolContext& /*c*/) { return ""; }
-    /// Lets go of what it holds, as if it had not been taken as far as that goes.
+    /// Releases what it holds, and cancels the drag as far as possible.
     virtual void cancel(const ToolContext& /*c*/) {}
-    /// Esc: the same, and takes back what the drag has done to the body.
+    /// Esc: the same, and reverts the effect of the drag on the body.
     virtual void takeBack(const ToolContext& c) { cancel(c); }
-    /// Another tool is taken: lets go.
+    /// Another tool is selected: releases.
     virtual void putAway(const ToolContext& c) { cancel(c); }
     /// Whether the blade, the body or a handle is held.
     virtual bool holds() const { return false; }
-    /// Whether a press aims at a place of the body as it is shown.
+    /// Whether a press aims at a place of the displayed body.
     virtual bool aims() const { return true; }
 
-    /// Its settings were changed from those of `before` by the panel.
+    /// The panel changed its settings from those of `before`.
     virtual void followSettings(const ui::ToolSettings& /*before*/, const ToolContext& /*c*/) {}
-    /// Does what ui::ToolRow::trigger says.
+    /// Does the action of ui::ToolRow::trigger.
     virtual void trigger(const ToolContext& /*c*/) {}
-    /// Whether it waits for a click of the right button, which rightClick() is told of.
+    /// Whether it handles right clicks, by rightClick().
     virtual bool takesRightClicks() const { return false; }
     virtual void rightClick(const ToolContext& /*c*/) {}
-    /// Esc while it holds nothing. Whether it meant the tool.
+    /// Esc while it holds nothing. Returns whether the tool used it.
     virtual bool escape(ui::ToolSettings& /*settings*/) { return false; }
 
-    /// The poses that the blade would take from here, while no stroke is under way.
+    /// The poses that the blade would take from here, while no stroke is in progress.
     virtual std::vector<Blade> wayAhead(const ToolContext& /*c*/) const { return {}; }
-    /// Adds what it shows over the body. The way of the blade is there already.
+    /// Adds its overlay. The path of the blade is there already.
     virtual void addTo(ui::Overlay& /*overlay*/, const ToolContext& /*c*/) const {}
-    /// The shape of the pointer over the view, where `overlay` is shown and nothing is held.
+    /// The shape of the pointer over the view, with `overlay` and nothing held.
     virtual ui::Cursor cursor(const ui::Overlay& /*overlay*/) const {
         return ui::Cursor::crosshair;
     }

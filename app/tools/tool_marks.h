@@ -10,13 +10,13 @@ namespace kerf::app {
 
 class EditorScene;
 
-/// How near a pointer must come to take hold of a handle [px].
+/// The pick distance of handles [px].
 inline constexpr double kHandleReach = 14;
-/// Outside of every picture [px].
+/// Outside every frame [px].
 inline const Vec2 kNowhere(-1e5, -1e5);
 
-/// Whether a look at all of the body would slow the pictures down, since it is large; where it is
-/// to be asked for each picture, also since it moves.
+/// Whether searching the whole body would slow frames down, since it is large; for searches in each
+/// frame, also if it moves.
 bool isLarge(const EditorScene& scene);
 bool isCostlyToFollow(const EditorScene& scene);
 

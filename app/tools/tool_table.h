@@ -12,7 +12,7 @@ using MakeTool = std::unique_ptr<Tool>();
 MakeTool makeStrokeTool, makeScalpelTool, makeGuillotineTool, makeGrabTool, makePinTool,
     makeRetractTool, makeMoveTool, makeMeasureTool;
 
-/// The half of a row of ui::kToolRows that the panels don't know.
+/// The part of a row of ui::kToolRows unknown to the panels.
 struct ToolMaker {
     ui::Tool tool;
     MakeTool* make;

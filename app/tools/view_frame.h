@@ -7,7 +7,7 @@
 
 namespace kerf::app {
 
-/// A camera and the size of its picture: the way between pixels and the world.
+/// A camera and the size of its frame: the mapping between pixels and the world.
 struct ViewFrame {
     render::Camera camera;
     int width = 1;  ///< [px]
@@ -19,12 +19,11 @@ struct ViewFrame {
         return {2 * pixel.x() / width - 1, 1 - 2 * pixel.y() / height};
     }
     render::Ray rayThrough(const Vec2& pixel) const { return camera.ray(toNdc(pixel), aspect()); }
-    /// The pixel that shows a point; none for points that are not before the eye.
+    /// The pixel of a point; none for points that are not in front of the eye.
     std::optional<ui::PlotPoint> toPixel(const Vec3& point) const;
-    /// Adds the line between two points to `lines`, where both are before the eye.
+    /// Adds the line between two points to `lines`, if both are in front of the eye.
     void addLine(const Vec3& from, const Vec3& to, std::vector<ui::Overlay::Line>& lines) const;
-    /// The point in which the ray through a pixel meets the plane through `point` that faces the
-    /// eye.
+    /// The point where the ray through a pixel hits the plane through `point` that faces the eye.
     Vec3 onPlaneThrough(const Vec3& point, const Vec2& pixel) const;
 };
 

@@ -13,17 +13,16 @@
 
 namespace kerf::app {
 
-/// The icon of the window, 64 x 64 pixels: a fruit with a bright blade through it, on nothing.
+/// The icon of the window, 64 x 64 pixels: a fruit with a bright blade through it, transparent.
 /// Throws InputError where it is missing.
 render::Image windowIcon();
 
-/// A GLFW window with an OpenGL 4.5 core context, current on the thread that made it, its
-/// functions loaded. It only forwards: input goes to a function, a finished picture comes back.
-/// One at a time.
+/// A GLFW window with an OpenGL 4.5 core context, current on its thread, with functions loaded. It
+/// only forwards input to a function, and shows finished frames. One at a time.
 class Window {
   public:
-    /// Takes the screen's work area up to 1600 x 900. Throws gpu::ContextError
-    /// where no window or no OpenGL 4.5 is to be had.
+    /// Uses the screen's work area up to 1600 x 900. Throws gpu::ContextError without a window or
+    /// OpenGL 4.5.
     explicit Window(const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -40,9 +39,9 @@ class Window {
 
     void setTitle(const std::string& title);
     void setCursor(ui::Cursor cursor);
-    /// Whether the person asked the window to close.
+    /// Whether the user requested to close the window.
     bool closing() const;
-    /// The window stays for now, whatever the person asked.
+    /// Cancels that request.
     void stayOpen();
     /// Whether the window was resized or uncovered since the last call (true the first time).
     bool takeDamage();
@@ -56,8 +55,8 @@ class Window {
     std::unique_ptr<State> state_;
 };
 
-/// The editor in a window, until it is closed; returns 0. What is wrong with `file` is said there.
-/// Throws InputError where it is missing, gpu::ContextError without a window or OpenGL 4.5.
+/// Runs the editor in a window, until it is closed; returns 0. Problems with `file` are shown
+/// there. Throws InputError if it is missing, gpu::ContextError without a window or OpenGL 4.5.
 int runEditor(const std::optional<std::filesystem::path>& file);
 
 }  // namespace kerf::app

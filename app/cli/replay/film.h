@@ -13,33 +13,32 @@
 
 namespace kerf::app {
 
-/// What a film of a session is to be.
+/// Options of a film of a session.
 struct FilmOptions {
     std::filesystem::path file;  ///< its extension is one of filmFormats(); empty for no film
     PictureSize size;
-    int rate = 0;            ///< pictures a second; 0: what suits the format
+    int rate = 0;            ///< frames a second; 0: the format's default
     double speed = 1;        ///< simulated seconds in a second of the film
     bool turntable = false;  ///< the camera turns about its target once, from the start to the end
-    bool captions = false;   ///< with the time, and what happens
+    bool captions = false;   ///< with time and events
 };
 
-/// What became of a film.
+/// The result of a film.
 struct FilmReport {
     int frames = 0;
-    double seconds = 0;  ///< that it lasts
+    double seconds = 0;  ///< its length
 };
 
-/// Tells which frames of a film show the state before a step: the first state that is not before
-/// the moment of the frame.
+/// Assigns frames of a film to states: a frame shows the first state that is not before its time.
 class FilmClock {
   public:
     /// `secondsPerFrame`: simulated time from a frame to the next [s].
     explicit FilmClock(double secondsPerFrame) : secondsPerFrame_(secondsPerFrame) {}
 
-    /// A step is done that lasts so long [s].
+    /// Advances by a step of this length [s].
     void pass(double seconds);
-    /// Takes the next frame, if it shows the state as it is now: how far its moment lies before
-    /// this state, as a share of the step that led here. None where a later state is to come.
+    /// Takes the next frame, if it shows the present state: how far its time is before this state,
+    /// as a share of the last step. None if it shows a later state.
     std::optional<double> takeFrame();
     /// Time of the steps so far [s].
     double elapsed() const { return elapsed_; }
@@ -55,27 +54,27 @@ class FilmClock {
 /// Films a run of a session.
 class Film {
   public:
-    /// Draws the scene as it is now.
+    /// Draws the present scene.
     using Draw = std::function<render::Image(const render::Camera& camera, const PictureSize&)>;
 
-    /// Begins a film of a run of so many steps, seen along `path` where that has keys. What is not
-    /// finished yet lies in the file `unfinished`. Needs a current OpenGL context. Throws
-    /// OutputError, as all functions here.
+    /// Begins a film of a run of `steps` steps, seen along `path` if that has keys. Unfinished
+    /// output is in the file `unfinished`. Needs a current OpenGL context. Throws OutputError, like
+    /// all functions here.
     Film(const FilmOptions& options, const std::filesystem::path& unfinished, int steps,
          render::CameraPath path);
 
-    /// Something happens before the coming step.
+    /// Records a command before the coming step.
     void note(const Command& command);
-    /// Films the state before a step, `time` into the simulation [s], as often as it is seen. By
-    /// `camera`, where there is no path.
+    /// Films the state before a step, at simulated `time` [s], in all its frames. By `camera`
+    /// without a path.
     void show(int step, double time, const render::Camera& camera, const Draw& draw);
-    /// A step is done. It lasts its time step [s]; where time stands, what the hand took for it.
+    /// After a step. It lasts its time step [s]; while paused, as long as the person took.
     void pass(double timeStep, bool timeRuns);
-    /// Lets the film appear.
+    /// Completes the film.
     FilmReport finish();
 
   private:
-    /// The camera at a moment [steps].
+    /// The camera at a time [steps].
     render::Camera cameraAt(double moment, const render::Camera& camera) const;
     void caption(render::Image& picture, double time);
     double filmTime() const { return clock_.elapsed() / options_.speed; }

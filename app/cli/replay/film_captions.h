@@ -6,17 +6,16 @@
 
 namespace kerf::app {
 
-/// Words on a film about what happens in its session.
+/// Captions of a film about events of its session.
 class FilmCaptions {
   public:
     /// `speed`: simulated seconds in a second of the film.
     explicit FilmCaptions(double speed);
 
-    /// Something happens at a time of the film [s].
+    /// Records a command at a time of the film [s].
     void note(const Command& command, double filmTime);
-    /// What stands on the picture at a time of the film, `time` into the simulation [s]: "0.65 s,
-    /// 4 times slower. Cut 1". What happened last is told for a while, a cut as long as its blade
-    /// is down.
+    /// The caption at a time of the film, at simulated `time` [s]: "0.65 s, 4 times slower. Cut 1".
+    /// The last event is shown for a while, a cut as long as its blade is down.
     std::string at(double filmTime, double time) const;
 
   private:

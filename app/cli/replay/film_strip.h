@@ -11,7 +11,7 @@
 
 namespace kerf::app {
 
-/// A row of pictures of a run, as papers show it.
+/// A row of pictures of a run.
 struct StripOptions {
     std::filesystem::path file;  ///< a .png; empty for none
     int pictures = 0;            ///< from the start to the end, at least kFewestStripPictures
@@ -25,18 +25,17 @@ int mostStripPictures(const PictureSize& size);
 /// it is complete.
 class FilmStrip {
   public:
-    /// Throws OutputError where the file can't be written, as all functions here.
+    /// Throws OutputError if the file can't be written, like all functions here.
     FilmStrip(const StripOptions& options, int steps);
 
-    /// Takes a picture of the state before a step, `time` into the simulation [s], where it is one
-    /// of those of the strip.
+    /// Takes a picture of the state before a step, at simulated `time` [s], if it is one of the
+    /// strip.
     void show(int step, double time, const render::Camera& camera, const Film::Draw& draw);
-    /// Lets the strip appear, with what came until now; `title` stands above it. Needs a current
-    /// OpenGL context.
+    /// Writes the strip with the pictures so far, under `title`. Needs a current OpenGL context.
     void finish(const std::string& title);
 
   private:
-    /// The step of the picture that is to come next.
+    /// The step of the next picture.
     int nextStep() const;
 
     StripOptions options_;

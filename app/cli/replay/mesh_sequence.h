@@ -11,7 +11,7 @@
 
 namespace kerf::app {
 
-/// What meshes of a run are written.
+/// The meshes of a run to write.
 struct SequenceOptions {
     int every = 0;  ///< steps from one to the next; 0 for no sequence
     MeshFormat format = MeshFormat::ply;
@@ -20,16 +20,15 @@ struct SequenceOptions {
 /// The folder of a sequence, in that of the results.
 inline constexpr const char* kSequenceFolder = "sequence";
 
-/// Writes a mesh of a body every few steps, and lists of them that other programs read.
+/// Writes a mesh of a body every few steps, and lists of them for other programs.
 class MeshSequence {
   public:
-    /// Removes the meshes of an earlier run. Throws OutputError, as all functions here.
+    /// Removes the meshes of an earlier run. Throws OutputError, like all functions here.
     MeshSequence(OutputFolder& folder, const SequenceOptions& options);
 
     /// Whether the state before a step is one of the sequence; `last` is the step behind the run.
     bool wants(int step, int last) const;
-    /// Writes the state before a step, `time` into the simulation [s], its positions counted from
-    /// `from`.
+    /// Writes the state before a step, at simulated `time` [s], with positions relative to `from`.
     void write(int step, double time, const SurfaceMesh& mesh, const PieceMap& pieces,
                const ExportLooks& looks, const Vec3& from);
     /// Writes the lists: sequence.EXTENSION.series, and sequence.pvd of .vtp files.

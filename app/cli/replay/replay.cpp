@@ -68,11 +68,11 @@ void removeUnfinished(const OutputFolder& folder) {
     }
 }
 
-/// The tables that a replay writes as it goes: metrics.csv, and where they are wanted hashes.csv
-/// and pieces.csv. They appear under their names once they are complete.
+/// The tables that a replay writes step by step: metrics.csv, and optionally hashes.csv and
+/// pieces.csv. They appear under their names once complete.
 class RunFiles {
   public:
-    /// Begins the tables. Throws OutputError, as all functions here.
+    /// Begins the tables. Throws OutputError, like all functions here.
     RunFiles(OutputFolder& folder, bool hashes, bool pieces);
 
     bool wantsHashes() const { return hashes_.has_value(); }
@@ -83,7 +83,7 @@ class RunFiles {
                const Vec3& from) {
         pieces_->write(formatPieces(step, pieces, boxes, from));
     }
-    /// Lets them appear.
+    /// Completes them.
     void commit();
 
   private:

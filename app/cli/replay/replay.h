@@ -16,7 +16,7 @@
 
 namespace kerf::app {
 
-/// Functions of one who watches a replay; either may be missing.
+/// Callbacks of a replay; either may be null.
 struct ReplayListener {
     /// Called before each step with the steps done and the steps to do.
     std::function<void(int done, int total)> progress;
@@ -24,18 +24,18 @@ struct ReplayListener {
     std::function<void(const MetricsRow& row)> row;
 };
 
-/// What a replay does besides what the session says.
+/// Options of a replay besides the session.
 struct ReplayOptions {
     bool hashes = false;                 ///< writes hashes.csv
     bool pieces = false;                 ///< writes pieces.csv
-    bool forces = false;                 ///< measures what the body does to the blade's
+    bool forces = false;                 ///< measures the load on the blade
     const HashCourse* verify = nullptr;  ///< hashes that the steps must have; not owned
     std::string verifyName;              ///< of the file with these hashes, for messages
-    int until = kMaxSteps;               ///< ends after that many steps, where the session has more
+    int until = kMaxSteps;               ///< ends after that many steps at most
     bool keepGoing = false;              ///< runs on after a check failed
-    bool hashChecks = true;              ///< false: passes over state hashes in check events
-    FilmOptions film;                    ///< where its file says so
-    StripOptions strip;                  ///< where its file says so
+    bool hashChecks = true;              ///< false: ignores state hashes in check events
+    FilmOptions film;                    ///< if its file is set
+    StripOptions strip;                  ///< if its file is set
     SequenceOptions sequence;            ///< where it names steps
     /// Of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;

@@ -35,11 +35,11 @@ class BusyScene {
     bool takesPictures() const { return scene_->recorder().takesPictures(); }
     int seekSteps() const { return scene_->timeline().seekSteps(); }
     int deeds() const { return scene_->recorder().deeds(); }
-    /// Whether a thread works something out for the panels or the colours.
+    /// Whether a thread computes something for the panels or the colours.
     bool workingOut() const {
         return scene_->readout().thickness().working() || scene_->readout().cuts().working();
     }
-    /// Whether it may be drawn, as BodyDisplay::viewOf() does: not while the body becomes another.
+    /// Whether it may be drawn, as by BodyDisplay::viewOf(): not while the body is inconsistent.
     bool isWhole() const { return scene_->simulation().isWhole(); }
 
   private:

@@ -12,17 +12,17 @@ namespace kerf::app {
 /// document to the next.
 class KernelPreparation {
   public:
-    /// Where it is not `wanted` it does nothing.
+    /// Does nothing unless `wanted`.
     explicit KernelPreparation(bool wanted) : wanted_(wanted) {}
 
     /// Another document was opened.
     void begin() { left_ = isNew_ = wanted_; }
     /// Whether something is left to do.
     bool left() const { return left_; }
-    /// Somebody does something, or something moves: it waits.
+    /// Waits, since there is input or motion.
     void interrupt() { quiet_ = 0; }
-    /// Goes on by a kernel where nobody has done anything for a while; `elapsedSeconds` since the
-    /// last call. Throws gpu::ShaderError, gpu::OutOfMemory.
+    /// Compiles a kernel if idle for a while; `elapsedSeconds` since the last call. Throws
+    /// gpu::ShaderError, gpu::OutOfMemory.
     void advance(const EditorScene& scene, double elapsedSeconds);
 
   private:
@@ -30,7 +30,7 @@ class KernelPreparation {
     bool wanted_;
     bool left_ = false;
     double quiet_ = 0;    ///< [s]
-    bool isNew_ = false;  ///< warmUp_ is still that of the document before
+    bool isNew_ = false;  ///< warmUp_ is still that of the previous document
     std::unique_ptr<KernelWarmUp> warmUp_;
 };
 

@@ -8,13 +8,13 @@
 
 namespace kerf::app {
 
-/// The depth below the skin of each uncut body that is still in use, also of those that undo can
-/// bring back: to measure it takes long for large ones.
+/// The depth below the skin of each uncut body in use, including undoable ones: measuring it takes
+/// long for large ones.
 class RestDepths {
   public:
-    /// Notes what was measured elsewhere.
+    /// Stores what was measured elsewhere.
     void note(const std::shared_ptr<const UncutBody>& body, render::DepthField depth);
-    /// The depth of a body, measured now where nobody has noted it.
+    /// The depth of a body, measured now if not stored.
     const render::DepthField& of(const std::shared_ptr<const UncutBody>& body);
 
   private:

@@ -12,12 +12,12 @@
 
 namespace kerf::app {
 
-/// What a scene is doing: steps, or something that was asked for.
+/// The work of a scene: steps, or a requested change.
 enum class SceneWork { steps, change };
 
-/// The open scene, and what it is doing: steps and commands are done in portions, so that pictures
-/// come meanwhile. Whoever asks for the scene gets it between two of them: what is under way is
-/// done to its end first. meanwhile() alone doesn't wait.
+/// The open scene and its work: steps and commands are done in portions, so that frames are drawn
+/// in between. All access to the scene first completes the current work; only meanwhile() doesn't
+/// wait.
 class SceneAtWork {
   public:
     std::deque<ui::Action> waiting;  ///< for the scene to be done with what it does
@@ -26,10 +26,10 @@ class SceneAtWork {
     /// for none.
     void set(std::unique_ptr<EditorScene> scene);
 
-    /// Sets a scene and hands back the one before; nothing must be under way.
+    /// Sets a scene and returns the previous one; there must be no work.
     std::unique_ptr<EditorScene> exchange(std::unique_ptr<EditorScene> scene);
 
-    /// The scene, with nothing under way; null while none is open. Throws what the work throws.
+    /// The scene, after completing its work; null if none is open. Throws what the work throws.
     EditorScene* get();
     EditorScene* operator->() { return get(); }
     EditorScene& operator*() { return *get(); }
@@ -37,18 +37,18 @@ class SceneAtWork {
         return scene.scene_ == nullptr;
     }
 
-    /// The scene, perhaps in the midst of what it does: as much of it as may be used then.
+    /// The scene, perhaps during its work: as much of it as may be used then.
     BusyScene meanwhile() const { return {scene_.get(), underWay() && !work_.isWorking()}; }
-    /// The scene where nothing is under way; null otherwise, and while none is open.
+    /// The scene if it has no work; null otherwise, and if none is open.
     EditorScene* atRest() const { return meanwhile().atRest(); }
 
-    /// Begins something, to be done by goOn(); nothing must be under way.
+    /// Begins work, to be done by goOn(); there must be none.
     void begin(SceneWork kind, std::function<void(EditorScene&)> work);
     bool underWay() const { return work_.underWay(); }
     bool isAt(SceneWork kind) const { return underWay() && kind_ == kind; }
-    /// Goes on for about `seconds`. Throws what the work throws, which ends it.
+    /// Continues for about `seconds`. Throws what the work throws, which ends it.
     void goOn(double seconds) { work_.goOn(seconds); }
-    /// Since what is under way was begun [s].
+    /// Age of the current work [s].
     double seconds() const { return work_.seconds(); }
 
   private:

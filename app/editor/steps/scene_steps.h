@@ -19,9 +19,9 @@ struct Mended {
     std::string change;  ///< what was done
 };
 
-/// The changes that exchanged the whole scene for another one, as for even triangles. The scene
-/// before each is kept as it was, with its cuts and its own history, so that undo brings all of it
-/// back; one that was undone is kept until the scene before it is changed otherwise.
+/// The changes that replaced the whole scene, such as remeshing. The scene before each is kept,
+/// with its cuts and its history, so that undo restores all of it; an undone one is kept until the
+/// scene before it is changed otherwise.
 class SceneSteps {
   public:
     /// The most scenes that are kept: each holds its body, on the GPU too.
@@ -29,11 +29,11 @@ class SceneSteps {
 
     /// A scene that is not the open one.
     struct Kept {
-        std::string name;  ///< of the change between it and the next one towards the open scene
+        std::string name;  ///< of the change between it and the scene next to it
         std::unique_ptr<EditorScene> scene;
         int savedDeeds = 0;      ///< see WorkKeeping::noteSaved()
         int additions = 0;       ///< UndoHistory::additions() of the scene before the change, then
-        std::size_t undone = 0;  ///< so many of its changes were undone then
+        std::size_t undone = 0;  ///< its changes undone then
     };
 
     /// An exchange that undo or redo asked for, to be done between two steps.
@@ -44,24 +44,24 @@ class SceneSteps {
 
     /// Forgets all but what is being opened.
     void clear();
-    /// `before` was exchanged for a new scene. What was undone is lost.
+    /// `before` was replaced by a new scene. Undone ones are lost.
     void add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds);
-    /// Forgets what can't be brought back any more since the open scene, whose history is `now`,
-    /// was changed.
+    /// Drops what can't be restored any more after a change of the open scene, whose history is
+    /// `now`.
     void follow(const UndoHistory& now);
 
-    /// Whether an undo takes an exchange back: nothing else of `now` is left to undo.
+    /// Whether an undo reverts an exchange: nothing else of `now` is left to undo.
     bool undoes(const EditorScene& now) const;
-    /// Whether a redo brings an exchange back.
+    /// Whether a redo repeats an exchange.
     bool redoes(const EditorScene& now) const;
-    /// The scene to be open next, instead of `now`, of which that many deeds are saved. One must be
-    /// there: see undoes() and redoes().
+    /// The scene to open next, instead of `now`, with that many saved deeds. There must be one: see
+    /// undoes() and redoes().
     Kept undo(std::unique_ptr<EditorScene> now, int savedDeeds);
     Kept redo(std::unique_ptr<EditorScene> now, int savedDeeds);
 
     /// So many rows of the history stand before those of the open scene.
     std::size_t rowsBefore() const;
-    /// Puts the rows of the other scenes around those of `now`.
+    /// Adds the rows of the other scenes around those of `now`.
     void describe(const EditorScene& now, ui::ChangeList& list) const;
 
   private:

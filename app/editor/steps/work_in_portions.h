@@ -10,9 +10,9 @@
 
 namespace kerf::app {
 
-/// Work of this thread that is done in portions: it has a stack of its own and rests at
-/// pausePoint()s. OpenGL's context is the same, so whoever draws between two portions may read what
-/// the work writes, but must change nothing of it.
+/// Work of this thread in portions: a fiber with its own stack that pauses at pausePoint()s. The
+/// OpenGL context is the same, so code between two portions may read what the work writes, but must
+/// not change it.
 class WorkInPortions {
   public:
     /// `check`: of Pauses.
@@ -21,17 +21,17 @@ class WorkInPortions {
     WorkInPortions(const WorkInPortions&) = delete;
     WorkInPortions& operator=(const WorkInPortions&) = delete;
 
-    /// Takes work, of which nothing is done before goOn(). There must be none under way.
+    /// Takes work, which starts with goOn(). There must be none in progress.
     void begin(std::function<void()> work);
     bool underWay() const { return static_cast<bool>(work_); }
-    /// Whether it is the work that asks.
+    /// Whether the caller is the work.
     bool isWorking() const { return working_; }
-    /// Goes on for about `seconds`, up to the next pausePoint(). Throws what the work throws, which
-    /// ends it.
+    /// Continues for about `seconds`, up to the next pausePoint(). Throws what the work throws,
+    /// which ends it.
     void goOn(double seconds);
-    /// Goes on to the end. Throws what the work throws.
+    /// Completes the work. Throws what it throws.
     void finish();
-    /// Gives up what is under way: its stack is unwound.
+    /// Cancels the work: its stack is unwound.
     void giveUp() { work_ = {}; }
     /// Since it was begun [s].
     double seconds() const { return underWay() ? sinceBegun_.seconds() : 0; }
@@ -42,7 +42,7 @@ class WorkInPortions {
     void rest();
     void resume();
 
-    Fiber work_;  ///< where it rests; none while none is under way
+    Fiber work_;  ///< where it pauses; none without work
     Fiber caller_;
     bool working_ = false;
     double portion_ = 0;  ///< [s]

@@ -12,21 +12,21 @@ namespace kerf::app {
 
 /// A driver that gives wrong results.
 struct DriverProblem {
-    std::string sentence;          ///< what the examination said
-    std::filesystem::path report;  ///< the folder with its report; empty where it left none
+    std::string sentence;          ///< the verdict of the examination
+    std::filesystem::path report;  ///< the folder with its report; empty for none
 };
 
-/// Examines the driver once, when Kerf meets it for the first time: kerf doctor --quick, in a
-/// process and a thread of its own. Its report stays, so that the next start asks no more.
+/// Examines a new driver once: kerf doctor --quick, in a separate process and thread. Its report is
+/// kept, so later starts skip it.
 class DriverCheck {
   public:
-    /// `folder`: for the reports on all drivers; an empty path examines nothing. `driver`: all that
-    /// this one says of itself.
+    /// `folder`: for the reports on all drivers; an empty path examines nothing. `driver`: the full
+    /// name of this one.
     DriverCheck(const std::filesystem::path& folder, const std::string& driver);
 
-    /// Whether it is at work.
+    /// Whether it is running.
     bool looking() const { return looking_ != nullptr; }
-    /// What it found wrong, once; none where nothing is, or as long as it is at work.
+    /// The problem found, once; none without problems, or while it is running.
     std::optional<DriverProblem> takeProblem();
 
   private:
@@ -40,10 +40,10 @@ enum DriverChoice { kUseSoftware, kGoOnWithDriver };
 ui::Question questionAbout(const DriverProblem& problem);
 
 /// The folder of such reports: $XDG_STATE_HOME/kerf/drivers, by default in ~/.local/state; empty
-/// where there is no home, or where the variable KERF_EXAMINES_DRIVER is "no".
+/// without a home, or if the variable KERF_EXAMINES_DRIVER is "no".
 std::filesystem::path defaultDriverReports();
 
-/// Makes contexts of this process use Mesa's renderer on the processor; before the first is made.
+/// Makes contexts of this process use Mesa's software renderer; call it before the first is made.
 void useSoftwareRenderer();
 
 }  // namespace kerf::app

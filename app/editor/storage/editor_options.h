@@ -14,25 +14,25 @@ struct EditorOptions {
     float scale = 1;  ///< of the display, 1 = 96 dpi
     render::Quality quality = render::Quality::full;
     std::string device;  ///< what draws, for the status bar
-    /// Time runs by the clock where it can; otherwise every picture is one step, for tests.
+    /// Time follows the clock if possible; otherwise every frame is one step, for tests.
     bool byTheClock = true;
-    /// Each frame is drawn; otherwise only those that are read, for tests.
+    /// Draws each frame; otherwise only those that are read, for tests.
     bool drawsAll = true;
-    /// By the clock, a picture is drawn whenever a step has taken so long [s].
+    /// By the clock, a frame is drawn whenever a step has taken so long [s].
     double portion = 0.03;
-    /// Kernels are compiled while nobody does anything, before somebody waits for them.
+    /// Compiles kernels in advance while idle.
     bool warmsUp = false;
-    /// The folder of pictures, in which files are looked for first as well.
+    /// The folder of pictures, and the first one of the file dialog.
     std::filesystem::path screenshotFolder = ".";
     /// The file of the person's settings; empty keeps none, as in tests.
     std::filesystem::path settingsFile;
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
     std::filesystem::path journals;     ///< the folder of journals; empty keeps none
-    std::filesystem::path materials;    ///< the folder of the person's own; empty for none
+    std::filesystem::path materials;    ///< the folder of the user's own; empty for none
     /// The folder of reports on drivers; empty: none is examined.
     std::filesystem::path driverReports;
-    std::string driver;  ///< all that the driver says of itself
-    std::string notice;  ///< a sentence that is shown at first; empty for none
+    std::string driver;  ///< full name of the driver
+    std::string notice;  ///< a sentence shown at the start; empty for none
 };
 
 }  // namespace kerf::app

@@ -10,11 +10,11 @@
 
 namespace kerf::app {
 
-/// A file dialog without its drawing: the folder it looks at, the files that are offered there, the
-/// name, and whether it may be taken. Its state is a ui::FileDialogState.
+/// The logic of a file dialog: its folder, the files offered there, the name, and whether it is
+/// valid. Its state is a ui::FileDialogState.
 class FileBrowser {
   public:
-    /// Looks into `folder`, or the next one around it that can be read. `name`: proposed.
+    /// Opens `folder`, or its nearest readable parent. `name`: proposed.
     FileBrowser(ui::FilePurpose purpose, std::filesystem::path folder, std::string name,
                 std::vector<ui::FolderLink> bookmarks);
 
@@ -22,7 +22,7 @@ class FileBrowser {
     /// The selected file, if it can be opened; empty for none.
     std::filesystem::path selectedFile() const;
 
-    /// Does an action. Returns the file once one is taken.
+    /// Does an action. Returns the file once one is chosen.
     std::optional<std::filesystem::path> take(const ui::FileAction& action);
 
   private:

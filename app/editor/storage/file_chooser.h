@@ -12,14 +12,14 @@
 
 namespace kerf::app {
 
-/// What else is meant by a file that is opened or saved.
+/// The purpose of a file that is opened or saved.
 enum class BrowseFor : std::uint8_t {
     itself,           ///< nothing
     addition,         ///< of one to be opened: its model is added to the scene
-    testWithPicture,  ///< of a test: it shall have a picture of its end
+    testWithPicture,  ///< of a test: add a picture of its end
 };
 
-/// A file that a person chose, and what for.
+/// A file chosen by the user, and its purpose.
 struct ChosenFile {
     ui::FilePurpose purpose = ui::FilePurpose::none;
     std::filesystem::path file;
@@ -29,11 +29,11 @@ struct ChosenFile {
     ui::FilmLook film{};  ///< of a film
 };
 
-/// Lets a person choose files: in the dialog, which remembers where it was, or among the recent
+/// Lets the user choose files: in the dialog, which remembers its folders, or among the recent
 /// ones.
 class FileChooser {
   public:
-    /// Looks into the folder `here` first. For `recentFiles` see RecentFiles.
+    /// Starts in the folder `here`. For `recentFiles` see RecentFiles.
     FileChooser(std::filesystem::path here, std::filesystem::path recentFiles);
 
     /// The folder that the editor was started in.
@@ -44,10 +44,10 @@ class FileChooser {
     /// The file of the open model, beside which it is exported until another folder is chosen. An
     /// empty path for none; what comes with Kerf counts as none.
     void setModel(const std::filesystem::path& file);
-    /// The folder that materials are saved in until another one is chosen.
+    /// The folder for materials until another one is chosen.
     void setMaterialFolder(const std::filesystem::path& folder) { materialFolder_ = folder; }
     bool isOpen() const { return browser_.has_value(); }
-    /// Does what the person did in the dialog. Returns the file once one is chosen.
+    /// Does an action of the dialog. Returns the file once one is chosen.
     std::optional<ChosenFile> take(const ui::FileAction& action);
     /// Puts a file first among the recent ones.
     void addRecent(const std::filesystem::path& file) { recent_.add(file); }
@@ -66,8 +66,8 @@ class FileChooser {
 
     std::filesystem::path here_;
     RecentFiles recent_;
-    /// The folders in which files were looked for and written last: two, since to save beside
-    /// what was opened would put results among the models.
+    /// The last folders for opening and for saving: two, since saving beside opened files would put
+    /// results among the models.
     std::filesystem::path lastSource_;
     std::filesystem::path lastTarget_;
     std::filesystem::path modelFolder_;  ///< see setModel()

@@ -12,13 +12,13 @@ namespace kerf::app {
 /// A few lines about a model or a session: what it is, how large, how many triangles.
 std::vector<std::string> describeFile(const std::filesystem::path& file, WorkProgress& progress);
 
-/// The lines of describeFile() about the file that is selected, found on a thread of its own. A
-/// file that is selected no longer is let go.
+/// The lines of describeFile() about the selected file, found on a separate thread. Deselected
+/// files are dropped.
 class FilePreview {
   public:
-    /// Looks at another file; an empty path shows nothing.
+    /// Selects another file; an empty path shows nothing.
     void select(const std::filesystem::path& file);
-    /// Whether the lines have changed since the last call; once a picture.
+    /// Whether the lines have changed since the last call; call it once a frame.
     bool advance();
     const std::vector<std::string>& lines() const { return lines_; }
     bool working() const { return job_.now() != nullptr; }

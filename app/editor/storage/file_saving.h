@@ -13,17 +13,16 @@
 
 namespace kerf::app {
 
-/// Something on its way into files, on a thread of its own. Nothing is written once it was
-/// cancelled.
+/// A save on a separate thread. Nothing is written once it was cancelled.
 struct FileSaving : BackgroundJob<std::string> {
-    /// `work` ends with a sentence for the person. Throws OutputError.
+    /// `work` returns a message for the user. Throws OutputError.
     FileSaving(std::string what, Work work)
         : BackgroundJob(std::move(work)), title(std::move(what)) {}
 
     std::string title;  ///< "Exporting slice.obj"
 };
 
-/// Begins to export the body as it is now. `look`: what it is shown in.
+/// Begins to export the present body. `look`: its displayed look.
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
                                         Simulation& simulation, const render::BodyLook& look);
 /// Begins to write a session.
@@ -31,10 +30,10 @@ std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Saved
 /// Begins to write a material.
 std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
                                                 Material material);
-/// Begins to film a session, by a replay in a process of its own.
+/// Begins to film a session, by a replay in a separate process.
 std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
                                       SavedSession saved);
-/// Begins to write a session and what a run of it comes out like, which takes as long as that.
+/// Begins to write a session with the expectations of a run, which takes as long as that run.
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
 
 }  // namespace kerf::app

@@ -8,9 +8,8 @@
 
 namespace kerf::app {
 
-/// Makes a film of a session by a replay in a process of its own; the extension of `file` is one of
-/// filmFormats(). The film appears complete or not at all. Throws OutputError with a sentence where
-/// there is none, and WorkCancelled.
+/// Makes a film of a session by a replay in a separate process; the extension of `file` is one of
+/// filmFormats(). The film appears complete or not at all. Throws OutputError, and WorkCancelled.
 void filmSession(const Session& session, const std::filesystem::path& file,
                  const ui::FilmLook& look, WorkProgress& progress);
 

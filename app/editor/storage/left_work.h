@@ -13,24 +13,24 @@
 
 namespace kerf::app {
 
-/// What windows left behind that ended without being closed: looked for on a thread of its own,
-/// once, and offered one after the other.
+/// The work of windows that ended without being closed: searched once on a separate thread, and
+/// offered one after the other.
 class LeftWorkOffers {
   public:
     bool comingBack = false;  ///< what was taken up is still being played, see Editor::State
 
-    /// Begins to look into `folder`; an empty path has nothing.
+    /// Begins to search `folder`; an empty path has nothing.
     explicit LeftWorkOffers(const std::filesystem::path& folder);
 
-    /// Looks once more: something was left behind since.
+    /// Searches again, for newer work.
     void lookAgain();
-    /// Whether the thread is still looking.
+    /// Whether the thread is still searching.
     bool looking() const { return looking_ != nullptr; }
-    /// Takes what the thread has found, once it has; once a picture.
+    /// Takes what the thread has found, once done; call it once a frame.
     void collect();
-    /// The next work to be offered, each once; the last that was done comes first.
+    /// The next work to offer, each once; the newest first.
     std::optional<LeftWork> next();
-    /// Leaves the others to the next start.
+    /// Postpones the others to the next start.
     void putOff() { works_.clear(); }
 
   private:
@@ -45,7 +45,7 @@ class LeftWorkOffers {
 enum LeftWorkChoice { kGoOn, kDiscard, kNotNow };
 /// Asks what to do with such work.
 ui::Question questionAbout(const LeftWork& work);
-/// To go on from it. A failure says where it is kept.
+/// The order to recover it. A failure says where it is kept.
 OpeningOrder orderOf(const LeftWork& work);
 
 }  // namespace kerf::app

@@ -9,20 +9,20 @@
 
 namespace kerf::app {
 
-/// The materials that a person can choose: those that come with Kerf, those of the person's folder,
-/// and those of files that were opened.
+/// The materials to choose from: built-in ones, those of the user's folder, and those of opened
+/// files.
 class MaterialShelf {
   public:
-    /// Looks into `folder` for the person's own; an empty path has none.
+    /// Reads the user's own from `folder`; an empty path has none.
     explicit MaterialShelf(std::filesystem::path folder);
 
     const std::filesystem::path& folder() const { return folder_; }
-    /// Looks again. Returns sentences about files that can't be read.
+    /// Reads them again. Returns sentences about files that can't be read.
     std::vector<std::string> look();
-    /// Puts the material of a file onto the shelf, in place of the one that it had there. Returns
-    /// its number. Throws InputError.
+    /// Adds the material of a file, replacing its previous one. Returns its number. Throws
+    /// InputError.
     int add(const std::filesystem::path& file);
-    /// By number; null where there is none of it.
+    /// By number; null for none.
     const Material* find(int number) const;
     /// Sets the list that panels show, and which of it each model is made of.
     void describe(ui::PanelModel& model) const;

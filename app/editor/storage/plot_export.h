@@ -8,7 +8,7 @@
 namespace kerf::app {
 
 /// The values of plots as a CSV file, a row per value: `plot,curve,time,mean,min,max,values`. The
-/// last three tell what became of neighbours that a long run has merged into one row.
+/// last three describe values that a long run has merged into one row.
 std::string formatPlots(std::span<const ui::PlotSpec> plots);
 
 }  // namespace kerf::app

@@ -13,13 +13,13 @@ class RecentFiles {
     /// Reads `store`; empty keeps nothing beyond this run. What can't be read counts as empty.
     explicit RecentFiles(std::filesystem::path store);
 
-    /// Puts a file first and writes the store. A store that can't be written is let go silently:
-    /// the list is a convenience.
+    /// Puts a file first and writes the store. A store that can't be written is ignored: the list
+    /// is a convenience.
     void add(const std::filesystem::path& file);
 
-    /// The files that were there when it was looked last: when one was added, or by look().
+    /// The files that existed at the last check: when one was added, or by look().
     const std::vector<std::filesystem::path>& files() const { return there_; }
-    /// Looks which of the files are there.
+    /// Checks which of the files exist.
     void look();
     /// The folders of files(), each once.
     std::vector<std::filesystem::path> folders() const;

@@ -7,14 +7,14 @@
 
 namespace kerf::app {
 
-/// The settings in a file: JSON with a key per setting (docs/editor.md). What cannot be read leaves
-/// the defaults, and the file as it is until a setting is changed.
+/// The settings in a file: JSON with a key per setting (docs/editor.md). If it can't be read, the
+/// defaults apply, and the file is unchanged until a setting changes.
 class SettingsFile {
   public:
     /// Reads the settings of `file`. An empty path reads and writes nothing.
     explicit SettingsFile(std::filesystem::path file);
 
-    /// Writes the settings where they have changed. Returns "" or one sentence.
+    /// Writes changed settings. Returns "" or one sentence.
     std::string save();
     /// The problem with the file when it was read: one sentence, or "".
     const std::string& problem() const { return problem_; }
@@ -27,11 +27,11 @@ class SettingsFile {
     std::string problem_;
 };
 
-/// $XDG_CONFIG_HOME/kerf/settings.json, by default in ~/.config; empty where there is no home.
+/// $XDG_CONFIG_HOME/kerf/settings.json, by default in ~/.config; empty without a home.
 std::filesystem::path defaultSettingsFile();
 
-/// Text of a settings file, and back. Keys that it lacks have their defaults, keys that are unknown
-/// are passed over. Throws InputError with the key and what is wrong with its value.
+/// Text of a settings file, and back. Missing keys have their defaults, unknown keys are ignored.
+/// Throws InputError with the key and what is wrong with its value.
 std::string formatSettings(const ui::Settings& settings);
 ui::Settings parseSettings(const std::string& text);
 

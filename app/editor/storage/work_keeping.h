@@ -14,39 +14,39 @@
 
 namespace kerf::app {
 
-/// Keeps what is done to the open scene on the disk at once, in a journal that another start of the
-/// editor can go on from, with a small picture beside it. It knows, too, what of it no file has.
+/// Autosave: writes what is done to the open scene to disk at once, in a journal that a later start
+/// can recover, with a small picture. It also knows what is unsaved.
 class WorkKeeping {
   public:
-    /// Journals lie in `folder`; an empty path keeps none.
+    /// Journals are in `folder`; an empty path keeps none.
     explicit WorkKeeping(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Another scene is open from now on; the journal of the one before is not needed any more.
-    /// `left`: what it goes on from, which stays until the new journal has it; may be null.
+    /// Begins with another scene and drops the journal of the previous one. `left`: recovered work,
+    /// which is kept until the new journal has it; may be null.
     void begin(std::shared_ptr<LeftJournal> left = nullptr);
-    /// The scene is given up, and what is kept of it.
+    /// Drops the scene and its journal.
     void discard();
-    /// The scene is gone, and what is kept of it stays, as work that was left behind. Waits until
-    /// it is on the disk. Returns whether there is any.
+    /// Drops the scene and keeps its journal, as work left behind. Waits until it is on the disk.
+    /// Returns whether there is any.
     bool leave();
 
-    /// Once a picture, between two steps: notes what has been done since. Without `on`, nothing is
+    /// Once a frame, between two steps: records what has been done since. Without `on`, nothing is
     /// kept.
     void follow(EditorScene& scene, const render::Camera& camera,
                 const render::ChosenColors& colors, bool on, double elapsedSeconds);
-    /// Time until a picture of the scene is wanted [s]; none while none is.
+    /// Time until a picture of the scene is due [s]; none if none is.
     std::optional<double> pictureDue() const;
     /// Takes that picture.
     void keepPicture(render::Image picture);
-    /// A sentence about what could not be kept, once.
+    /// A sentence about what could not be written, once.
     std::optional<std::string> takeProblem();
 
-    /// A file has what was done, up to EditorScene::deeds().
+    /// Records that a file has all up to EditorScene::deeds().
     void noteSaved(int deeds) { savedDeeds_ = deeds; }
     int savedDeeds() const { return savedDeeds_; }
-    /// Whether a person has done something that no file has.
+    /// Whether there is unsaved work.
     bool isUnsaved(int deeds) const { return deeds != savedDeeds_; }
-    /// Whether nothing is on its way to the disk, and follow() has nothing to do of itself.
+    /// Whether nothing is being written, and follow() has nothing to do.
     bool settled() const;
 
   private:
@@ -56,13 +56,13 @@ class WorkKeeping {
     void giveUpWriter();
 
     std::filesystem::path folder_;
-    std::unique_ptr<JournalWriter> writer_;              ///< null before there is anything to keep
-    std::vector<std::unique_ptr<JournalWriter>> ended_;  ///< that are being taken away
+    std::unique_ptr<JournalWriter> writer_;              ///< null before there is anything to write
+    std::vector<std::unique_ptr<JournalWriter>> ended_;  ///< that are being removed
     std::shared_ptr<LeftJournal> left_;                  ///< see begin()
     std::shared_ptr<ModelHashes> hashes_;                ///< of the writer's thread
-    Session session_;                                    ///< without events, with the view of now
+    Session session_;                                    ///< without events, with the present view
     int savedDeeds_ = 0;
-    bool unsaved_ = false;                ///< as it was written last
+    bool unsaved_ = false;                ///< as last written
     int steps_ = 0;                       ///< the same
     Stopwatch sinceLine_;                 ///< the last one
     std::optional<double> untilPicture_;  ///< [s]

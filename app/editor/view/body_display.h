@@ -9,9 +9,8 @@
 
 namespace kerf::app {
 
-/// The way in which the body is shown: its settings, which pieces are hidden, and which one the
-/// pointer rests on in their list. It is no part of the simulation: hidden pieces move and are cut
-/// all the same, and undo leaves it alone.
+/// The display of the body: its settings, the hidden pieces, and the one hovered in their list. It
+/// is not part of the simulation: hidden pieces move and are cut, and undo does not affect it.
 class BodyDisplay {
   public:
     ui::DisplaySettings settings;
@@ -23,18 +22,18 @@ class BodyDisplay {
     /// Highlights the piece under the pointer, -1 for none.
     void hover(int piece) { hovered_ = piece; }
     void show(int piece, bool visible);
-    /// Draws the pieces together again. What is shown apart is not where it is: whoever touches it
-    /// has it together first. Returns whether it was apart.
+    /// Draws the pieces together again, as before any tool touches them. Returns whether they were
+    /// apart.
     bool join();
 
     /// The bounds of the body as it is drawn, with its pieces together or apart [m].
     Bounds boundsOf(const BusyScene& scene) const;
-    /// Bounds of piece number `piece` as drawn [m]; empty where there is no such piece.
+    /// Bounds of piece number `piece` as drawn [m]; empty for no such piece.
     Bounds boundsOf(const BusyScene& scene, int piece) const;
 
-    /// The look that the body is shown in, as far as it has no colours of its own.
+    /// The look of the body, where it has no colours of its own.
     render::BodyLook look(const Document& document) const;
-    /// The scene with all that the person chose to see, where BusyScene::isWhole().
+    /// The scene with the display settings, if BusyScene::isWhole().
     render::SceneView viewOf(const BusyScene& scene) const;
     /// Sets the settings, and of an open `scene` the colours of the model itself, and which rows of
     /// its pieces are hidden or hovered.

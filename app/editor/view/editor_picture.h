@@ -12,8 +12,7 @@
 
 namespace kerf::app {
 
-/// The picture of the editor: the scene, drawn only where it has changed, and room for the panels
-/// over a copy of it.
+/// The frame of the editor: the scene, drawn only if changed, and a copy of it under the panels.
 class EditorPicture {
   public:
     /// Throws gpu::ShaderError.
@@ -25,30 +24,28 @@ class EditorPicture {
     void setBody(const std::shared_ptr<const UncutBody>& body) {
         renderer_.setRestDepth(depths.of(body));
     }
-    /// Draws the scene where it has `changed`, or is seen otherwise than in the last picture. What
-    /// lies in `covered` need not be drawn. `scene` is null while nothing is open. Throws
-    /// gpu::ShaderError.
+    /// Draws the scene if it has `changed`, or if the view differs from the last frame. `covered`
+    /// areas need not be drawn. `scene` is null if nothing is open. Throws gpu::ShaderError.
     void draw(const BusyScene& scene, const EditorView& view,
               std::vector<render::PixelRect> covered, bool changed);
-    /// Draws something else than the scene, as the others where it has `changed` or is seen
-    /// otherwise.
+    /// Draws a model instead of the scene, likewise if it has `changed` or the view differs.
     void drawModel(const render::SceneView& model, const EditorView& view, bool changed);
-    /// Draws the scene as it was in the last picture.
+    /// Draws the scene of the last frame.
     void keep(const EditorView& view);
-    /// Whether steps had better go on for a while before they are shown: where a picture of the
-    /// scene takes long, most of the time is theirs.
+    /// Whether steps should continue before they are shown: if drawing takes long, most of the time
+    /// is for steps.
     bool rests() const;
-    /// The picture, over which the panels go.
+    /// The frame, over which the panels are drawn.
     const gpu::Framebuffer& target() const { return target_; }
     /// Reads what sceneMilliseconds() tells, once a picture.
     void measure() { sceneMilliseconds_ = sceneTimer_.takeMilliseconds(); }
     /// Time that the scene of the last picture took to draw [ms].
     double sceneMilliseconds() const { return sceneMilliseconds_; }
 
-    /// What the colours of the last picture reach from and to, where they show a quantity.
+    /// The range of the colours of the last frame, if they show a quantity.
     const render::FieldRange& fieldRange() const { return fieldRange_; }
-    /// The value of that quantity at a point of the surface as it is; none where the picture is
-    /// older, or the quantity has none there (waits for the GPU).
+    /// The present value of that quantity at a point of the surface; none if the frame is older, or
+    /// without a value there (waits for the GPU).
     std::optional<double> fieldAt(EditorScene& scene, const SurfacePoint& point) const;
 
     /// A copy of target() in main memory.
@@ -59,7 +56,7 @@ class EditorPicture {
     render::Image readScene(EditorScene& scene, const EditorView& view);
 
   private:
-    /// All that a scene is drawn with, apart from itself.
+    /// All drawing inputs except the scene.
     struct Shot {
         ViewFrame frame;
         BodyDisplay display;
@@ -76,7 +73,7 @@ class EditorPicture {
     double sceneMilliseconds_ = 0;
     gpu::Framebuffer target_;
     render::FieldRange fieldRange_;
-    double drawSeconds_ = 0;  ///< that the last picture of the scene took
+    double drawSeconds_ = 0;  ///< drawing time of the last scene
     Stopwatch sinceDrawn_;
     std::optional<Shot> drawn_;  ///< the picture of the scene that the renderer holds
 };

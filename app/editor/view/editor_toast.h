@@ -10,26 +10,25 @@
 
 namespace kerf::app {
 
-/// A sentence in the view that fades by itself; errors stay longer. All that was shown stays in the
-/// log. The sentence about a screenshot may offer it as a picture of the session.
+/// A message in the view that fades; errors stay longer. All messages stay in the log. The message
+/// about a screenshot may offer it as a picture of the session.
 class EditorToast {
   public:
-    /// Shows a sentence instead of the one before, and notes it in the log.
+    /// Shows a message instead of the previous one, and logs it.
     void show(std::string text, bool isError);
-    /// Shows a sentence with something that can be done about it.
+    /// Shows a message with a possible action.
     void offer(std::string text, ui::HintChoice choice);
-    /// Shows the end of a saving, which may be that of offerOnceSaved().
+    /// Shows the end of a save, which may be that of offerOnceSaved().
     void show(const SavingQueue::Outcome& outcome);
-    /// Offers the screenshot taken at `place`, once the saving of that number has ended.
+    /// Offers the screenshot taken at `place`, once the save of that number has ended.
     void offerOnceSaved(const JournalPlace& place, int saving) { offer_ = {place, saving}; }
     void withdrawOffer() { offer_.reset(); }
-    /// The place of the screenshot that is offered in the view, and no more from now on; none where
-    /// none is.
+    /// Takes the place of the screenshot offered in the view; none if none is.
     std::optional<JournalPlace> takeOffer();
-    /// Lets time go by.
+    /// Advances time.
     void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
-    /// Time for which the sentence stays as it is [s]; 0 while it fades.
+    /// Time until the message fades [s]; 0 while it fades.
     double steadySeconds() const;
     /// Sets the model's toast and its log.
     void describe(ui::PanelModel& model) const;
@@ -38,7 +37,7 @@ class EditorToast {
     std::string text_;
     std::vector<ui::LogLine> log_;
     bool isError_ = false;
-    std::optional<ui::HintChoice> choice_;  ///< what can be done about it
+    std::optional<ui::HintChoice> choice_;  ///< possible action
     double remaining_ = 0;
     struct Offer {
         JournalPlace place;

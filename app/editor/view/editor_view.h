@@ -13,20 +13,20 @@
 
 namespace kerf::app {
 
-/// A model that can't be cut as it is, in the view instead of the scene.
+/// A model that can't be cut, shown instead of the scene.
 struct FaultyModel {
     ModelFault fault;
     OpeningOrder order;
     FaultyScene scene;
-    EditorCamera before;  ///< the camera of what is open
+    EditorCamera before;  ///< the camera of the open scene
 };
 
-/// The view of the body: from where it is seen, how it is shown, and what the pointer does there.
-/// Where a function takes a BusyScene, null means that none is open.
+/// The view of the body: camera, display and pointer. Where a function takes a BusyScene, null
+/// means that none is open.
 struct EditorView {
     int width = 0;  ///< of the picture [px]
     int height = 0;
-    ui::Rect free;        ///< what the panels leave of it; without width: all of it [px]
+    ui::Rect free;        ///< area free of panels; without width: all of it [px]
     bool bright = false;  ///< a light scene, for the light theme
     ui::MouseScheme mouse = ui::MouseScheme::kerf;
     Vec2 pointer = Vec2::Zero();  ///< [px]
@@ -36,18 +36,18 @@ struct EditorView {
     SectionTool sectionTool;
     std::optional<FaultyModel> faulty;
 
-    /// The camera looks at the middle of what the panels leave free.
+    /// The frame, with the camera centred on the area free of panels.
     ViewFrame frame() const;
-    /// Flies to where `bounds` fill what the panels leave free [m].
+    /// Flies to a view in which `bounds` fill the area free of panels [m].
     void flyToFrame(const Bounds& bounds);
-    /// Whether this is another size than before. Ignores a side of 0, as of a hidden window.
+    /// Returns whether the size has changed. Ignores a side of 0, as of a hidden window.
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
-    /// Shows another scene of the same document, seen as the one before.
+    /// Shows another scene of the same document in the same view.
     void beginAgain(const EditorScene& scene);
-    /// Comes along where the model was placed otherwise: what had filled the view does so again.
-    /// Whether it was.
+    /// Follows a new placement of the model: what filled the view does so again. Returns whether
+    /// there was one.
     bool follow(const EditorScene& scene);
 
     /// Shows a model with its faults instead of the scene, as far as they are known. Throws
@@ -58,33 +58,33 @@ struct EditorView {
 
     // The pointer.
     void move(const ui::PointerMove& move, const BusyScene& scene);
-    /// Takes hold of the view, the blade or the body. Returns "" or one sentence.
+    /// Starts a drag of the view, the blade or the body. Returns "" or one sentence.
     std::string press(const ui::ButtonChange& change, const BusyScene& scene);
-    /// Lets go of what that button holds. Returns "" or one sentence.
+    /// Ends the drag of that button. Returns "" or one sentence.
     std::string release(ui::Button button, const BusyScene& scene);
     void zoom(double notches, const BusyScene& scene);
 
     // The tools of its left button.
-    /// What they go by while the pointer is where it is.
+    /// The context of tools at the present pointer.
     ToolContext context(const BusyScene& scene, const ui::Modifiers& modifiers = {});
-    /// Whether a stroke or a pull is under way, or a handle is held.
+    /// Whether a stroke or a pull is in progress, or a handle is held.
     bool holds() const { return tools.inHand().holds() || sectionTool.holds(); }
-    /// Whether the right button, which goes up, was no drag but a click for the tool.
+    /// Whether the release of the right button ends a click for the tool, not a drag.
     bool rightClicks() const;
-    /// Takes another tool, which lets go, or another depth.
+    /// Selects another tool, after releasing the old one, or another depth.
     void setTools(const ui::ToolSettings& settings, const BusyScene& scene);
-    /// Gives up the stroke and lets go of everything; `takesBack` what that did to the body too.
+    /// Cancels the stroke and releases everything; `takesBack` also reverts its effect on the body.
     void cancelTools(const BusyScene& scene, bool takesBack = false);
-    /// The shape of the pointer over the view, where the tools show `overlay`.
+    /// The shape of the pointer over the view, with the tools' `overlay`.
     ui::Cursor cursor(const ui::Overlay& overlay) const;
-    /// What the tools show over the body; `inView` tells whether the pointer is over no panel.
-    /// In the midst of a step no more than where the blade goes.
+    /// The overlay of the tools; `inView`: whether the pointer is over no panel. During a step only
+    /// the path of the blade.
     ui::Overlay overlay(bool inView, const BusyScene& scene);
 
   private:
     bool pressSection(const BusyScene& scene);
-    Vec2 rightPress_ = Vec2::Zero();  ///< where the right button went down [px]
-    int placement_ = 0;               ///< EditorScene::placementRevision() that is shown
+    Vec2 rightPress_ = Vec2::Zero();  ///< where the right button was pressed [px]
+    int placement_ = 0;               ///< displayed EditorScene::placementRevision()
     Bounds restBounds_;               ///< of the body then [m]
 };
 

@@ -10,13 +10,13 @@ namespace kerf::app {
 
 class EditorScene;
 
-/// The paper's experiments with its figures and ours, which are measured: those of the run that is
-/// open, or of the last one in this window.
+/// The paper's experiments with its figures and our measurements: of the open run, or of the last
+/// one in this window.
 class ExperimentBoard {
   public:
-    /// Takes the figures of the scene, where it is one of the experiments.
+    /// Takes the figures of the scene, if it is one of the experiments.
     void note(const EditorScene& scene);
-    /// Sets the cards, and the paper's figures of what is open; `scene` may be null.
+    /// Sets the cards, and the paper's figures for the open experiment; `scene` may be null.
     void describe(const EditorScene* scene, ui::PanelModel& model) const;
 
   private:

@@ -11,17 +11,17 @@ namespace kerf::app {
 
 /// The outcome of a stroke.
 enum class StrokeOutcome : std::uint8_t {
-    none,     ///< there was none, or the body has changed otherwise since
+    none,     ///< no stroke, or the body has changed otherwise since
     missed,   ///< the blade met nothing
-    incised,  ///< it cut, and the pieces are as many as before
+    incised,  ///< it cut without making pieces
     parted,   ///< there are more pieces
 };
 
-/// Tells what came of the last stroke by what the body was before it and after.
+/// Finds the outcome of the last stroke by comparing the body before and after.
 class CutWatch {
   public:
-    /// Notes the state of the body once a picture, before its steps. `cutting` tells whether a
-    /// stroke is drawn or still to be cut.
+    /// Records the state of the body once a frame, before its steps. `cutting`: whether a stroke is
+    /// drawn or still to be cut.
     void follow(bool cutting, int pieces, int triangles);
     StrokeOutcome outcome() const { return outcome_; }
 
@@ -33,13 +33,13 @@ class CutWatch {
     };
     StrokeOutcome outcomeOf(const MeshCounts& now) const;
 
-    std::optional<MeshCounts> before_;  ///< of the stroke that is under way
-    bool met_ = false;                  ///< it changed the body, whatever became of that
+    std::optional<MeshCounts> before_;  ///< of the stroke in progress
+    bool met_ = false;                  ///< it changed the body
     MeshCounts after_;                  ///< of the last one
     StrokeOutcome outcome_ = StrokeOutcome::none;
 };
 
-/// The situation in the editor that a hint goes by.
+/// The situation in the editor that selects a hint.
 struct Situation {
     bool open = false;        ///< whether anything is
     bool playing = false;     ///< time runs
@@ -50,18 +50,18 @@ struct Situation {
     bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::kFirstTool;
     int pieces = 1;
-    int piecesAtFirst = 1;  ///< as it was opened: a file may hold several shells
+    int piecesAtFirst = 1;  ///< when opened: a file may hold several shells
     StrokeOutcome outcome = StrokeOutcome::none;
-    std::string refusal{};  ///< what the log says of a refused step of the last stroke
+    std::string refusal{};  ///< message about a refused step of the last stroke
 
     bool parted() const { return pieces > piecesAtFirst; }
 };
 
-/// Leads a newcomer from the first cut to the next things there are to do. Each hint goes for good
-/// once what it says was done.
+/// Guides a new user from the first cut to the next actions. Each hint disappears for good once its
+/// action was done.
 class FirstSteps {
   public:
-    /// Notes the situation once a picture.
+    /// Records the situation once a frame.
     void follow(const Situation& now);
     /// The hint for a situation; empty for none.
     ui::Hint hint(const Situation& now) const;
@@ -80,15 +80,15 @@ class FirstSteps {
     bool wentOn_ = false;                ///< a stroke was drawn after that
 };
 
-/// Watches what a newcomer does, and says what to do first or next.
+/// Follows what a new user does, and suggests what to do next.
 class NewcomerGuide {
   public:
-    /// Looks at the open document once a picture. Whether another outcome of the last stroke is
-    /// known since.
+    /// Follows the open document once a frame. Returns whether the outcome of the last stroke has
+    /// changed.
     bool follow(const EditorScene& scene, const EditorView& view);
-    /// Forgets the last stroke: this document was just opened.
+    /// Drops the last stroke: this document was just opened.
     void begin(const EditorScene& scene);
-    /// The hint of now; `scene` is null while nothing is open.
+    /// The present hint; `scene` is null if nothing is open.
     ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
 
   private:

@@ -7,8 +7,8 @@
 
 namespace kerf::app {
 
-/// Remembers whether the scene and the panels must be drawn again. A change of the view, of the
-/// display or of the size needs no call: EditorPicture sees it.
+/// Records whether the scene and the panels must be redrawn. Changes of view, display or size need
+/// no call: EditorPicture detects them.
 class Redraw {
   public:
     /// See EditorOptions::drawsAll.
@@ -18,23 +18,23 @@ class Redraw {
     bool screenshotWanted = false;  ///< of the next picture
     Stopwatch sincePicture;
 
-    /// The body, or what stands around it, has changed: the scene and the panels show that.
+    /// The body or its surroundings have changed: redraws the scene and the panels.
     void scene() {
         scene_ = true;
         panels();
     }
-    /// Steps have moved the body: the panels show that, the scene once it is asked for steps.
+    /// Steps have moved the body: redraws the panels, and the scene when steps are shown.
     void steps() {
         steps_ = true;
         panels();
     }
-    /// The panels have something else to show.
+    /// The content of the panels has changed.
     void panels() { updates_ = kSettleUpdates; }
-    /// Notes an update of the panels. A `quiet` one had no input and no answer.
+    /// Counts an update of the panels. A `quiet` one had no input and no action.
     void countUpdate(bool quiet) { updates_ = quiet ? std::max(0, updates_ - 1) : kSettleUpdates; }
 
-    /// Whether the scene is to be drawn anew since that was last so; for steps alone where they are
-    /// to be shown now (`showSteps`).
+    /// Whether the scene must be redrawn, and resets that; for steps only if they are to be shown
+    /// now (`showSteps`).
     bool takeScene(bool showSteps = true) {
         const bool wanted = scene_ || putOff_ || (showSteps && steps_);
         if (wanted) {
@@ -42,9 +42,9 @@ class Redraw {
         }
         return wanted;
     }
-    /// Leaves it to the next takeScene() to say so; nothing is pending until then.
+    /// Postpones it to the next takeScene(); nothing is pending until then.
     void putOff() { putOff_ = takeScene(); }
-    /// Whether something is still to be drawn, but for steps.
+    /// Whether something is still to be drawn, apart from steps.
     bool pending() const { return scene_ || updates_ > 0; }
     /// Whether steps are still to be shown.
     bool stepsPending() const { return steps_; }

@@ -6,17 +6,17 @@
 
 namespace kerf::app {
 
-/// Chooses the names of files that stand beside an export and that it refers to: materials,
-/// buffers, images. Nobody was asked about these, so nothing that somebody else made is replaced.
+/// Chooses the names of files beside an export that it refers to: materials, buffers, images. Since
+/// the user did not name these, files of others are not replaced.
 class CompanionNames {
   public:
-    /// They will lie in this folder.
+    /// For files in this folder.
     explicit CompanionNames(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// `wanted`, made safe as a name in a folder and in a URI; or that with a number where a file
-    /// of the name is neither the same nor an earlier one of Kerf.
+    /// `wanted`, made safe for file names and URIs; with a number if a file of the name is neither
+    /// equal nor Kerf's.
     std::string nameFor(const std::string& wanted, std::string_view bytes) const;
-    /// Whether that very file is there already.
+    /// Whether that file exists with these bytes.
     bool isThere(const std::string& name, std::string_view bytes) const;
 
   private:
@@ -25,7 +25,7 @@ class CompanionNames {
     std::filesystem::path folder_;
 };
 
-/// The bytes that begin a companion of Kerf, by which nameFor() knows it.
+/// The first bytes of Kerf's companions, by which nameFor() recognizes them.
 inline constexpr std::string_view kCompanionMark = "Kerf";
 
 }  // namespace kerf::app

@@ -41,33 +41,32 @@ struct ExportTarget {
     std::filesystem::path file;
     bool filePerPiece = false;  ///< named by pieceFile()
     Coordinates coordinates = Coordinates::scene;
-    /// The folder that `file` will lie in, where its own path does not say.
+    /// The folder of a relative `file`.
     std::filesystem::path folder{};
 };
 struct ExportedFile {
     std::filesystem::path file;
     std::string bytes;
 };
-/// How a body lies: how the numbers of the model's file became its metres, and the point of the
-/// scene from which these are counted.
+/// The place of a body: the placement of its model, and the origin of its positions in the scene.
 struct BodyPlace {
     Placement placement{};
     Vec3 origin = Vec3::Zero();
 };
-/// encodeMesh() of the whole body or of each piece, and behind these the files that they refer to,
-/// as far as those are not there yet: an .mtl and images beside an .obj, a .bin and images beside a
-/// .gltf, the image beside a .ply that has one. A .ply has the colours of its vertices (see
-/// vertexColors). What has not moved at all from its `place` has exactly its own numbers again.
+/// encodeMesh() of the whole body or of each piece, then the missing files that they refer to: an
+/// .mtl and images beside an .obj, a .bin and images beside a .gltf, the image beside a .ply that
+/// has one. A .ply has the colours of its vertices (see vertexColors). Vertices that have not moved
+/// from their `place` keep their exact numbers.
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const ExportLooks& looks,
                                        const BodyPlace& place = {});
 
-/// The looks of an uncut body, carried along to what was cut out of it.
+/// The looks of an uncut body, transferred to the cut body.
 OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceMesh& cut);
 
-/// The file of a piece where each piece gets one: "slice.obj" becomes "slice-1.obj" for piece 0.
+/// The file of a single piece: "slice.obj" becomes "slice-1.obj" for piece 0.
 std::filesystem::path pieceFile(const std::filesystem::path& file, int piece);
-/// Whether a path is that of some piece, by its letters alone.
+/// Whether a path is that of some piece, by its name.
 bool isPieceFile(const std::filesystem::path& path, const std::filesystem::path& file);
 
 }  // namespace kerf::app

@@ -14,7 +14,7 @@ std::string encodeGlb(const ExportMesh& mesh);
 /// Encodes a mesh as glTF in JSON with buffer and images in it.
 std::string encodeGltf(const ExportMesh& mesh);
 /// Encodes a mesh as glTF in JSON beside its buffer and images. `images` are the names of their
-/// files; `nameOf` takes the buffer's bytes and gives the name of its file.
+/// files; `nameOf` returns the name of the buffer's file for its bytes.
 std::string encodeGltfBeside(const ExportMesh& mesh, const std::vector<std::string>& images,
                              const std::function<std::string(std::string)>& nameOf);
 

@@ -98,13 +98,12 @@ Vec3 normalOf(const Eigen::Matrix3d& spread) {
     return normal[largest] < 0 ? Vec3(-normal) : normal;
 }
 
-/// The planes in which the faces of cuts are laid flat, one for each stroke: that which its walls
-/// face most, at rest.
+/// The planes onto which cut faces are projected, one for each stroke: the one that its walls face
+/// most, at rest.
 class CutPlanes {
   public:
     explicit CutPlanes(const SurfaceMesh& mesh);
-    /// Where the rest place of vertex v lies in the plane of the wall triangle t [m]: across, then
-    /// upwards.
+    /// The rest position of vertex v in the plane of the wall triangle t [m]: across, then upwards.
     Eigen::Vector2f at(const SurfaceMesh& mesh, int t, int v) const;
 
   private:

@@ -13,10 +13,10 @@
 
 namespace kerf::app {
 
-/// What is told of the looks of a body that is written.
+/// The looks of a body to write.
 struct ExportLooks {
-    OwnLooks own{};           ///< those of the model, carried along to the slots of the mesh
-    render::BodyLook look{};  ///< what it is shown in where it has none of its own
+    OwnLooks own{};           ///< those of the model, transferred to the slots of the mesh
+    render::BodyLook look{};  ///< used where it has none of its own
 };
 
 struct ExportFace {
@@ -33,7 +33,7 @@ struct ExportFace {
 struct ExportMesh {
     std::vector<Vec3f> positions;         ///< counted from `origin`
     Vec3 origin = Vec3::Zero();           ///< see originOf()
-    std::vector<Vec3> farPositions;       ///< counted from 0, where the origin is not there
+    std::vector<Vec3> farPositions;       ///< absolute, if the origin is not 0
     std::vector<int> vertices;            ///< a number of each, in all parts of the mesh
     std::vector<Vec3f> normals;           ///< unit, area-weighted, one per position
     std::vector<Vec3f> velocities;        ///< one per position [1/s, in the unit of positions]
@@ -44,10 +44,9 @@ struct ExportMesh {
     std::vector<render::Material> materials;
     std::shared_ptr<const render::Appearance> appearance;  ///< with the images; may be null
     std::vector<double> pieceVolumes;  ///< signed, by piece, in the unit of the positions
-    /// Strains, velocities and volumes are told where a format can, and not only where it is for
-    /// these.
+    /// Whether to write strains, velocities and volumes in all formats that can hold them.
     bool tellsQuantities = false;
-    std::string coordinates = "metres, +y up";  ///< what they are, for a comment in the file
+    std::string coordinates = "metres, +y up";  ///< their description, for a comment in the file
 };
 
 /// The living triangles of `mesh`, whose positions are counted from `from`. Faces of cuts get the
@@ -56,11 +55,11 @@ struct ExportMesh {
 ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
                       const Vec3& from = Vec3::Zero(), double unitsPerMetre = 1);
 
-/// The colour of each position, in linear light: the mean of what the corners of the skin have
-/// there, of faces of cuts where it touches no skin. Materials count where `withMaterials`.
+/// The colour of each position, in linear light: the mean over corners of the skin there, or of cut
+/// faces if it touches no skin. `withMaterials`: includes materials.
 std::vector<Eigen::Vector4f> vertexColors(const ExportMesh& mesh, bool withMaterials);
 
-/// The faces for which `belongs(face)` holds, and what they use, in the same order.
+/// The faces for which `belongs(face)` is true, and what they use, in the same order.
 template <class Belongs>
 ExportMesh partOf(const ExportMesh& mesh, Belongs&& belongs) {
     ExportMesh part;

@@ -13,23 +13,23 @@
 
 namespace kerf::app {
 
-/// Makes a film of pictures by the program ffmpeg, which runs as a child of this one. The film
-/// appears under its name only once it is complete.
+/// Encodes a film by the program ffmpeg, as a child process. The film appears under its name only
+/// once it is complete.
 class FilmEncoder {
   public:
-    /// Begins the film `file` with `rate` pictures a second of width x height pixels; its
-    /// extension must be one of filmFormats(). What ffmpeg writes goes into `unfinished` first,
-    /// and into files whose names begin like it, which are gone with this object. Throws
-    /// OutputError with a sentence where ffmpeg is missing or the film can't be written.
+    /// Begins the film `file` with `rate` pictures a second of width x height pixels; its extension
+    /// must be one of filmFormats(). ffmpeg writes to `unfinished` first, and to files whose names
+    /// begin like it, which are removed with this object. Throws OutputError if ffmpeg is missing
+    /// or the film can't be written.
     FilmEncoder(const std::filesystem::path& file, std::filesystem::path unfinished, int width,
                 int height, int rate);
     ~FilmEncoder();
     FilmEncoder(const FilmEncoder&) = delete;
     FilmEncoder& operator=(const FilmEncoder&) = delete;
 
-    /// Adds a picture of the size of the film. Throws OutputError, as finish().
+    /// Adds a frame of the size of the film. Throws OutputError, like finish().
     void add(const render::Image& picture);
-    /// Lets the film appear.
+    /// Completes the film.
     void finish();
 
   private:
@@ -46,7 +46,7 @@ class FilmEncoder {
     std::filesystem::path unfinished_;
     Descriptor log_;
     Pipe pictures_;
-    pid_t child_ = 0;  ///< 0 once it is gone
+    pid_t child_ = 0;  ///< 0 once it has ended
 };
 
 }  // namespace kerf::app

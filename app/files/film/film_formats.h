@@ -8,17 +8,17 @@
 
 namespace kerf::app {
 
-/// Formats that a film can be written in.
+/// Formats of films.
 enum class FilmFormat : std::uint8_t { mp4, webm, gif };
 
 struct FilmFormatInfo {
     FilmFormat format = FilmFormat::mp4;
     std::string_view extension;  ///< ".mp4"
     std::string_view name;       ///< as people call it
-    int rate = 30;               ///< pictures per second where nobody says
-    bool evenSides = true;       ///< it has no pictures with an odd number of pixels in a row
+    int rate = 30;               ///< default frames per second
+    bool evenSides = true;       ///< it needs even numbers of pixels
 };
-/// All formats; the one that is offered first stands first.
+/// All formats, in the order of the dialog.
 std::span<const FilmFormatInfo> filmFormats();
 /// The format of a file's extension; null for any other extension.
 const FilmFormatInfo* filmFormatOf(const std::filesystem::path& file);

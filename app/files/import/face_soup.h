@@ -12,33 +12,32 @@ namespace kerf::app {
 
 struct ImportedModel;
 
-/// Vertices and faces of a file in whatever order they come, until they become triangles.
+/// Vertices and faces of a file in any order, before triangulation.
 class FaceSoup {
   public:
     static constexpr int kNone = -1;
 
     std::vector<Vec3> positions;
-    std::vector<Vec2> uvs;                      ///< that corners name
-    std::vector<Vec2> vertexUvs;                ///< by vertex, for corners that name none
+    std::vector<Vec2> uvs;                      ///< referenced by corners
+    std::vector<Vec2> vertexUvs;                ///< by vertex, for corners without a reference
     std::vector<Eigen::Vector4f> vertexColors;  ///< linear, by vertex; fewer at the end, or none
-    std::vector<int> aliases;  ///< by vertex: one at the same place that it is, or itself; or none
-    std::vector<Eigen::Vector4f> faceColors;  ///< the same by face, where vertices have none
+    std::vector<int> aliases;  ///< by vertex: an equal one at the same place, or itself
+    std::vector<Eigen::Vector4f> faceColors;  ///< the same by face, if vertices have none
 
-    /// The faces that end from now on are of the object of that name.
+    /// Faces that end from now on belong to the object of that name.
     void enterObject(const std::string& name);
-    /// Begins an object that differs from all before; a name that is taken gets a number.
+    /// Begins a new object; a name that is taken gets a number.
     void beginObject(const std::string& name);
-    /// By the numbers in the triangles; none where no object was entered.
+    /// By the numbers in the triangles; empty if no object was entered.
     const std::vector<std::string>& objectNames() const { return objectNames_; }
-    /// Adds a corner to the face that is being made; both are indices, `uv` perhaps kNone.
+    /// Adds a corner to the current face; both are indices, `uv` may be kNone.
     void addCorner(int vertex, int uv = kNone);
-    /// Ends the face; one with fewer than three corners is left out. `material`: its index, or
-    /// kNone.
+    /// Ends the face; drops one with fewer than three corners. `material`: its index, or kNone.
     void endFace(int material = kNone);
     std::size_t faceCount() const { return ends_.size(); }
 
     /// Divides the faces into triangles. One that crosses itself, or encloses no area, becomes a
-    /// fan. Throws InputError where there is no face, or a corner is not there.
+    /// fan. Throws InputError without a face, or if a corner is missing.
     TriangleSoup triangles();
 
   private:
@@ -61,24 +60,24 @@ class FaceSoup {
     std::map<std::string, int> objectNumbers_;
 };
 
-/// The number of a vertex that a number of a file is; kNone where it is none.
+/// A vertex number from a number of a file; kNone if invalid.
 int cornerOf(double number);
 
-/// A colour and its opacity, from what displays take to linear light.
+/// A colour with opacity, from display colours to linear light.
 Eigen::Vector4f linearOf(const Eigen::Vector4d& display);
-/// Turns colours as displays show them into linear light: shares from 0 to 1, or bytes, as the
-/// largest one tells. kNoColor becomes white.
+/// Converts display colours to linear light: from 0 to 1, or bytes, depending on the largest one.
+/// kNoColor becomes white.
 void makeLinear(std::vector<Eigen::Vector4f>& display);
 /// Marks a vertex or a face without a colour, until makeLinear().
 inline const Eigen::Vector4f kNoColor = Eigen::Vector4f::Constant(-1);
 
-/// The triangles and objects of the faces become those of a model. Throws as triangles().
+/// Moves the triangles and objects of the faces to a model. Throws like triangles().
 void takeFaces(FaceSoup& faces, ImportedModel& model);
-/// Rounds positions near the origin to floats, for a text that says as much; those far from it
-/// would make another shape.
+/// Rounds positions near the origin to floats, the precision of the text; far from it that would
+/// change the shape.
 void roundNearOrigin(TriangleSoup& soup);
-/// Throws InputError where positions that were read as floats lie so far from the origin that they
-/// are another shape.
+/// Throws InputError if positions that were read as floats are so far from the origin that the
+/// shape is lost.
 void requireFineFloats(std::span<const Vec3> positions);
 
 }  // namespace kerf::app

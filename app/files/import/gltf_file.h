@@ -14,22 +14,21 @@
 namespace kerf::app {
 
 /// A glTF 2.0 file, as JSON or as GLB, with its buffers. Nothing in it is trusted: all functions
-/// throw InputError for what is not there or not as the format has it.
+/// throw InputError for missing or invalid data.
 class GltfFile {
   public:
     using Json = nlohmann::json;
 
-    /// Reads the description, and no buffer yet.
+    /// Reads the description, without buffers.
     explicit GltfFile(const std::filesystem::path& file);
-    /// Before their numbers are read.
+    /// Opens the buffers; call it before reading numbers.
     void openBuffers();
 
     /// The whole description.
     const Json& top() const { return top_; }
     /// The item of a list at the top: item("meshes", 3).
     const Json& item(const char* list, std::uint64_t index) const;
-    /// The numbers of an accessor, `width` for each of its items; those that are normalized as the
-    /// shares that they stand for.
+    /// The numbers of an accessor, `width` for each of its items; normalized ones as shares.
     std::vector<double> numbers(std::uint64_t accessor, std::size_t width) const;
     /// The bytes of a bufferView.
     std::string_view view(std::uint64_t index) const;
@@ -47,7 +46,7 @@ class GltfFile {
     std::vector<std::string> buffers_;
 };
 
-/// The value of a key; `otherwise` where it is left out. Throws InputError for another type.
+/// The value of a key; `otherwise` if missing. Throws InputError for another type.
 template <class T>
 T valueOf(const nlohmann::json& object, const char* key, T otherwise) {
     const auto found = object.find(key);

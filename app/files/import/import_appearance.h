@@ -14,10 +14,10 @@ struct aiScene;
 
 namespace kerf::app {
 
-/// The materials of a scene that triangles of `model` name by their numbers in it, and the bytes of
-/// their pictures: those in `file` itself, and regular files of limited size in its folder and
-/// below. What is missing there is a sentence of the answer. The triangles name them by their
-/// numbers in the model then. `file` names the model.
+/// Adds the materials of a scene that triangles of `model` refer to, and the bytes of their images:
+/// those in `file` itself, and regular files of limited size in its folder and below. Missing ones
+/// become remarks. The triangles then refer to them by their numbers in the model. `file`: the
+/// model's.
 void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
 /// Numbers the materials that triangles name by their numbers in the file anew, in the order in
@@ -34,10 +34,10 @@ class ModelImages {
     /// `file`: that of the model.
     ModelImages(const std::filesystem::path& file, ImportedModel& model);
 
-    /// Adds a material with the image of that name beside the model's file; "" for none. One that
-    /// is missing is a remark of the model. Returns the number of the material.
+    /// Adds a material with the image of that name beside the model's file; "" for none. A missing
+    /// one becomes a remark. Returns the number of the material.
     int add(render::Material material, const std::string& image);
-    /// The number of an image that `read` gets; -1, with a remark, where that throws InputError.
+    /// The number of an image from `read`; -1, with a remark, if that throws InputError.
     int numberOf(const std::string& name, const std::function<render::ModelImage()>& read);
 
     /// The image of that name beside the model's file. Throws InputError where it is missing.
@@ -52,13 +52,13 @@ class ModelImages {
     std::uint64_t bytes_ = 0;
 };
 
-/// The file beside a model that a name in it means: written with either slash, or with a folder of
-/// another machine before it. None where there is none in the model's folder or below.
+/// The file beside a model for a name in it: with either slash, or with a folder of another
+/// machine. None if there is none in the model's folder or below.
 std::optional<std::filesystem::path> fileBeside(const std::filesystem::path& model,
                                                 std::string name);
 
-/// Whether `file` lies in the folder or below, and is regular and not larger than a model may be.
-/// `folder` must be canonical.
+/// Whether `file` is in the folder or below, regular and within the size limit of models. `folder`
+/// must be canonical.
 bool isFileBelow(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace kerf::app

@@ -17,21 +17,21 @@ inline constexpr std::uintmax_t kMaxModelBytes = 1'000'000'000;
 /// Most vertices and triangles that a model file may hold.
 inline constexpr std::uint64_t kMaxImportVertices = 60'000'000;
 inline constexpr std::uint64_t kMaxImportTriangles = 20'000'000;
-/// A model must be longer than that and stay within that, in the unit of its numbers.
+/// Least and largest extent of a model, in the unit of its numbers.
 inline constexpr double kMinImportExtent = 1e-6;
 inline constexpr double kMaxImportExtent = 1e10;
 
 /// Most bytes of the images of a model together.
 inline constexpr std::uint64_t kMaxImportImages = 500'000'000;
-/// Most bytes of what an answer says of materials and images.
+/// Most bytes of the description of materials and images in an answer.
 inline constexpr std::uint64_t kMaxImportLooks = 16'000'000;
 
-/// A model as its file gives it.
+/// A model as read from its file.
 struct ImportedModel {
     TriangleSoup soup;
     FileFacts facts{};                   ///< objects by their numbers in the soup
     render::Appearance appearance{};     ///< pictures are not decoded
-    std::vector<std::string> remarks{};  ///< sentences about what was left out
+    std::vector<std::string> remarks{};  ///< sentences about what was skipped
 };
 
 /// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte
@@ -55,8 +55,7 @@ static_assert(sizeof(ImportHeader) == 72);
 
 /// Where an answer tells its counts [bytes].
 inline constexpr std::size_t kImportHeadBytes = sizeof(ImportHeader);
-/// How many triangles the model has by the beginning of an answer, which is not trusted to be one;
-/// 0 where there is none.
+/// The number of triangles by the beginning of an answer, which is not trusted; 0 for none.
 std::uint64_t trianglesByHead(std::string_view head);
 
 /// Most bytes that an answer within the limits can have.
@@ -64,16 +63,16 @@ inline constexpr std::uint64_t kMaxImportAnswer = sizeof(ImportHeader) + kMaxImp
                                                   kMaxImportTriangles * (12 + 24 + 48 + 4 + 4) +
                                                   kMaxImportLooks + kMaxImportImages;
 
-/// Answers of the reader process: the model, or why there is none.
+/// Encodes an answer of the reader process: the model, or why there is none.
 std::string encodeImport(const ImportedModel& model);
 std::string encodeImportFailure(std::string_view message);
 
 /// Decodes an answer and trusts nothing in it: lengths, counts and indices are checked; texture
-/// coordinates and colours that are no finite numbers become 0. Throws InputError with what is
-/// wrong, without the file's name.
+/// coordinates and colours that are not finite become 0. Throws InputError with what is wrong,
+/// without the file's name.
 ImportedModel decodeImport(std::string_view answer);
 
-/// Throws InputError where a coordinate is not finite or the extent is out of bounds.
+/// Throws InputError if a coordinate is not finite or the extent is out of bounds.
 void checkImportedPositions(const TriangleSoup& soup);
 
 }  // namespace kerf::app

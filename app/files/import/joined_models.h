@@ -7,12 +7,11 @@
 
 namespace kerf::app {
 
-/// The models of a scene in one mesh, one behind the other, with all their looks. None may be
-/// missing.
+/// The models of a scene in one mesh, in order, with all their looks. None may be missing.
 ModelMesh joined(std::vector<ModelMesh> models);
 
-/// Gives the triangles of a model that have no material one of this colour, as displays take it.
-/// `name` is that of the material.
+/// Gives the triangles of a model without a material one of this display colour. `name` is that of
+/// the material.
 void paint(ModelMesh& model, const std::string& name, const Vec3& color);
 
 }  // namespace kerf::app

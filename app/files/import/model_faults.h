@@ -13,18 +13,18 @@
 
 namespace kerf::app {
 
-/// The triangles of a model, and what is wrong with them where.
+/// The triangles of a model, and their faults.
 struct FoundFaults {
     TriangleSoup soup;  ///< in the file's numbers
     repair::Faults faults;
     std::optional<FileUnits> units = std::nullopt;  ///< that the file names
 };
 
-/// "12 open edges": a kind of fault that is there so often, for people.
+/// "12 open edges": a kind of fault with its count, for people.
 std::string labelOf(repair::FaultKind kind, int count);
 
-/// The faults as coloured lines and dots, one for each kind that is there, in the order of kinds.
-/// `cornersOf` tells the vertices of a triangle, or none where that is not to be marked.
+/// The faults as coloured lines and dots, one for each kind present, in the order of kinds.
+/// `cornersOf` returns the vertices of a triangle, or none if it is not to be marked.
 std::vector<render::Marks> marksOf(
     const repair::Faults& faults,
     const std::function<std::optional<Triangle>(int triangle)>& cornersOf);

@@ -21,21 +21,21 @@
 
 namespace kerf::app {
 
-/// What would leave nothing that is wrong with a model.
+/// The repairs that would fix a model.
 struct ModelHelp {
-    int holes = 0;                     ///< so many, once filled; 0 where filling is no help
-    std::vector<std::string> repairs;  ///< what a repair would do, one phrase each; empty: no help
-    double thickness = 0;  ///< of its sheets, in the file's unit, with a repair; 0: no help
-    bool isSheet = false;  ///< see repair::isSheet(); else filling or a repair suits it better
+    int holes = 0;                     ///< number to fill; 0 if that does not help
+    std::vector<std::string> repairs;  ///< what a repair would do; empty if it does not help
+    double thickness = 0;              ///< of its sheets, in the file's unit; 0 if it does not help
+    bool isSheet = false;  ///< see repair::isSheet(); else filling or a repair is better
 };
 
-/// A model whose triangles could be read but not be cut.
+/// A model that could be read but can't be cut.
 class ModelFault : public InputError {
   public:
     explicit ModelFault(const std::string& sentence, ModelHelp help = {})
         : InputError(sentence), help_(std::move(help)) {}
     const ModelHelp& help() const { return help_; }
-    /// The model and what is wrong with it where; null unless ReadOptions::findFaults.
+    /// The model and its faults; null unless ReadOptions::findFaults.
     const std::shared_ptr<const FoundFaults>& found() const { return found_; }
     void setFound(std::shared_ptr<const FoundFaults> found) { found_ = std::move(found); }
 
@@ -44,7 +44,7 @@ class ModelFault : public InputError {
     std::shared_ptr<const FoundFaults> found_;
 };
 
-/// A model as it is cut, and what it keeps of its looks.
+/// A model to cut, with its looks.
 struct ModelMesh {
     // NOLINTNEXTLINE(google-explicit-constructor): a mesh is a model without looks of its own
     ModelMesh(SurfaceMesh surface, OwnLooks own = {})
@@ -52,11 +52,11 @@ struct ModelMesh {
 
     SurfaceMesh mesh;
     OwnLooks looks;
-    std::vector<std::string> remarks;        ///< sentences about what was left out of them
-    std::vector<PlacedModel> placed = {{}};  ///< what the mesh consists of
+    std::vector<std::string> remarks;        ///< sentences about skipped looks
+    std::vector<PlacedModel> placed = {{}};  ///< the models of the mesh
     FileFacts facts{};
-    Vec3 origin = Vec3::Zero();  ///< the point of the scene from which places are counted [m]
-    /// What is poor about its triangles though it can be cut, by slot; empty unless
+    Vec3 origin = Vec3::Zero();  ///< the origin of positions in the scene [m]
+    /// Faults of its triangles, by slot, though it can be cut; empty unless
     /// ReadOptions::findFaults.
     repair::Faults faults;
 };
@@ -65,12 +65,12 @@ struct ImportLimits;
 struct ImportedModel;
 struct ReadOptions;
 
-/// Tells whether the file's name ends like that of a model that importModel() reads.
+/// Whether importModel() reads files with this extension.
 bool isModelFile(const std::filesystem::path& file);
 
 /// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE,
 /// FBX) in a child process with limits, and welds each of its objects: see weldObjects(). Throws
-/// InputError, and WorkCancelled where `progress` was cancelled, as all functions that take one.
+/// InputError, and WorkCancelled if `progress` was cancelled, like all functions that take one.
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
                          WorkProgress* progress = nullptr);
@@ -81,43 +81,43 @@ ImportedModel importWithLooks(const std::filesystem::path& file, const ReadOptio
 /// The model in an answer of the child process, welded. Throws InputError with what is wrong,
 /// without the file's name.
 ImportedModel modelOfAnswer(std::string_view answer);
-/// importModel, then refuses with the sentence of the report what cannot be cut.
-/// An inside-out model is turned; that is named in report->repairs. The report is filled for a
-/// refused model as well.
+/// importModel(), then refuses a model that can't be cut, with the sentence of the report. An
+/// inside-out model is reversed, which is listed in report->repairs. The report is set for a
+/// refused model, too.
 SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 /// Options for reading a model.
 struct ReadOptions : Mending {
-    int object = 0;           ///< the number of the only object that is read, from 1; 0: all
-    bool findFaults = false;  ///< to tell what is wrong where: ModelMesh::faults, ModelFault::found
-    bool tryFilling = false;  ///< to tell in a ModelFault whether filling holes would help
-    /// To tell in a ModelFault what a repair would do where filling is not tried or no help, and
-    /// which thickness helps, up to findCrossingsUpTo. It is done for that, as mendModel() does it.
+    int object = 0;           ///< the number of the only object to read, from 1; 0: all
+    bool findFaults = false;  ///< sets ModelMesh::faults, ModelFault::found
+    bool tryFilling = false;  ///< a ModelFault says whether filling holes would help
+    /// A ModelFault says what a repair would do if filling is not tried or does not help, and which
+    /// thickness helps, up to findCrossingsUpTo. It is tried for that, as in mendModel().
     bool tryRepair = false;
-    /// In models of so many triangles at most, those that pass through others are counted.
+    /// Intersecting triangles are counted in models of at most this many triangles.
     std::size_t findCrossingsUpTo = 0;
-    /// The model is read to be cut with these means: of one that is beyond them nothing is taken.
+    /// The memory for cutting the model: one that exceeds it is not read.
     std::optional<MemoryMeans> means = std::nullopt;
-    MeshReport* report = nullptr;  ///< filled for a refused model as well
-    FileFacts* facts = nullptr;    ///< as well
+    MeshReport* report = nullptr;  ///< set for a refused model, too
+    FileFacts* facts = nullptr;    ///< the same
     WorkProgress* progress = nullptr;
 };
-/// loadModel() with the looks that the model has, pictures decoded. A picture that can't be shown
-/// is left out, with a remark. Throws ModelFault where a model can't be cut, MemoryShortage.
+/// loadModel() with the model's looks, images decoded. An image that can't be shown is skipped,
+/// with a remark. Throws ModelFault if a model can't be cut, MemoryShortage.
 ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
 
-/// What readModel() makes of what importWithLooks() has read of `file`.
+/// readModel() from the result of importWithLooks() for `file`.
 ModelMesh surfaceOf(const std::filesystem::path& file, ImportedModel model,
                     const ReadOptions& options);
 
-/// A model file as a mending leaves it.
+/// A repaired model file.
 struct MendedModel {
     ModelMesh model;
-    MeshReport report;  ///< of the model as it is now, with what was done
+    MeshReport report;  ///< of the repaired model, with the repairs
 };
-/// Reads a model, repairs it, thickens it where asked (0: as proposed), remeshes it
-/// where asked (no edge: proposedEdge()) and rounds it to floats, as files hold it. Throws
-/// ModelFault where it can't be cut even then.
+/// Reads a model, repairs it, optionally thickens it (0: as proposed) and remeshes it (no edge:
+/// proposedEdge()), and rounds it to floats, as in files. Throws ModelFault if it can't be cut even
+/// then.
 MendedModel mendModel(const std::filesystem::path& file, const Mending& mending);
 
 }  // namespace kerf::app

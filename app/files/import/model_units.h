@@ -10,40 +10,40 @@
 
 namespace kerf::app {
 
-/// What a file itself says of its numbers.
+/// The units stated by a file.
 struct FileUnits {
     LengthUnit unit = LengthUnit::metre;
     UpAxis up = UpAxis::y;
 };
 
-/// What a model file says besides its surface.
+/// The contents of a model file besides its surface.
 struct FileFacts {
-    std::vector<std::string> objects{};  ///< names of those that don't hang together, in its order
-    std::optional<FileUnits> units{};    ///< none where it says nothing of them
+    std::vector<std::string> objects{};  ///< names of the disconnected ones, in its order
+    std::optional<FileUnits> units{};    ///< none if not stated
 };
 
-/// What the numbers of a model file mean, as far as can be told.
+/// The likely meaning of the numbers of a model file.
 struct UnitGuess {
     LengthUnit unit = LengthUnit::metre;
     UpAxis up = UpAxis::y;
     bool certain = false;  ///< the file or its format says so
-    std::string sentence;  ///< what was taken, and why: for people
+    std::string sentence;  ///< the choice and its reason, for people
 };
 
-/// What the file says, if it says something; else guesses by its format and by the size of the
-/// model, where `own` are the bounds of its numbers. Of the units that the format is used with, the
-/// first that makes the model neither tiny nor huge.
+/// The units stated by the file; else a guess by its format and by the size of the model, where
+/// `own` are the bounds of its numbers: of the format's usual units the first that makes the model
+/// neither tiny nor huge.
 UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own,
                      const std::optional<FileUnits>& said);
 
-/// Where points of a model lie in the scene [m].
+/// The bounds of a model in the scene [m].
 Bounds placedBounds(std::span<const Vec3> own, const Placement& placement);
 
-/// The placement of an opened model, whose points in its own numbers are `own`: unit and axis as
-/// guessed, over the origin of the scene. Nothing of its shape or size is changed.
+/// The placement of an opened model with the points `own`: unit and axis as guessed, over the
+/// origin of the scene, with its shape and size.
 Placement standing(const UnitGuess& guess, std::span<const Vec3> own);
-/// The placement, moved so that the model stands over `ground` [m], a point of the floor: its
-/// middle over that, its lowest point a fiftieth of its diagonal above.
+/// The placement, moved so that the model's middle is over `ground` [m], a point of the floor, and
+/// its lowest point a fiftieth of its diagonal above.
 Placement standing(Placement placement, std::span<const Vec3> own, const Vec3& ground);
 
 }  // namespace kerf::app

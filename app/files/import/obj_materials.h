@@ -12,10 +12,10 @@ namespace kerf::app {
 struct ObjMaterial {
     render::Material material;  ///< without its image
     std::string image;          ///< the name of its file; "" for none
-    std::string leftOut;        ///< what is said of the image and not read, as "-s"; "" for nothing
+    std::string leftOut;        ///< an unsupported option of the image, such as "-s"; "" for none
 };
 
-/// Reads the text of an .mtl file. Throws InputError for what is no number.
+/// Reads the text of an .mtl file. Throws InputError for invalid numbers.
 std::vector<ObjMaterial> readObjMaterials(std::string_view text);
 
 }  // namespace kerf::app

@@ -7,7 +7,7 @@
 
 namespace kerf::app {
 
-/// The looks that a model brings along.
+/// The model's own looks.
 struct OwnLooks {
     SkinAttributes skin;                                             ///< by triangle slot
     std::shared_ptr<const render::Appearance> appearance = nullptr;  ///< none: no materials

@@ -8,21 +8,20 @@
 
 namespace kerf::app {
 
-/// What became of pieces that cross.
+/// The result of uniting intersecting pieces.
 struct ShellUnion {
     std::vector<std::string> done;  ///< "united 2 pieces that crossed", a phrase for each group
-    std::vector<std::string> left;  ///< what is left as it is and why, a sentence each
+    std::vector<std::string> left;  ///< what is unchanged and why, a sentence each
 };
 
-/// Makes one surface of each group of pieces that cross each other: the boundary of all points that
-/// lie in any of them. Lines of crossing are found with exact numbers and then rounded. What
-/// crosses nothing else, and what can't be united, stays bit for bit. Colours, texture coordinates
-/// and materials stay where they are. The soup must be one that can be cut. Runs the program
-/// `kerf-unite`, within limits of time and memory; without it all is left. O(n log n). Throws
-/// WorkCancelled.
+/// Makes one surface of each group of intersecting pieces: the boundary of their union.
+/// Intersections are computed exactly and then rounded. Pieces without intersections, and those
+/// that can't be united, stay bit for bit. Colours, texture coordinates and materials stay in
+/// place. The soup must be one that can be cut. Runs the program `kerf-unite`, within limits of
+/// time and memory; without it nothing changes. O(n log n). Throws WorkCancelled.
 ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress = nullptr);
 
-/// What uniteCrossingPieces() would do: a clause for each group of pieces that cross.
+/// What uniteCrossingPieces() would do: a clause for each group of intersecting pieces.
 std::vector<std::string> unionsToMake(const TriangleSoup& welded);
 
 }  // namespace kerf::app

@@ -7,7 +7,7 @@ namespace kerf::app {
 
 /// Bytes as letters, four for three, padded by '=' (RFC 4648).
 std::string base64(std::string_view bytes);
-/// The bytes that such letters stand for; blanks between them don't count. Throws InputError.
+/// Decodes such letters; ignores blanks. Throws InputError.
 std::string bytesOfBase64(std::string_view text);
 
 }  // namespace kerf::app

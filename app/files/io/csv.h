@@ -11,12 +11,12 @@ namespace kerf::app {
 /// A table of comma-separated values as Kerf writes them: a header, then a row per line, no quotes.
 class CsvTable {
   public:
-    /// Reads a file of at most `limit` bytes. Throws InputError where it can't be read, has no
-    /// header, or a row has another number of cells, as all functions here, naming file and line.
+    /// Reads a file of at most `limit` bytes. Throws InputError if it can't be read, has no header,
+    /// or a row has another number of cells, naming file and line, like all functions here.
     CsvTable(const std::filesystem::path& file, std::uintmax_t limit);
 
     std::size_t rows() const { return rows_.size(); }
-    /// Number of a column; nothing where there is none of that name.
+    /// Number of a column; nothing if there is none of that name.
     std::optional<std::size_t> find(std::string_view column) const;
     /// Number of a column that must be there.
     std::size_t require(std::string_view column) const;

@@ -13,20 +13,20 @@ class Descriptor {
     Descriptor& operator=(const Descriptor&) = delete;
     /// Its number; -1 once closed.
     int get() const { return number_; }
-    /// Whether all that was written reached the system; true for one that is closed already.
+    /// Whether all written data reached the system; true if closed already.
     bool close();
 
   private:
     int number_;
 };
 
-/// Gives the numbers 0, 1 and 2 to files that can't be used where a program starts without them:
-/// else the next file that it opens would get one, and with it what is meant for people.
+/// Opens unusable files as 0, 1 and 2 if a program starts without them: otherwise the next opened
+/// file would get one, and with it standard output or error.
 void holdStandardStreams();
 
-/// A pipe to a child. Neither end outlives an exec, unless it is copied.
+/// A pipe to a child. Both ends are closed on exec, unless duplicated.
 struct Pipe {
-    /// Throws OutputError where there are too many open files.
+    /// Throws OutputError if there are too many open files.
     static std::array<int, 2> open();
     explicit Pipe(std::array<int, 2> ends = open()) : read(ends[0]), write(ends[1]) {}
     Descriptor read;

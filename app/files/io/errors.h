@@ -21,8 +21,8 @@ class OutputError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Something needs more memory than there is: what() is one sentence with how much, how much there
-/// is, and what to do. Nothing was taken. Exit code 5.
+/// Something needs more memory than available: what() is one sentence with both amounts and what to
+/// do. Nothing was allocated. Exit code 5.
 class MemoryShortage : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -10,37 +10,35 @@
 
 namespace kerf::app {
 
-/// Why no file can have this path, which stands in a file of somebody else: a sentence; "" where
-/// one can.
+/// Why a path from a foreign file is invalid: a sentence; "" if valid.
 std::string problemWithPath(std::string_view path);
-/// A path as a sentence names it: where it is long, as files of others may make it, its beginning
-/// and its end.
+/// A path for messages: of long ones, as foreign files may have, its beginning and its end.
 std::string shownPath(const std::filesystem::path& path);
-/// Whether a name that stands in a file means a file inside of a folder, by its letters alone: not
-/// absolute, without a way out, and not the folder itself. Links are for OutputFolder to see.
+/// Whether a name from a file is inside a folder, by its text: not absolute, not leading out, and
+/// not the folder itself. OutputFolder checks links.
 bool isNameInside(std::string_view name);
 
-/// Whether what is there under this path, links followed, lies in a folder or below it. Of what is
-/// not there yet the folders on its way count. `folder` must be canonical.
+/// Whether this path, links followed, is in a folder or below it. For missing files their existing
+/// folders count. `folder` must be canonical.
 bool leadsInside(const std::filesystem::path& folder, const std::filesystem::path& path);
 
-/// The bytes of a regular file. Throws InputError where it is missing, no regular file, not
-/// readable or larger than `limit` bytes.
+/// The bytes of a regular file. Throws InputError if it is missing, not regular, not readable or
+/// larger than `limit` bytes.
 std::string readInputFile(const std::filesystem::path& file, std::uintmax_t limit);
 
-/// A file that appears under its name only once it is complete: what is written goes into a hidden
-/// file of the same folder, which commit() renames. Without commit() nothing is left. A link that
-/// leads somewhere is followed; a device or a pipe is refused.
+/// A file that appears under its name only once it is complete: data goes into a hidden file of the
+/// same folder, which commit() renames. Without commit() nothing is left. Valid links are followed;
+/// devices and pipes are refused.
 class AtomicFile {
   public:
-    /// Throws OutputError, as all functions here.
+    /// Throws OutputError, like all functions here.
     explicit AtomicFile(const std::filesystem::path& file);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     void write(std::string_view bytes);
-    /// The bytes of a file of ours, of any size.
+    /// Writes the bytes of one of Kerf's files, of any size.
     void writeAllOf(const std::filesystem::path& file);
     void commit();
 
@@ -54,7 +52,7 @@ class AtomicFile {
     bool committed_ = false;
 };
 
-/// Whether a file is the hidden one of an AtomicFile of this name, by its letters alone.
+/// Whether a file is the hidden one of an AtomicFile of this name, by its name.
 bool isUnfinished(std::string_view hidden, std::string_view name);
 
 /// AtomicFile in one call.

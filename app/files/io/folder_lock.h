@@ -6,12 +6,12 @@
 
 namespace kerf::app {
 
-/// Holds a folder, so that of several programs of Kerf on one machine only one at a time writes its
-/// results there. The system lets go of it when its holder ends, however that ends; children don't
-/// inherit it, and nothing lies in the folder. Where the file system has no locks it holds nothing.
+/// A lock on a folder, so that only one of several programs of Kerf on a machine writes there at a
+/// time. The system releases it when its holder ends; children don't inherit it, and no file is
+/// made. On file systems without locks it does nothing.
 class FolderLock {
   public:
-    /// Throws OutputError where another one holds the folder, which must be there.
+    /// Throws OutputError if another one holds the folder, which must exist.
     explicit FolderLock(const std::filesystem::path& folder);
 
   private:

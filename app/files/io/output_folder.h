@@ -7,28 +7,28 @@
 
 namespace kerf::app {
 
-/// The folder that a run writes its results into, and what it wrote. Nothing is written or removed
-/// outside it, whatever names and links say.
+/// The output folder of a run, and the files written. Nothing is written or removed outside it,
+/// whatever the names and links.
 class OutputFolder {
   public:
-    /// Makes the folder where it is missing. Throws OutputError, as all functions here.
+    /// Makes the folder if missing. Throws OutputError, like all functions here.
     explicit OutputFolder(const std::filesystem::path& folder);
     /// Removes the folders that were made here and are still empty.
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Path of the file `name`, whose own folder is made. Throws also where the name or a link
-    /// leads outside.
+    /// Path of the file `name`, whose folder is made. Throws also if the name or a link leads
+    /// outside.
     std::filesystem::path pathOf(const std::string& name);
-    /// Removes what a run that was broken off has left of the file `name`: nobody else may be
-    /// writing it.
+    /// Removes what an interrupted run has left of the file `name`, which nobody else may be
+    /// writing.
     void removeUnfinished(const std::string& name) const;
     /// Removes an earlier result, if there is one; of a link, the link.
     void remove(const std::string& name) const;
     /// Writes a whole file; it appears complete or not at all.
     void write(const std::string& name, std::string_view bytes);
-    /// Takes note of a file that others wrote at its pathOf().
+    /// Records a file that others wrote at its pathOf().
     void noteWritten(const std::string& name) { written_.push_back(name); }
     /// Names of the files in the order of writing.
     const std::vector<std::string>& written() const { return written_; }

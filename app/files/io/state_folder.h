@@ -7,8 +7,8 @@ namespace kerf::app {
 /// Kerf's folder in one of the XDG base directories: that of `variable`, where it is an absolute
 /// path, else `usual` in the home folder; empty where there is no home.
 std::filesystem::path baseFolder(const char* variable, const char* usual);
-/// What Kerf keeps between two starts that is no setting: $XDG_STATE_HOME/kerf, by default in
-/// ~/.local/state; empty where there is no home.
+/// The folder of Kerf's state: $XDG_STATE_HOME/kerf, by default in ~/.local/state; empty without a
+/// home.
 std::filesystem::path stateFolder();
 
 }  // namespace kerf::app

@@ -14,24 +14,24 @@ namespace kerf::app {
 /// all calls happen again.
 void setFileFault(std::function<int()> fault);
 
-/// A file that is being written. All files that Kerf writes go through the calls of this class.
+/// A file that is being written. Kerf writes all files through this class.
 class SystemFile {
   public:
-    /// Opens `file` to be written, with `flags` of open(2) and the rights `mode`; what fails is
-    /// told of `told`. Throws OutputError, as all functions here.
+    /// Opens `file` for writing, with `flags` of open(2) and permissions `mode`; errors name
+    /// `told`. Throws OutputError, like all functions here.
     SystemFile(const std::filesystem::path& file, int flags, unsigned mode,
                std::filesystem::path told);
 
-    /// All of the bytes, or it throws.
+    /// Writes all bytes, or throws.
     void write(std::string_view bytes);
     /// Waits until all that was written is on the disk.
     void sync();
-    /// The same, but for times and the like, which nobody needs to read the content.
+    /// The same without metadata that reading does not need, such as times.
     void syncContent();
     void close();
-    /// Gives the file of this name another one, in place of what is there.
+    /// Renames a file, replacing what is there.
     void rename(const std::filesystem::path& from, const std::filesystem::path& to);
-    /// Whether no other process has it; it is ours then until it is closed.
+    /// Locks it until it is closed; false if another process has the lock.
     bool lock() { return lockFile(descriptor_.get()); }
 
     /// Takes the lock of an open file, unless another process, or another opening, has it.
@@ -44,8 +44,8 @@ class SystemFile {
     Descriptor descriptor_;
 };
 
-/// Lets the names of a folder's files reach the disk. What fails is passed over: not all file
-/// systems can do it, and the files are whole.
+/// Syncs the names of a folder's files to disk. Failures are ignored: not all file systems support
+/// it, and the files are complete.
 void syncFolder(const std::filesystem::path& folder);
 
 }  // namespace kerf::app

@@ -5,10 +5,10 @@
 
 namespace kerf::app {
 
-/// An empty folder of its own, gone with everything in it at the end of the scope.
+/// A new temporary folder, removed with its content at the end of the scope.
 class TemporaryFolder {
   public:
-    /// Its name begins with `name`. Throws OutputError where none can be made.
+    /// Its name begins with `name`. Throws OutputError if none can be made.
     explicit TemporaryFolder(const std::string& name);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;

@@ -12,17 +12,17 @@
 
 namespace kerf::app {
 
-/// The work of the thread that calls it gives way to that of others from now on.
+/// Lowers the priority of the calling thread.
 void lowerThreadPriority();
 
-/// A piece of work on a thread of its own that ends with a Result or throws.
+/// Work on a separate thread that returns a Result or throws.
 template <class Result>
 class BackgroundJob {
   public:
     using Work = std::function<Result(WorkProgress&)>;
 
     explicit BackgroundJob(Work work) : work_(std::move(work)), thread_([this] { run(); }) {}
-    /// Asks the work to stop and waits until it has.
+    /// Cancels the work and waits for its end.
     ~BackgroundJob() {
         progress_.cancel();
         wait();
@@ -31,7 +31,7 @@ class BackgroundJob {
     BackgroundJob& operator=(const BackgroundJob&) = delete;
 
     bool done() const { return done_; }
-    /// Once it is done, and once only. Throws what the work threw.
+    /// Takes the result once it is done, only once. Throws what the work threw.
     Result take() {
         if (error_) {
             std::rethrow_exception(error_);
@@ -40,13 +40,13 @@ class BackgroundJob {
     }
     std::string stage() const { return progress_.stage(); }
     double seconds() const { return watch_.seconds(); }
-    /// Until it is done.
+    /// Waits until it is done.
     void wait() {
         if (thread_.joinable()) {
             thread_.join();
         }
     }
-    /// The work ends soon with WorkCancelled.
+    /// Makes the work end soon with WorkCancelled.
     void cancel() { progress_.cancel(); }
 
   private:

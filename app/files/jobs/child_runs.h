@@ -11,7 +11,7 @@ namespace kerf::app {
 
 /// How a child of this program ended.
 struct ChildEnd {
-    int exitCode = -1;  ///< -1 where a signal ended it
+    int exitCode = -1;  ///< -1 if a signal ended it
     int signal = 0;     ///< that signal, else 0
 };
 /// Waits for the child of that number to end.
@@ -24,26 +24,26 @@ struct ChildOutcome : ChildEnd {
 };
 
 /// Runs this program once for each of `runs`, which are its arguments, at most `jobs` at a time.
-/// Tells `done` the number of a run and its end, one at a time, in the order in which they end.
-/// Children read nothing, their standard output is dropped, and they end with this process. Where
-/// somebody asks this program to stop (Interruption), no further ones are started. Throws
-/// OutputError where a child can't be started, and what `done` throws, after the others have ended.
+/// Calls `done` with the number of a run and its end, one at a time, in the order of ending.
+/// Children read nothing, their standard output is dropped, and they end with this process. After a
+/// request to stop (Interruption) no further ones are started. Throws OutputError if a child can't
+/// be started, and what `done` throws, after the others have ended.
 void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
                  const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
 
-/// Runs this program once and tells `lines` after each of its lines on standard output how many
-/// there were. Throws WorkCancelled soon after `progress` was cancelled, when the child is gone,
-/// and OutputError where it can't be started.
+/// Runs this program once and calls `lines` after each of its lines on standard output with their
+/// number. Throws WorkCancelled soon after `progress` was cancelled, once the child has ended, and
+/// OutputError if it can't be started.
 ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
                       const std::function<void(int count)>& lines);
 
-/// A path as an argument, which none takes for an option.
+/// A path as an argument that can't be taken for an option.
 std::string asArgument(const std::filesystem::path& path);
 
-/// The last line that a child said, without the program's name before it; "" where it said nothing.
+/// The last line of a child's log, without the program's name; "" for none.
 std::string lastWords(const ChildOutcome& outcome);
 
-/// What became of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
+/// The end of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
 std::string sentenceAbout(const ChildOutcome& outcome);
 /// The same, without the name of the temporary folder that the child worked in.
 std::string sentenceAbout(const ChildOutcome& outcome, const std::filesystem::path& folder);

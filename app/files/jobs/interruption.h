@@ -4,8 +4,8 @@
 
 namespace kerf::app {
 
-/// While it lives, Ctrl+C (SIGINT) and SIGTERM don't end this program but ask it to stop, so that
-/// it can tell and keep what was done. One at a time.
+/// During its lifetime Ctrl+C (SIGINT) and SIGTERM don't end this program but request a stop, so
+/// that it can report and keep what was done. One at a time.
 class Interruption {
   public:
     Interruption();
@@ -13,7 +13,7 @@ class Interruption {
     Interruption(const Interruption&) = delete;
     Interruption& operator=(const Interruption&) = delete;
 
-    /// Whether somebody asked to stop since it was made.
+    /// Whether a stop was requested since it was made.
     static bool requested();
 
   private:

@@ -5,14 +5,13 @@
 
 namespace kerf::app {
 
-/// Says that this program has the verb `import-worker`, whatever its name; tests don't.
+/// Declares that this program has the verb `import-worker`; tests don't.
 void readModelsWithThisProgram();
-/// The program that has the verb `import-worker`: $KERF_EXECUTABLE where set, else this program
-/// where it said so, else kerf in gpu::programFolder().
+/// The program with the verb `import-worker`: $KERF_EXECUTABLE if set, else this program if
+/// declared so, else kerf in gpu::programFolder().
 std::filesystem::path importProgram();
 
-/// The program of that name that Kerf starts: in libexec/kerf where Kerf is installed, else in
-/// gpu::programFolder().
+/// A helper program of Kerf: in libexec/kerf of an installation, else in gpu::programFolder().
 std::filesystem::path programBeside(const std::string& name);
 
 }  // namespace kerf::app

@@ -5,11 +5,11 @@
 
 namespace kerf::app {
 
-/// A line on the terminal that is written over and gone at the end; nothing where standard error
-/// is no terminal.
+/// A line on the terminal that is overwritten and removed at the end; nothing if standard error is
+/// no terminal.
 class ProgressLine {
   public:
-    /// Makes a line with `what` in front: "sphere20: ".
+    /// Makes a line with the prefix `what`: "sphere20: ".
     explicit ProgressLine(std::string what = "");
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;

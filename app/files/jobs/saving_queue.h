@@ -10,13 +10,13 @@
 
 namespace kerf::app {
 
-/// Small files on their way to the disk behind the editor (pictures, plots): one after the other,
-/// in the order in which they were asked for. Nobody waits for them and nobody cancels them.
+/// A background queue of small files to write (pictures, plots), in order. Nobody waits for them or
+/// cancels them.
 class SavingQueue {
   public:
-    /// Encodes and writes on a thread of its own. Returns a sentence for the person; may throw.
+    /// Encodes and writes on a separate thread. Returns a message for the user; may throw.
     using Work = std::function<std::string()>;
-    /// The end of a saving.
+    /// The end of a save.
     struct Outcome {
         int number = 0;  ///< that add() gave it
         std::string sentence;
@@ -26,11 +26,11 @@ class SavingQueue {
     /// The end of a job that is done, under a number.
     static Outcome endOf(BackgroundJob<std::string>& job, int number);
 
-    /// Returns the number of this saving, from 1.
+    /// Returns the number of this save, from 1.
     int add(Work work);
-    /// The end of the oldest saving whose outcome was not taken yet; none before it has ended.
+    /// The end of the oldest save whose outcome was not taken yet; none before it has ended.
     std::optional<Outcome> takeOutcome();
-    /// Something is not written yet, or its outcome not taken.
+    /// Whether something is not written yet, or its outcome not taken.
     bool busy() const { return running_ != nullptr; }
     /// Waits until all is written.
     void finish();

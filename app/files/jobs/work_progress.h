@@ -6,14 +6,14 @@
 
 namespace kerf::app {
 
-/// Ends a piece of work that the person has cancelled. No error, so not a std::exception.
+/// Ends work that the user has cancelled. Not an error, so not a std::exception.
 struct WorkCancelled {};
 
-/// The progress of a long piece of work, which can also be asked to stop. For two threads: the one
-/// that works, and the one that waits.
+/// The progress of long work, which can be cancelled. For two threads: the one that works, and the
+/// one that waits.
 class WorkProgress {
   public:
-    /// Names what comes next ("Reading the file"). Throws WorkCancelled once cancel() was called.
+    /// Enters a stage ("Reading the file"). Throws WorkCancelled once cancel() was called.
     void enter(std::string stage);
     bool cancelled() const { return cancelled_; }
 
@@ -26,7 +26,7 @@ class WorkProgress {
     std::string stage_;
 };
 
-/// Enters a stage of the work, unless nobody watches: `progress` is null then.
+/// Enters a stage of the work, if `progress` is not null.
 inline void enter(WorkProgress* progress, std::string stage) {
     if (progress != nullptr) {
         progress->enter(std::move(stage));

@@ -11,22 +11,21 @@
 
 namespace kerf::app {
 
-/// An uncut body with a model put elsewhere, and all that takes long of that and needs no OpenGL.
+/// An uncut body with a new placement of a model, with all expensive parts that need no OpenGL.
 struct PlacedBody {
     std::shared_ptr<const UncutBody> body;
     render::DepthField depth;  ///< below the skin of the body at rest
 };
 
-/// A placement of a model on its way: prepared on a thread of its own, while the scene goes on as
-/// it is.
+/// A placement of a model, prepared on a separate thread while the scene continues.
 class BodyPlacing {
   public:
-    /// Begins to prepare what `place` will make of the body of the simulation.
+    /// Begins to prepare the body of the simulation after `place`.
     BodyPlacing(const Simulation& simulation, const Place& place);
 
     const Place& command() const { return place_; }
     bool done() const { return job_.done(); }
-    /// Once it is done, and once only. Throws what the thread threw.
+    /// Takes the result once it is done, only once. Throws what the thread threw.
     PlacedBody take() { return job_.take(); }
     std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }

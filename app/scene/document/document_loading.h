@@ -14,19 +14,19 @@
 
 namespace kerf::app {
 
-/// A document with all that takes long and needs no OpenGL.
+/// A document with all expensive parts that need no OpenGL.
 struct PreparedDocument {
     Document document;
     PreparedBody body;
     render::DepthField depth;  ///< below the skin of the body at rest
 };
 
-/// On any thread. Throws WorkCancelled where `progress` was cancelled, and MemoryShortage, before
+/// On any thread. Throws WorkCancelled if `progress` was cancelled, and MemoryShortage, before
 /// anything is prepared, where `means` don't do for the document.
 PreparedDocument prepareDocument(Document document, WorkProgress* progress = nullptr,
                                  const std::optional<MemoryMeans>& means = std::nullopt);
 
-/// A document whose body is on its way to the GPU, or there.
+/// A document whose body is being uploaded, or was.
 struct UploadedDocument {
     explicit UploadedDocument(PreparedDocument prepared);
 
@@ -35,43 +35,43 @@ struct UploadedDocument {
     render::DepthField depth;
 };
 
-/// What is to be shown instead of what is open.
+/// A request to open something.
 struct OpeningOrder {
     std::string title;           ///< "Opening bunny.ply"
-    std::filesystem::path file;  ///< that is read; empty where people know of none
+    std::filesystem::path file;  ///< to be read; empty for none
     /// Reads it, on any thread.
     std::function<Document(const ReadOptions& options)> open;
-    std::function<void()> shown = nullptr;  ///< called once it is what is open; may be null
-    /// What it does to the scene that is open, "Remesh", as one change that is undone with it: that
-    /// scene is kept. Empty: it is another document.
+    std::function<void()> shown = nullptr;  ///< called once it is open; may be null
+    /// Its name as a change of the open scene, such as "Remesh", which is kept for undo. Empty: it
+    /// is another document.
     std::string change = {};
 };
-/// How the editor reads models: with what is wrong with them, as far as the search is short.
+/// The editor's options for reading models: with their faults, if the search is short.
 ReadOptions editorReading(const MemoryMeans& means);
-/// To open a model or a session.
+/// The order to open a model or a session.
 OpeningOrder orderOf(const std::filesystem::path& file);
 
-/// A document on its way into the editor: read and prepared on a thread of its own, then brought to
-/// the GPU a portion a picture. What is open goes on meanwhile.
+/// Loads a document into the editor: reads and prepares it on a separate thread, then uploads it a
+/// portion each frame. The open scene continues meanwhile.
 class DocumentLoading {
   public:
     explicit DocumentLoading(OpeningOrder order, const Mending& mending = {});
 
-    /// Once a picture, on the thread of the context. Throws InputError where the file can't be
+    /// Call it once a frame, on the thread of the context. Throws InputError if the file can't be
     /// opened, gpu::ShaderError, gpu::OutOfMemory.
     void advance();
     /// take() may be called.
     bool ready() const { return uploaded_ != nullptr && uploaded_->body.done(); }
     UploadedDocument take() { return std::move(*uploaded_); }
-    /// The thread works; until then pictures need not follow each other closely.
+    /// Whether the thread works; meanwhile frames may be rare.
     bool preparing() const { return uploaded_ == nullptr; }
 
     const OpeningOrder& order() const { return order_; }
     std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }
-    /// The thread ends soon; what it has made is lost.
+    /// Makes the thread end soon; its result is lost.
     void cancel() { job_.cancel(); }
-    /// The thread has ended, so that nobody has to wait for it.
+    /// Whether the thread has ended, so that nobody has to wait for it.
     bool done() const { return job_.done(); }
 
   private:

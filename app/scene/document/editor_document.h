@@ -16,34 +16,34 @@ namespace kerf::app {
 /// A model or session that is open in the editor: the start state, ready to be simulated.
 struct Document {
     std::string name;       ///< of the file, without folder and extension
-    Session session;        ///< a model file makes one without events
+    Session session;        ///< without events for a model file
     SurfaceMesh mesh;       ///< at rest, placed in the world [m]
     Bounds restBounds;      ///< of `mesh`
     render::Camera camera;  ///< the first view
     OwnLooks looks;         ///< of `mesh`
-    std::string note;       ///< what was done to it on the way in, one sentence; may be empty
+    std::string note;       ///< what was done on opening, one sentence; may be empty
     std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
     std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
     repair::Faults faults = {};                     ///< see ModelMesh
     std::vector<std::string> objects = {};          ///< of the file of a scene of one model
-    bool inFile = true;  ///< no work of a person is lost with it; false: no file holds this scene
+    bool inFile = true;                             ///< false: no file holds this scene
 };
 
-/// What it needs to be open in the editor and cut.
+/// The memory for opening and cutting it in the editor.
 MemoryNeed memoryNeedOf(const Document& document);
 
 /// Opens a model or a session (*.kerf.json). Throws InputError, ModelFault among them, and
-/// WorkCancelled where the progress of `options` was cancelled.
+/// WorkCancelled if the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// Opens a scene that no file holds. Throws as openDocument().
+/// Opens a scene that no file holds. Throws like openDocument().
 Document openScene(const std::string& name, Session scene, const ReadOptions& options = {});
-/// Opens a scene with the model of a file as its last, beside what there is. Throws as
-/// openDocument(), and InputError for a session.
+/// Opens a scene with the model of a file added as its last. Throws like openDocument(), and
+/// InputError for a session.
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
                        const ReadOptions& options = {});
 
-/// A scene of one model, whose file has so many objects, with a model for each.
+/// A scene of one model, whose file has `objects` objects, with a model for each.
 Session parted(Session scene, int objects);
 
 /// Opens what the editor shows without a file, assets/sessions/drop-in.kerf.json. Throws

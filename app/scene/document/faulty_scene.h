@@ -11,11 +11,11 @@
 
 namespace kerf::app {
 
-/// A model with its faults as it is drawn, whether it can be cut or not: plain grey on a floor, in
-/// metres, with coloured lines and dots where something is wrong.
+/// A drawable model with its faults, whether it can be cut or not: plain grey on a floor, in
+/// metres, with coloured lines and dots at faults.
 class FaultyScene {
   public:
-    /// `file` tells what the numbers of the model mean. Needs a current OpenGL 4.5 context. Throws
+    /// `file` determines the unit of the model. Needs a current OpenGL 4.5 context. Throws
     /// gpu::OutOfMemory.
     FaultyScene(const FoundFaults& found, const std::filesystem::path& file);
 
@@ -24,7 +24,7 @@ class FaultyScene {
     /// From the front right above; the model fills the view.
     render::Camera camera() const;
     const Bounds& bounds() const { return bounds_; }
-    /// The lines and dots with what they mean, for a legend.
+    /// The lines and dots with their meaning, for a legend.
     const std::vector<render::Marks>& marks() const { return *marks_; }
 
   private:

@@ -16,14 +16,13 @@ struct ModelFigures {
     TriangleFigures triangles;
 };
 
-/// The uncut body of a scene at rest, and what is told of it. A placement, or its undo, makes it
-/// another one.
+/// The uncut body of a scene at rest, with its figures. A placement, or its undo, replaces it.
 class RestOfBody {
   public:
     /// `simulation` is that of `document` at its start.
     RestOfBody(const Simulation& simulation, const Document& document);
 
-    /// Takes the uncut body that there is now, if it is another one.
+    /// Takes the present uncut body, if it was replaced.
     void follow(const Simulation& simulation, const Document& document);
 
     const UncutBody& uncut() const { return *uncut_; }
@@ -32,7 +31,7 @@ class RestOfBody {
     const std::vector<ModelFigures>& models() const { return models_; }
     /// The view that shows it: the first one, or one like it after a placement.
     const render::Camera& homeView() const { return homeView_; }
-    /// Grows when it became another one.
+    /// Grows when it is replaced.
     int revision() const { return revision_; }
 
   private:

@@ -9,7 +9,7 @@
 
 namespace kerf::app {
 
-/// A document and its body as it runs.
+/// A document and its running body.
 struct SceneBody {
     /// `upload` is the body of `document`. Throws gpu::OutOfMemory.
     SceneBody(Document opened, BodyUpload upload);
@@ -22,11 +22,11 @@ struct SceneBody {
     SessionRunner runner{simulation};
     std::vector<std::string> messages;  ///< for the person, besides those of the simulation
 
-    /// What was told of the uncut body is told of the one that there is now.
+    /// Updates the figures of the uncut body after a placement.
     void followPlacement() { rest.follow(simulation, document); }
-    /// The command that places a model otherwise, see EditorScene::place().
+    /// The command for a new placement of a model, see EditorScene::place().
     Place placeCommand(const Placement& wanted, bool continues, int model) const;
-    /// The models as they lie at rest, the parameters and the boxes, as a session without events.
+    /// The placed models, the parameters and the boxes, as a session without events.
     Session start() const;
     /// The edge length to propose for a model, in the unit of its file.
     double proposedEdge(int model) const;

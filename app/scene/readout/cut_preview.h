@@ -12,16 +12,16 @@
 
 namespace kerf::app {
 
-/// The places where a blade would meet the surface of a mesh on its way.
+/// The intersection of a blade's path with the surface of a mesh.
 struct CutPreview {
     std::vector<std::array<Vec3, 2>> wound;  ///< lines on the surface [m]
     std::vector<int> touched;                ///< triangles, ascending
 };
-/// The way goes from pose to pose in straight lines. `triangles`: those to look at, alive and
-/// ascending. O(triangles * poses), of boxes that meet.
+/// The path is linear from pose to pose. `triangles`: those to test, alive and ascending.
+/// O(triangles * poses), of overlapping boxes.
 CutPreview previewCut(const SurfaceMesh& mesh, std::span<const int> triangles,
                       std::span<const Blade> way);
-/// The box about all that it looks into; of at least one pose.
+/// The box that it searches; of at least one pose.
 OrientedBox boxAbout(std::span<const Blade> way);
 
 /// A point of the surface.
@@ -30,10 +30,10 @@ struct SurfacePoint {
     Vec3 position = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();  ///< outwards, smooth over the same kind of surface
 };
-/// The first one of `triangles`, alive and ascending, that a ray meets from outside. O(triangles).
+/// The first hit of a ray from outside among `triangles`, alive and ascending. O(triangles).
 std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, std::span<const int> triangles,
                                         const render::Ray& ray);
-/// A hair about the ray, as far as it can meet what lies in `bounds`.
+/// A thin box around the ray, as far as it can hit something in `bounds`.
 OrientedBox boxAbout(const render::Ray& ray, const Bounds& bounds);
 
 }  // namespace kerf::app

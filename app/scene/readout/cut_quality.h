@@ -12,16 +12,16 @@
 
 namespace kerf::app {
 
-/// The quality of the cuts of a body, as panels show it. It is measured on a thread of its own
-/// between strokes, and kept until a newer one is there.
+/// The quality of the cuts of a body for panels. It is measured on a separate thread between
+/// strokes, and kept until the next result.
 class CutQuality {
   public:
-    /// Where it is `wanted`: takes what is ready, and begins with the body as it is, unless that is
-    /// known or a stroke goes on. True where rows() or note() are others than before.
+    /// If `wanted`: takes a finished result, and begins to measure the present body, unless that is
+    /// known or a stroke is in progress. Returns whether rows() or note() have changed.
     bool follow(Simulation& simulation, bool wanted);
-    /// Figures of all cuts and of the last stroke; empty where none is known.
+    /// Figures of all cuts and of the last stroke; empty if none is known.
     const std::vector<ui::CutRow>& rows() const { return rows_; }
-    /// What is to be said of the rows, or why there are none; empty where they are those of now.
+    /// A note on outdated or missing rows; empty if they are up to date.
     const std::string& note() const { return note_; }
     bool working() const { return job_ != nullptr; }
 
@@ -32,7 +32,7 @@ class CutQuality {
     void takeReady();
     std::string noteOf(const Simulation& simulation) const;
 
-    int known_ = -1;    ///< revision of the body's model that the rows are of
+    int known_ = -1;    ///< revision of the body's model in the rows
     int working_ = -1;  ///< of what job_ measures
     std::vector<ui::CutRow> rows_;
     std::string note_;

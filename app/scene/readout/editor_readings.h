@@ -10,26 +10,26 @@
 
 namespace kerf::app {
 
-/// Tells when a piece meets the floor after it was clear of it.
+/// Detects pieces that hit the floor.
 class ImpactWatch {
   public:
-    /// True in the step in which a piece comes down. `boxes`: around the pieces, `size`: of the
-    /// body [m].
+    /// Whether a piece hits the floor in this step. `boxes`: around the pieces, `size`: of the body
+    /// [m].
     bool see(const std::vector<Bounds>& boxes, std::optional<double> floor, double size);
 
   private:
     std::vector<bool> clear_;  ///< of the floor, by piece
 };
 
-/// All that the plots and the stage table remember of a run since its start, by its time [s].
+/// The data of the plots and the stage table of a run since its start, by its time [s].
 class EditorReadings {
   public:
     void clear() { *this = EditorReadings{}; }
     /// Takes the values of a step that ended at `time`.
     void addStep(double time, const Simulation& simulation);
-    /// Takes the values of the state that undo or redo jumped to.
+    /// Takes the values of the state after undo or redo.
     void addJump(double time, const Simulation& simulation);
-    /// Takes the times of a picture that came `elapsedSeconds` after the one before.
+    /// Takes the times of a frame, `elapsedSeconds` after the previous one.
     void addPicture(double time, double elapsedSeconds, double renderMs);
     void mark(double time, std::string label) {
         history_.marks.push_back({time, std::move(label)});
@@ -37,7 +37,7 @@ class EditorReadings {
     void forgetAfter(double time);
 
     const ui::History& history() const { return history_; }
-    /// Mean frame rate and volume; none before the first step and the first picture.
+    /// Mean frame rate and volume; none before the first step and the first frame.
     std::optional<ui::RunFigures> figures() const;
 
   private:

@@ -7,18 +7,17 @@
 
 namespace kerf::app {
 
-/// The pieces of a body as the panels list them: volumes now and then, areas and middles where they
-/// are asked for.
+/// The pieces of a body for the panels: volumes from time to time, areas and centres on request.
 class PieceTable {
   public:
     const std::vector<ui::PieceRow>& rows() const { return rows_; }
-    /// Measures the volumes anew.
+    /// Measures the volumes again.
     void refresh(const Simulation& simulation);
-    /// Measures them anew where the body was cut since, or time has passed. `playing`: time runs.
+    /// Measures them again if the body was cut, or after a while. `playing`: time runs.
     void follow(const Simulation& simulation, bool playing);
-    /// Adds up areas and middles, too.
+    /// Also computes areas and centres.
     void addUp(Simulation& simulation);
-    /// Whether these are those of the body as it is.
+    /// Whether these are up to date.
     bool isAddedUp(const Simulation& simulation) const {
         return sumsRevision_ == simulation.bodyRevision();
     }

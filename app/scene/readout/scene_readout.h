@@ -17,10 +17,10 @@
 
 namespace kerf::app {
 
-/// The pictures, exports, checks, strokes and changes of a journal, as the time line shows them.
+/// The pictures, exports, checks, strokes and changes of a journal, for the timeline.
 class MarkTable {
   public:
-    /// Lists them anew where the journal has changed.
+    /// Updates them if the journal has changed.
     void follow(const SessionJournal& journal);
     const std::vector<ui::SessionMark>& marks() const { return marks_; }
     const std::vector<ui::SessionMark>& course() const { return course_; }
@@ -31,32 +31,31 @@ class MarkTable {
     std::size_t entries_ = 0;  ///< its length then
 };
 
-/// What is seen of a scene and told of it: it changes nothing.
+/// The view and the figures of a scene; it changes nothing.
 class SceneReadout {
   public:
     /// Both must outlive it.
     SceneReadout(SceneBody& body, const SceneTimeline& timeline)
         : body_(body), timeline_(timeline) {}
 
-    /// What is under the pointer and before the blade.
+    /// The surface under the pointer and ahead of the blade.
     SurfaceLook& look() { return look_; }
 
-    /// Lets the thickness of the body be worked out where it is `wanted` and the body `rests`. True
-    /// where it is another than in the last view().
+    /// Computes the thickness of the body if `wanted` and the body `rests`. Returns whether it has
+    /// changed since the last view().
     bool followThickness(bool wanted, bool rests) {
         return thickness_.follow(body_.simulation, wanted, rests);
     }
     const ThicknessMap& thickness() const { return thickness_; }
-    /// Lets the quality of the cuts be measured where it is `wanted`, between strokes. True where
-    /// the panels have something else to show.
+    /// Measures the quality of the cuts if `wanted`, between strokes. Returns whether the panels
+    /// must be updated.
     bool followCuts(bool wanted) { return cuts_.follow(body_.simulation, wanted); }
     const CutQuality& cuts() const { return cuts_; }
-    /// Adds up areas and middles of the pieces where they are `wanted`. True where they are other
-    /// ones than before.
+    /// Computes areas and centres of the pieces if `wanted`. Returns whether they have changed.
     bool followPieceSums(bool wanted);
     /// The pieces as they are now, with their sums.
     const std::vector<ui::PieceRow>& measurePieces();
-    /// The document's faults as marks on the body as it is, as far as the triangles are whole.
+    /// The document's faults as marks on the present body, where its triangles are undivided.
     const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
     const EditorReadings& readings() const { return readings_; }
 
@@ -65,16 +64,16 @@ class SceneReadout {
     /// Fills in what the panels show of it.
     void describe(ui::PanelModel& model);
 
-    /// Forgets what was read so far: the panels count from the present.
+    /// Drops the readings so far: the panels count from the present.
     void startAnew();
-    /// Takes the values of a step that has ended, and tells where a piece lost its volume.
+    /// Takes the values of a finished step, and reports pieces that lost their volume.
     void addStep(const StepReport& report, int piecesBefore);
-    /// Takes the values of the state that a command jumped to, with its name in the plots.
+    /// Takes the values of the state after a command, with its name in the plots.
     void addJump(const char* name);
-    /// Goes back with the body to the present, which may count from another start.
+    /// Follows a jump of the body to another time, which may count from another start.
     void goBack(bool countsAnew);
-    /// Notes a picture while time runs: how long after the one before it came [s], and how long it
-    /// took to draw [ms].
+    /// Records a frame while time runs: the time since the previous one [s], and its drawing time
+    /// [ms].
     void addPicture(double elapsedSeconds, double renderMs);
 
   private:

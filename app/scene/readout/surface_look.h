@@ -11,14 +11,13 @@ class Simulation;
 
 namespace kerf::app {
 
-/// Looks at the surface of a body for what is under the pointer and before the blade, and remembers
-/// the last answers: nothing is read back from the GPU nor searched again while neither the body
-/// nor the question has changed.
+/// Searches the surface of a body under the pointer and ahead of the blade, and caches the last
+/// results: nothing is read back from the GPU or searched again while body and query are unchanged.
 class SurfaceLook {
   public:
-    /// Finds the point at which a ray meets the body, as pickSurface().
+    /// Finds the point at which a ray hits the body, like pickSurface().
     std::optional<SurfacePoint> pick(Simulation& simulation, const render::Ray& ray);
-    /// Finds where a blade would meet the body on its way, as previewCut().
+    /// Finds where a blade would cut the body on its path, like previewCut().
     const CutPreview& preview(Simulation& simulation, const std::vector<Blade>& way);
 
     /// Number of searches through the triangles so far, for tests.

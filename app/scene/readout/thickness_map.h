@@ -10,16 +10,16 @@
 
 namespace kerf::app {
 
-/// The thickness of a body at each vertex. It is worked out on a thread of its own while the body
-/// rests, and kept until a newer one is there or the body was cut.
+/// The thickness of a body at each vertex. It is computed on a separate thread while the body
+/// rests, and kept until the next result or cut.
 class ThicknessMap {
   public:
-    /// Where it is `wanted` and the body `rests`: begins with the body as it is, unless that is
-    /// known, and takes what is ready. True where values() are others than before.
+    /// If `wanted` and the body `rests`: begins to measure the present body, unless that is known,
+    /// and takes a finished result. Returns whether values() have changed.
     bool follow(Simulation& simulation, bool wanted, bool rests);
-    /// Null where there are none; see surfaceThickness().
+    /// Null for none; see surfaceThickness().
     const std::shared_ptr<const render::FieldValues>& values() const { return values_; }
-    /// "" where the values are those of now, or what they are instead.
+    /// A note on outdated values; "" if they are up to date.
     std::string note(const Simulation& simulation) const;
     bool working() const { return job_ != nullptr; }
 
@@ -28,7 +28,7 @@ class ThicknessMap {
     struct Subject {
         int revision = -1;
         int step = 0;
-        int triangles = 0;  ///< other ones: it was cut since
+        int triangles = 0;  ///< changed by a cut
         std::shared_ptr<const UncutBody> uncut;
 
         static Subject of(const Simulation& simulation);
@@ -39,8 +39,8 @@ class ThicknessMap {
     void begin(Simulation& simulation);
     bool takeReady();
 
-    Subject known_;    ///< what values_ are of
-    Subject working_;  ///< what job_ is about
+    Subject known_;    ///< of values_
+    Subject working_;  ///< of job_
     std::shared_ptr<const render::FieldValues> values_;
     std::unique_ptr<BackgroundJob<render::FieldValues>> job_;
 };

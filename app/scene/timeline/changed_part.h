@@ -6,12 +6,11 @@
 
 namespace kerf::app {
 
-/// Remembers which part of a list has changed since it was last asked: what lies between the items
-/// that stay at both ends.
+/// Tracks the part of a list that has changed since the last call: between the unchanged items at
+/// both ends.
 class ChangedPart {
   public:
-    /// A list becomes another one: of the old one, `dropped` items from `at` on are replaced by
-    /// `added` items of the new one.
+    /// A change of a list: `dropped` items from `at` on are replaced by `added` new items.
     struct Splice {
         std::size_t at = 0;
         std::size_t dropped = 0;
@@ -19,8 +18,8 @@ class ChangedPart {
         bool empty() const { return dropped == 0 && added == 0; }
     };
 
-    /// Items from `begin` to before `end` are new or other ones, or some were taken out there; the
-    /// list has `size` items now.
+    /// Items from `begin` to before `end` are new or changed, or some were removed there; the list
+    /// has `size` items now.
     void touch(std::size_t begin, std::size_t end, std::size_t size) {
         head_ = std::min(head_, begin);
         tail_ = std::min(tail_, size - end);
@@ -44,9 +43,9 @@ class ChangedPart {
   private:
     static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-    std::size_t size_ = 0;      ///< of the list when it was last asked
+    std::size_t size_ = 0;      ///< of the list at the last call
     std::size_t head_ = kNone;  ///< items before it have stayed
-    std::size_t tail_ = kNone;  ///< so many at the end have stayed
+    std::size_t tail_ = kNone;  ///< number of items at the end that have stayed
 };
 
 }  // namespace kerf::app

@@ -7,8 +7,8 @@
 
 namespace kerf::app {
 
-/// Hands from this number on are hooks, which hold on when nobody drags them. Two are a retractor:
-/// an even number, and the next one.
+/// Hands from this number on are hooks, which stay when released. Two are a retractor: an even
+/// number, and the next one.
 inline constexpr int kFirstHook = 50;
 inline constexpr int kLastHook = 99;
 
@@ -22,7 +22,7 @@ constexpr int partnerOf(int hook) {
 
 /// The hooks among the hands, by number.
 std::vector<Hands::Hand> hooksOf(const std::vector<Hands::Hand>& hands);
-/// The first hook of a retractor that nobody uses; none where all are in use.
+/// The first hook of an unused retractor; none if all are in use.
 std::optional<int> freeRetractor(const std::vector<Hands::Hand>& hands);
 
 }  // namespace kerf::app

@@ -9,38 +9,37 @@
 
 namespace kerf::app {
 
-/// What the panels count from: the last restart.
+/// The start of time in the panels: the last restart.
 struct CountStart {
     int step = 0;
     double time = 0;  ///< [s]
 };
 
-/// A moment at which the course of a scene can be taken up again.
+/// A checkpoint of a scene, for seeking.
 struct Keyframe {
     Moment moment;
-    std::size_t commandsDone = 0;    ///< of the coming step, in the journal
+    std::size_t commandsDone = 0;    ///< in the journal, before the coming step
     std::vector<Blade> strokePoses;  ///< poses of the running stroke
     CountStart start;
 };
 
-/// Moments all along the course of a scene, the more of them the smaller the body: where their
-/// budget is used up, every other one goes.
+/// Checkpoints along a scene, more for smaller bodies: when the budget is used up, every other one
+/// is dropped.
 class Keyframes {
   public:
     /// `spacing`: steps between two of them, at first.
     explicit Keyframes(int spacing = kSpacing) : spacing_(spacing) {}
 
-    /// Whether one is due before step `step`, of a body whose copy takes `bytes`: of a very large
-    /// one the first alone.
+    /// Whether one is due before step `step`, for a body whose copy takes `bytes`: of a very large
+    /// one only the first.
     bool wants(int step, std::size_t bytes) const;
     void keep(int step, Keyframe keyframe, std::size_t bytes);
     bool empty() const { return byStep_.empty(); }
-    /// The last one at or before `step`; null where there is none.
+    /// The last one at or before `step`; null for none.
     const Keyframe* before(int step) const;
-    /// Step of the last one at or before `step`; -1 where there is none.
+    /// Step of the last one at or before `step`; -1 for none.
     int stepBefore(int step) const;
-    /// Something changes before step `step`, when so many of its commands are done: those behind
-    /// that no longer hold.
+    /// After a change before step `step`, with `commandsDone` of its commands: drops later ones.
     void changedAt(int step, std::size_t commandsDone);
 
   private:

@@ -15,8 +15,8 @@ struct PlaybackState;
 
 namespace kerf::app {
 
-/// The steps of a scene: the session that is played, or what was done since the start, and moving
-/// about in it.
+/// The timeline of a scene: the played session, or what was done since the start, and seeking in
+/// it.
 class SceneTimeline {
   public:
     /// `body` must outlive it.
@@ -27,66 +27,64 @@ class SceneTimeline {
     const CountStart& start() const { return start_; }
     /// Simulated, since then [s].
     double time() const { return body_.simulation.report().time - start_.time; }
-    /// The panels count from the present on.
+    /// Makes the panels count from the present.
     void countFromHere();
 
-    /// Carries out a command of a person: the one way in which they reach the simulation. Returns
-    /// "" or one sentence.
+    /// Carries out a user command: the only way to the simulation. Returns "" or one sentence.
     std::string perform(const Command& wanted);
     const SessionJournal& journal() const { return journal_; }
     SessionJournal& journal() { return journal_; }
-    /// Whether a person has changed anything since the start.
+    /// Whether a user has changed anything since the start.
     bool hasChanged() const { return journal_.firstChange().has_value(); }
 
-    /// Begins, paused, with a simulation at its start: the session from its first event, where
-    /// there is one.
+    /// Begins, paused, with a simulation at its start, and a session at its first event.
     void startAnew();
     /// Drops the session, and all that was done.
     void forgetSession();
 
     // The session that is played, or the past.
-    /// None where the present is that of a person.
+    /// None if nothing is played.
     const SessionPlayback* playback() const { return playback_ ? &*playback_ : nullptr; }
     /// Whether events of it are still to come.
     bool playingBack() const;
-    /// Whether what was done after the present is still to come.
+    /// Whether later user actions are still to come.
     bool inThePast() const { return playback_ && playback_->isPast(); }
-    /// Does what is due before the coming step. True where the panels count anew from there.
+    /// Does what is due before the coming step. Returns whether the panels must restart counting.
     bool playEvents();
-    /// Whether it goes on after an undo or a redo: between two strokes and pulls, where no shape
-    /// comes back.
+    /// Whether playback continues after an undo or a redo: between two strokes and pulls, if no
+    /// shape is restored.
     bool playsOnAfter(const Command& command) const;
-    /// A person takes the blade or the body in hand: what is left of it is off.
+    /// The user cuts or pulls: discards the rest of the playback.
     void takeOver();
-    /// Lets go of what nobody drags any more, as after an undo or a redo: all hands but hooks.
+    /// Releases all hands except hooks, as after an undo or a redo.
     void releaseHandsButHooks();
-    /// Lets it go on until `step` at least.
+    /// Extends the playback to at least `step`.
     void extendTo(int step);
     void toggleLoop();
 
     // Seeking.
-    /// Keeps the present, where that is due.
+    /// Keeps the present as a keyframe, if due.
     void keepKeyframe();
     /// Whether an earlier step is kept.
     bool goesBack(int step) const;
-    /// What was done since the start is played from now on.
+    /// Plays back from now on what was done since the start.
     void playPast();
-    /// What a seek has done at once.
+    /// The immediate result of a seek.
     struct Jump {
         bool countsAnew = false;  ///< the panels count from another start
     };
-    /// Goes to `step` of what is played, or as near before it as a keyframe is: seekSteps() are
-    /// left to do. None where nothing was done at once.
+    /// Seeks to `step` of the playback, or to the last keyframe before it: seekSteps() are left to
+    /// do. None if nothing was done at once.
     std::optional<Jump> seek(int step);
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
 
-    /// What the end of a step brings.
+    /// The result of the end of a step.
     struct StepEnd {
         bool countsAnew = false;  ///< see playEvents()
-        bool loops = false;       ///< it begins again
+        bool loops = false;       ///< it restarts
     };
-    /// At its end a session stops once, or begins again. What a person changed goes on.
+    /// At its end a session stops once, or restarts. User changes stay.
     StepEnd endStep();
 
     /// Fills in what the panels show of it.
@@ -103,7 +101,7 @@ class SceneTimeline {
 
     SceneBody& body_;
     SessionJournal journal_;
-    /// Plays a session with events, or the past, until a person cuts.
+    /// Plays a session with events, or the past, until the user cuts.
     std::optional<SessionPlayback> playback_;
     Keyframes keyframes_;
     std::optional<int> seekTarget_;

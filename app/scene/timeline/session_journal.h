@@ -15,77 +15,75 @@ struct JournalEntry {
     enum class Origin {
         session,  ///< that is played
         person,
-        editor,  ///< of itself: a check of a recording, or where a move was cut short
+        editor,  ///< of the editor: a check of a recording, or the end of an interrupted move
     };
 
     int id = 0;  ///< of this entry alone
     Origin origin = Origin::editor;
     SessionEvent event;
-    bool failed = false;    ///< a command that could not be carried out when it was played
-    bool doubtful = false;  ///< a check: something before it has changed since it was written
-    /// What a doubtful check found when it was played, instead of what it says.
+    bool failed = false;    ///< a command that failed during playback
+    bool doubtful = false;  ///< a check that an earlier change has invalidated
+    /// The values that a doubtful check found during playback.
     std::optional<CheckEvent> found;
 };
 
-/// A place in a journal: before a step, behind an entry (its id, 0 for none).
+/// A place in a journal: before a step, after an entry (its id, 0 for none).
 struct JournalPlace {
     int step = 0;
     int behind = 0;
 };
 
-/// Writes down all that is done to a simulation since its start, so that it can be saved as a
-/// session that replays to the same bits. Where a session is played it holds the session's events
-/// too, those to come included, and what a person adds stands among them at the present.
+/// Records all that is done to a simulation since its start, so that it can be saved as a session
+/// that replays to the same bits. For a played session it also holds all of its events, and user
+/// commands are inserted at the present.
 class SessionJournal {
   public:
-    /// Notes a command of a person that is executed before step `step`, which never falls while no
-    /// session is played. What the person had set a parameter or a box to later is void then.
+    /// Records a user command before step `step`, which never decreases without a played session.
+    /// Later user settings of that parameter or box are dropped.
     void note(int step, const Command& command);
-    /// Notes a check that a recording makes.
+    /// Records a check of a recording.
     void note(int step, CheckEvent check);
     void clear();
 
     // A session that is played.
-    /// Begins anew with its events, all of them to come.
+    /// Restarts with these events, all of them to come.
     void open(const std::vector<SessionEvent>& events);
-    /// Begins it again: what a person did is forgotten. Pictures, exports and checks stay.
+    /// Restarts it without user commands. Pictures, exports and checks stay.
     void restart();
-    /// The next event where it is due before `step`, which counts as done then; else null.
+    /// The next event if due before `step`, which then counts as done; else null.
     JournalEntry* takeDue(int step);
-    /// Commands that are done so far of those before the coming step `step`: with the step, what
-    /// goTo() takes.
+    /// The number of commands done so far before the coming step `step`, for goTo().
     std::size_t commandsDone(int step) const;
-    /// Another present: before `step`, when so many of its commands were done.
+    /// Sets the present: before `step`, with `commandsDone` of its commands.
     void goTo(int step, std::size_t commandsDone);
-    /// A person goes on alone at `step`: what is to come is left out, the person's own for good.
-    /// `cutShort`: the poses before the last step of the moves that end here on their way. Returns
-    /// how many events of the person these were.
+    /// The user takes over at `step`: drops what is to come, user commands for good. `cutShort`:
+    /// the poses of interrupted moves before the last step. Returns the number of dropped user
+    /// events.
     std::size_t takeOver(int step, const std::vector<PlayedAction>& cutShort);
 
-    /// What came of an entry when it was played: whether it could not be carried out, or what a
-    /// doubtful check found.
+    /// Records the playback of an entry: whether it failed, or what a doubtful check found.
     void noteFailure(JournalEntry& entry, bool failed);
     void noteFound(JournalEntry& entry, CheckEvent found);
 
     // Pictures, exports and checks.
     /// The present, before step `step`.
     JournalPlace here(int step) const;
-    /// Adds one that a person wants.
+    /// Adds a user action.
     void add(const JournalPlace& place, SessionAction action);
     void remove(int id);
 
     const std::vector<JournalEntry>& entries() const { return entries_; }
-    /// The first step before which a person changed the run of a played session or took it over.
+    /// The first step before which the user changed a played session or took over.
     std::optional<int> firstChange() const { return firstChange_; }
-    /// The entries that have changed since the last call, as they are saved; all where `whole`.
+    /// The entries that have changed since the last call, as saved; all if `whole`.
     ChangedPart::Splice takeChanged(bool whole) { return changed_.take(entries_.size(), whole); }
-    /// So many things a person has done, or has had done.
+    /// The number of user actions.
     int deeds() const { return deeds_; }
-    /// Events of the session that were to come when a person took over.
+    /// Events of the session that were to come when the user took over.
     std::size_t leftOut() const;
-    /// Step of the last entry; 0 where there is none.
+    /// Step of the last entry; 0 for none.
     int lastStep() const { return entries_.empty() ? 0 : entries_.back().event.step; }
-    /// Grows when entries come or go that are no commands.
+    /// Grows when entries other than commands are added or removed.
     int revision() const { return revision_; }
 
   private:
@@ -105,16 +103,16 @@ class SessionJournal {
     void touch(const JournalEntry& entry);
 
     std::vector<JournalEntry> entries_;  ///< by step
-    std::size_t done_ = 0;               ///< so many of them
+    std::size_t done_ = 0;               ///< the number done
     int lastId_ = 0;
     int revision_ = 0;
     int deeds_ = 0;
     ChangedPart changed_;
     std::optional<int> noted_;  ///< id of the last command, while it may still be extended
     std::optional<int> firstChange_;
-    std::optional<int> takenOver_;           ///< last id before a person took over
-    std::vector<JournalEntry> rest_;         ///< what was to come of the session
-    std::optional<SessionEvent> lastPose_;   ///< while a person's blade is placed
+    std::optional<int> takenOver_;           ///< last id before the user took over
+    std::vector<JournalEntry> rest_;         ///< dropped rest of the session
+    std::optional<SessionEvent> lastPose_;   ///< while the user's blade is placed
     std::map<int, SessionEvent> lastDrags_;  ///< of hands that hold something, by number
 };
 

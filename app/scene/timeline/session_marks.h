@@ -9,16 +9,14 @@
 
 namespace kerf::app {
 
-/// The pictures, exports and checks of a journal, as the panels list them. Those that a recording
-/// makes of itself are left out.
+/// The pictures, exports and checks of a journal for the panels, without those of a recording.
 std::vector<ui::SessionMark> marksOf(const SessionJournal& journal);
 
-/// The strokes of a journal, each at its first pose, and its changes of parameters. Of changes at
-/// one step of one parameter the last counts.
+/// The strokes of a journal, each at its first pose, and its changes of parameters. Of several
+/// changes of a parameter at one step, the last.
 std::vector<ui::SessionMark> courseOf(const SessionJournal& journal);
 
-/// NAME-STEP with an ending (".png"), numbered where an event of the journal writes a file of that
-/// name already.
+/// NAME-STEP with an ending (".png"), numbered if an event of the journal already writes that file.
 std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,
                            const std::string& ending);
 

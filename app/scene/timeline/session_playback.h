@@ -8,13 +8,12 @@
 
 namespace kerf::app {
 
-/// A session as it is played: what happens when, and where it first came out differently from what
-/// its checks say.
+/// A session during playback: its events, and the first failed check.
 class SessionPlayback {
   public:
     enum class Of {
         session,  ///< that was opened
-        past,     ///< what was done here: at its end it is the present again
+        past,     ///< what was done here; it ends at the present
     };
     SessionPlayback(Session session, Of what);
     SessionPlayback(const SessionPlayback&) = delete;  // the player points into it
@@ -22,14 +21,14 @@ class SessionPlayback {
 
     bool isPast() const { return what_ == Of::past; }
     int steps() const { return steps_; }
-    /// A person lets the session go on until step `step`.
+    /// Extends the session to step `step`.
     void extendTo(int step) { steps_ = std::max(steps_, step); }
     bool loop = false;
 
     const SessionPlayer& player() const { return player_; }
 
-    /// Takes note of how a check of an unchanged session came out before step `step`. Returns "" or
-    /// one sentence.
+    /// Records the result of a check of an unchanged session before step `step`. Returns "" or one
+    /// sentence.
     std::string compare(const CheckEvent& check, const CheckDifference& difference, int step);
     /// The first step at which a check failed.
     std::optional<int> divergedAt() const { return divergedAt_; }
