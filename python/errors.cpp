@@ -58,17 +58,17 @@ void translate(std::exception_ptr thrown) {
 
 void addErrors(py::module_& module) {
     classes.any =
-        addClass(module, "Error", "What Kerf can't do: the sentence is that of the command line.",
+        addClass(module, "Error", "Any failure of Kerf, with the message of the command line.",
                  PyExc_Exception);
     classes.input =
-        addClass(module, "InputError",
-                 "An input is missing or invalid, or can't happen (exit code 3).", classes.any);
+        addClass(module, "InputError", "An input is missing, invalid or impossible (exit code 3).",
+                 classes.any);
     classes.check = addClass(module, "CheckFailed",
-                             "A check did not hold, or an invariant broke (exit code 1). Of a "
-                             "replay, `summary` is that of the run.",
+                             "A check or an invariant failed (exit code 1). Of a replay, "
+                             "`summary` is that of the run.",
                              classes.any);
-    classes.openGl = addClass(module, "OpenGLError", "There is no usable OpenGL 4.5 (exit code 4).",
-                              classes.any);
+    classes.openGl =
+        addClass(module, "OpenGLError", "No usable OpenGL 4.5 (exit code 4).", classes.any);
     classes.limit =
         addClass(module, "LimitError",
                  "Memory, disk, time or another limit is used up (exit code 5).", classes.any);

@@ -4,8 +4,8 @@
 
 namespace kerf::python {
 
-/// Adds kerf.Error and its kinds to the module, and turns what Kerf throws into them, with the
-/// sentences of the command line.
+/// Adds kerf.Error and its kinds to the module, and translates Kerf's exceptions into them, with
+/// the messages of the command line.
 void addErrors(pybind11::module_& module);
 
 }  // namespace kerf::python

@@ -19,9 +19,8 @@ class ForkedProcess : public std::runtime_error {
     ForkedProcess();
 };
 
-/// The one thread of the module that OpenGL contexts are current on. A context belongs to one
-/// thread at a time, and what Kerf shares between contexts to one thread at all, while calls may
-/// come from any thread of Python.
+/// The module's one thread for OpenGL. A context belongs to one thread at a time, and what Kerf
+/// shares between contexts to a single thread, while Python may call from any thread.
 class GlThread {
   public:
     /// The thread of this process; begins at the first use and never ends.
@@ -41,14 +40,14 @@ class GlThread {
             return std::move(*result);
         }
     }
-    /// The same without waiting, for what nobody needs an answer of; it must not throw.
+    /// The same without waiting for an answer; the work must not throw.
     void post(std::function<void()> work);
 
-    /// Whether what runs there now, and asks, is to stop soon.
+    /// Whether the work that runs there now, and asks, should stop soon.
     bool interrupted() const { return current_ != nullptr && current_->interrupted; }
 
   private:
-    /// Something that somebody waits for.
+    /// Work that a caller waits for.
     struct Job {
         const std::function<void()>& work;
         std::exception_ptr error;

@@ -5,7 +5,7 @@ namespace kerf::python {
 /// Keeps what is logged from now on, on whatever thread, for Python's logger "kerf".
 void catchLog();
 
-/// Hands over what was logged until its end. To be made and to end with Python's lock.
+/// Hands over, at its end, what was logged. Made and destroyed with Python's lock held.
 class LogDelivery {
   public:
     LogDelivery() = default;

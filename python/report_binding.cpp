@@ -42,7 +42,7 @@ void addReport(py::module_& module) {
             [](const MetricsRow& row) {
                 return py::module_::import("json").attr("loads")(app::formatJsonLine(row));
             },
-            "A row of metrics.csv: its columns, an empty cell being None.");
+            "A row of metrics.csv: its columns; None for an empty cell.");
 }
 
 }  // namespace kerf::python

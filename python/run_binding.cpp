@@ -161,7 +161,7 @@ void addRun(py::module_& module) {
              }),
              py::arg("file"), py::arg("text"), py::arg("material"), py::arg("params"));
     const py::class_<RunHandle::Moment> snapshot(
-        module, "Snapshot", "A moment of a simulation, which it can go back to.");
+        module, "Snapshot", "A state of a simulation, which it can return to.");
     py::class_<RunHandle>(module, "Run")
         .def(py::init([](const SessionSource& source, std::size_t undoBudget, bool fine,
                          bool forces, bool hashChecks) {

@@ -45,7 +45,7 @@ struct PieceArrays {
     SharedArray<double> high;             ///< the other corner
 };
 
-/// How a run is to be.
+/// The options of a run.
 struct RunOptions {
     std::size_t undoBudget = 0;  ///< for changes that can be undone [bytes]
     bool fine = false;           ///< pictures as with `kerf replay --fine`
@@ -53,8 +53,8 @@ struct RunOptions {
     bool hashChecks = true;      ///< false: passes over state hashes in the session's checks
 };
 
-/// A session that a script runs: its events, if it has some, and whatever the script does between
-/// the steps, on an OpenGL context of its own. All is called on GlThread.
+/// A session that a script runs: its events, if any, and what the script does between the steps, on
+/// an OpenGL context of its own. All calls are made on GlThread.
 class ScriptedRun {
   public:
     /// Reads the model and begins. Throws InputError, gpu::ContextError, gpu::ShaderError,
@@ -63,19 +63,19 @@ class ScriptedRun {
     ~ScriptedRun();
     ScriptedRun(const ScriptedRun&) = delete;
     ScriptedRun& operator=(const ScriptedRun&) = delete;
-    /// Lets its context be the current one, before anything else is called.
+    /// Makes its context the current one; to be called before anything else.
     void makeCurrent() { context_.makeCurrent(); }
 
     // What changes it.
-    /// Applies an event that is a command, as a session writes it, before the coming step. Throws
-    /// InputError; nothing changed then.
+    /// Applies an event that is a command, as a session writes it, before the next step. Throws
+    /// InputError, and changes nothing then.
     void apply(const std::string& action);
     /// Runs the events that are due and one step. Throws InputError, CheckFailure.
     const app::MetricsRow& step();
-    /// After the last step of a session with events: what is to happen then.
+    /// Runs the events after the last step of a session.
     void finish();
 
-    /// The present, to come back to; of use to this run alone, as long as it lives.
+    /// The current state, to return to; for this run only, as long as it lives.
     struct Snapshot {
         app::RunningSession::Place place;
         app::SessionJournal journal;
@@ -90,7 +90,7 @@ class ScriptedRun {
     int stepCount() const { return simulation().stepCount(); }
     int steps() const { return session_.steps; }
     ParamValue param(const std::string& name) const;
-    /// The pose of the blade after the coming step; none where it is lifted then.
+    /// The pose of the blade after the next step; none where it is lifted then.
     std::optional<Blade> blade() const;
     std::string stateHash();
     /// Three numbers for each vertex [m].
@@ -105,19 +105,19 @@ class ScriptedRun {
     std::vector<StaticBox> boxes() const;
     /// `cut_report` of summary.json as JSON; "null" without a cut.
     std::string cutReport() const;
-    /// Sentences about what went wrong in steps, from the start.
+    /// Sentences about problems in steps, from the start.
     const std::vector<std::string>& messages() const { return messages_; }
     /// See IterationWatch::sentence(), of all steps that were run.
     std::string tooFewIterations() const { return iterations_.sentence(); }
 
     // Files and pictures.
-    /// A picture through `view`, JSON as in a session, or the session's own where it is empty. The
-    /// screenshot event `size`, JSON, says how large.
+    /// A picture from `view`, JSON as in a session, or the session's own where it is empty. `size`
+    /// is a screenshot event in JSON.
     render::Image picture(const std::string& size, const std::string& view);
     /// Writes the export event `event`, JSON, into a folder. Returns the names of the files.
     std::vector<std::string> exportMesh(const std::filesystem::path& folder,
                                         const std::string& event);
-    /// Writes what was done so far as a session that ends here with a check of the state.
+    /// Writes everything so far as a session that ends here with a check of the state.
     void saveSession(const std::filesystem::path& file);
 
     // What happens before a step: see SessionRunner::applyActions.

@@ -8,7 +8,7 @@
 
 namespace kerf::python {
 
-/// A session as Python names it.
+/// A session as given from Python.
 struct SessionSource {
     std::string file;      ///< path of a file, or
     std::string text;      ///< the text of one, with paths relative to the working folder
@@ -16,7 +16,7 @@ struct SessionSource {
     std::vector<std::pair<std::string, std::string>> params;  ///< name, value as JSON; at the start
 };
 
-/// Reads it; what is no mistake but means nothing is logged. Throws InputError.
+/// Reads it; harmless but meaningless input is logged. Throws InputError.
 app::Session readSource(const SessionSource& source);
 
 }  // namespace kerf::python

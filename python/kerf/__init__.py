@@ -8,8 +8,8 @@
     sim.lift_blade()
     print(sim.report.pieces, sim.positions.shape)
 
-All lengths are metres, all times seconds, as in session files. What can't be done is a kerf.Error
-with the sentence that the command line says.
+All lengths are metres, all times seconds, as in session files. What can't be done raises a
+kerf.Error with the message of the command line.
 """
 
 from . import _interpreter

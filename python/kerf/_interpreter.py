@@ -1,4 +1,4 @@
-"""Refuses an interpreter that the module is not for, with a sentence."""
+"""Refuses an interpreter that the module was not built for, with a clear message."""
 
 import importlib.util
 import pathlib
@@ -7,7 +7,7 @@ import sys
 
 
 def refuse_another() -> None:
-    """Raises ImportError where the compiled part is for another version of Python alone."""
+    """Raises ImportError where the compiled part is only for another version of Python."""
     folder = pathlib.Path(__file__).parent
     versions = [file.name.split("-")[1] for file in folder.glob("_native.cpython-*.so")]
     if versions and importlib.util.find_spec(f"{__package__}._native") is None:

@@ -1,4 +1,4 @@
-"""Values as the text of a session has them."""
+"""Values as the text of a session writes them."""
 
 import json
 import os
@@ -10,7 +10,7 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 def _plain(value: Any) -> Any:
-    """Arrays and numbers of NumPy, and paths, as what JSON has."""
+    """Arrays and numbers of NumPy, and paths, as JSON values."""
     if hasattr(value, "tolist"):
         return value.tolist()
     if isinstance(value, os.PathLike):
@@ -30,7 +30,7 @@ def event(kind: str, **keys: Any) -> str:
 
 def source(session: Union[PathLike, Mapping[str, Any]], material: Optional[PathLike],
            params: Optional[Mapping[str, Any]]) -> "_native.SessionSource":
-    """A session by its file or by what stands in it, with other parameters at its start."""
+    """A session by its file or its content, with other parameters at its start."""
     settings = [(name, to_json(value)) for name, value in (params or {}).items()]
     chosen = "" if material is None else os.fspath(material)
     if isinstance(session, Mapping):

@@ -1,4 +1,4 @@
-"""Sessions from their start to their end."""
+"""Complete runs of sessions."""
 
 import json
 import os
@@ -16,19 +16,19 @@ def replay(session: Union[PathLike, Mapping[str, Any]], out: Optional[PathLike] 
            check_hashes: bool = True) -> Dict[str, Any]:
     """Runs a session to its end, as `kerf replay` does, and returns its summary.
 
-    session: a file, or what stands in one as a dict, with paths relative to the working folder.
+    session: a file, or its content as a dict, with paths relative to the working folder.
     out: the folder for metrics.csv, summary.json, final.ply and the session's own files. Without
         one nothing is kept.
     params, material: replace those at the start of the session.
     until: ends after that many steps.
     hashes, pieces: also write hashes.csv, pieces.csv.
-    forces: measures what the body does to a blade that pushes; see Report.blade_force.
+    forces: measures the force of the body on a blade that pushes; see Report.blade_force.
     fine: screenshots with smooth edges and soft shadows.
     keep_going: runs all steps, also after a check failed.
-    check_hashes: False passes over the state hashes in the session's own checks.
+    check_hashes: False ignores the state hashes in the session's own checks.
 
-    Raises kerf.CheckFailed at the end where a check or an invariant did not hold; its `summary` is
-    that of the run. Raises other kinds of kerf.Error as the command line has exit codes.
+    Raises kerf.CheckFailed at the end where a check or an invariant failed; its `summary` is that
+    of the run. Other kinds of kerf.Error correspond to the exit codes of the command line.
     """
     options = _native.ReplayOptions()
     options.hashes = hashes

@@ -1,4 +1,4 @@
-"""Simulations that a script leads."""
+"""Simulations that a script controls."""
 
 import json
 import os
@@ -21,8 +21,8 @@ _UNDO_MEMORY = 512_000_000  # as in the editor
 class Mesh(NamedTuple):
     """The surface between two steps. The arrays are read-only and never change.
 
-    Numbers of vertices stay valid from step to step; cuts add new ones at the end. What no triangle
-    uses any more keeps its row.
+    Numbers of vertices stay valid from step to step; cuts add new ones at the end. A vertex that no
+    triangle uses any more keeps its row.
     """
 
     triangles: "npt.NDArray[np.int32]"  #: [triangles, 3] vertices, counter-clockwise from outside
@@ -32,7 +32,7 @@ class Mesh(NamedTuple):
 
 
 class Pieces(NamedTuple):
-    """The pieces between two steps, numbered in the order in which they came off."""
+    """The pieces between two steps, numbered in the order in which they split off."""
 
     triangles: "npt.NDArray[np.int32]"  #: [pieces] how many
     model: "npt.NDArray[np.int32]"  #: [pieces] the model of the scene that it was part of
@@ -43,11 +43,11 @@ class Pieces(NamedTuple):
 
 
 class Simulation:
-    """A soft body, a blade and the parameters, led step by step.
+    """A soft body, a blade and the parameters, advanced step by step.
 
-    What changes the body is told before a step and takes place in it, in the words of session
-    files. Equal commands at equal steps give equal bits, those of `kerf replay`. Several
-    simulations may run side by side, and be called from any thread.
+    Commands are those of session files; each takes effect in the next step. Equal commands at equal
+    steps give results equal bit by bit, also to those of `kerf replay`. Several simulations may run
+    side by side, and be called from any thread.
     """
 
     def __init__(self, model: Union[PathLike, Keys], *, placement: Optional[Keys] = None,
@@ -61,10 +61,10 @@ class Simulation:
         model: the name of a builtin model, a model file, or the key `model` of a session as a dict:
             {"path": "liver.obj", "repair": True}.
         placement, more_models, material, params, boxes, view: as in a session; what is left out
-            has the session's default. Files are relative to the working folder.
-        forces: measures what the body does to a blade that pushes; no result changes by it.
+            has the default of a session. Files are relative to the working folder.
+        forces: measures the force of the body on a blade that pushes; changes no result.
         fine: pictures with smooth edges and soft shadows.
-        undo_memory: for what undo() brings back [bytes]; 0 keeps nothing.
+        undo_memory: for the undo history [bytes]; 0 keeps none.
 
         Raises kerf.Error.
         """
@@ -81,13 +81,13 @@ class Simulation:
     def from_session(cls, session: Union[PathLike, Keys], *, params: Optional[Keys] = None,
                      material: Optional[PathLike] = None, forces: bool = False, fine: bool = False,
                      undo_memory: int = 4 << 30, check_hashes: bool = True) -> "Simulation":
-        """Begins as a session does, whose events then happen by themselves.
+        """Starts from a session, whose events then take place by themselves.
 
-        session: a file, or what stands in one as a dict.
+        session: a file, or its content as a dict.
         params, material: replace those at the start of the session.
-        check_hashes: False passes over the state hashes in the session's own checks.
+        check_hashes: False ignores the state hashes in the session's own checks.
 
-        Its screenshots and exports are left to kerf.replay(). Where a check does not hold, step()
+        Screenshots and exports are skipped; kerf.replay() writes them. Where a check fails, step()
         raises kerf.CheckFailed.
         """
         made = cls.__new__(cls)
@@ -102,28 +102,28 @@ class Simulation:
     # --- Steps ----------------------------------------------------------------------------------
 
     def step(self, count: int = 1) -> Report:
-        """Runs so many steps and returns the measures of the last one."""
+        """Runs `count` steps and returns the report of the last one."""
         return self._run.step(count)
 
     def play(self) -> Report:
-        """Runs a session to its end, with what is to happen after its last step."""
+        """Runs a session to its end, with the events after its last step."""
         report = self._run.step(max(0, self._run.steps() - self.step_count))
         self._run.finish()
         return report
 
     @property
     def step_count(self) -> int:
-        """Steps done so far: the number of the coming one."""
+        """Steps done so far: the number of the next one."""
         return self._run.step_count()
 
     @property
     def report(self) -> Report:
-        """The measures of the last step; those of the body at rest before the first one."""
+        """The report of the last step; before the first one, that of the body at rest."""
         return self._run.report()
 
     @property
     def messages(self) -> List[str]:
-        """What went wrong in steps so far, such as a refused cut, in sentences."""
+        """Problems in the steps so far, such as a refused cut, as sentences."""
         return self._run.messages()
 
     @property
@@ -142,15 +142,15 @@ class Simulation:
     # --- The blade ------------------------------------------------------------------------------
 
     def move_blade(self, a: Point, b: Point) -> None:
-        """Moves the blade to the segment from `a` to `b` [m] during the coming step.
+        """Moves the blade to the segment from `a` to `b` [m] during the next step.
 
-        The first pose after the start or a lift places it without cutting. From there on the blade
-        cuts along the quad that it sweeps in a step.
+        The first pose after the start or a lift places it without cutting. After that, each
+        step cuts along the quad that the blade sweeps.
         """
         self.apply("blade", a=a, b=b)
 
     def sweep(self, a: Point, b: Point, steps: int) -> Report:
-        """Moves the blade from where it is to `a`, `b` in so many steps, which it runs.
+        """Moves the blade from where it is to `a`, `b` in `steps` steps, and runs them.
 
         The ends move linearly, as between two `blade` events of a session. Raises kerf.InputError
         where no blade is placed.
@@ -167,55 +167,55 @@ class Simulation:
         return self.step()
 
     def lift_blade(self) -> None:
-        """Takes the blade away and ends the stroke."""
+        """Removes the blade and ends the stroke."""
         self.apply("lift")
 
     @property
     def blade(self) -> "Optional[Tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]]":
-        """The ends of the blade [m], where it was moved last; None while it is lifted."""
+        """The ends of the blade [m] as last moved; None while it is lifted."""
         pose = self._run.blade()
         return None if pose is None else (np.array(pose[0]), np.array(pose[1]))
 
     # --- Parameters -----------------------------------------------------------------------------
 
     def set(self, name: str, value: Any) -> None:
-        """Changes a parameter before the coming step; kerf.parameters() lists them."""
+        """Changes a parameter from the next step on; kerf.parameters() lists them."""
         self._run.apply(_text.to_json({"type": "set", "name": name, "value": value}))
 
     @property
     def params(self) -> Dict[str, Any]:
-        """All parameters as they are, by name. It is a copy; set() changes them."""
+        """A copy of all current parameters, by name; set() changes one."""
         return {row["name"]: self._run.param(row["name"]) for row in _native.parameters()}
 
     # --- Hands, pins and boxes ------------------------------------------------------------------
 
     def grab(self, at: Point, radius: float, *, hand: int = 0, surface: bool = False) -> None:
-        """Lets a hand take hold of all vertices within `radius` of `at` [m] that no other holds.
+        """Grabs all vertices within `radius` of `at` [m] that no other hand holds.
 
-        With `surface` the radius is measured along the surface, and of a cut one side is taken.
+        With `surface` the radius is measured along the surface, so only one side of a cut is taken.
         """
         self.apply("grab", hand=hand, at=at, radius=radius, surface=surface)
 
     def drag(self, to: Point, *, hand: int = 0) -> None:
-        """Moves a hand to a point [m] during the coming step, and what it holds along."""
+        """Moves a hand, and what it holds, to a point [m] during the next step."""
         self.apply("drag", hand=hand, to=to)
 
     def release(self, *, hand: int = 0) -> None:
-        """Lets a hand let go."""
+        """Releases what a hand holds."""
         self.apply("release", hand=hand)
 
     def pin(self, *, center: Optional[Point] = None, radius: Optional[float] = None,
             low: Optional[Point] = None, high: Optional[Point] = None) -> None:
-        """Pins what is now in a ball (`center`, `radius`) or a box (`low`, `high`) [m]."""
+        """Pins the vertices now in a ball (`center`, `radius`) or a box (`low`, `high`) [m]."""
         self.apply("pin", center=center, radius=radius, low=low, high=high)
 
     def unpin(self, *, center: Optional[Point] = None, radius: Optional[float] = None,
               low: Optional[Point] = None, high: Optional[Point] = None) -> None:
-        """Frees what is now in a ball or a box, as pin() names them."""
+        """Unpins what is now in a ball or a box, given as for pin()."""
         self.apply("unpin", center=center, radius=radius, low=low, high=high)
 
     def move_pins(self, by: Point, rotate: Optional[Point] = None) -> None:
-        """Turns what is pinned about its middle [degrees] and moves it [m], at once."""
+        """Rotates the pinned vertices about their middle [degrees] and moves them [m], at once."""
         self.apply("move_pins", by=by, rotate=rotate)
 
     @property
@@ -224,66 +224,66 @@ class Simulation:
         return self._run.pinned()
 
     def add_box(self, center: Point, size: Point, rotate: Optional[Point] = None) -> None:
-        """Puts up a box that the body collides with, at the end of their list [m, degrees]."""
+        """Adds a box that the body collides with, at the end of the list [m, degrees]."""
         self.apply("add_box", center=center, size=size, rotate=rotate)
 
     def change_box(self, box: int, center: Point, size: Point,
                    rotate: Optional[Point] = None) -> None:
-        """Puts box number `box`, from 0, elsewhere, at once."""
+        """Changes box number `box`, from 0, at once."""
         self.apply("change_box", box=box, center=center, size=size, rotate=rotate)
 
     def remove_box(self, box: int) -> None:
-        """Takes a box away; those behind it in the list move up."""
+        """Removes a box; those after it in the list move up."""
         self.apply("remove_box", box=box)
 
     @property
     def boxes(self) -> List[Dict[str, Tuple[float, float, float]]]:
-        """The boxes as they are: `center`, `size` [m], `rotate` [degrees]."""
+        """The current boxes: `center`, `size` [m], `rotate` [degrees]."""
         return self._run.boxes()
 
     # --- Time -----------------------------------------------------------------------------------
 
     def hold(self) -> None:
-        """Lets time stand: the blade still cuts, but the body stays where it is."""
+        """Pauses time: the blade still cuts, but the body does not move."""
         self.apply("hold")
 
     def resume(self) -> None:
-        """Lets time run again."""
+        """Resumes time after hold()."""
         self.apply("run")
 
     def restart(self) -> None:
-        """Brings back the uncut body at rest, without blade, hands and pins. Time goes on."""
+        """Restores the uncut body at rest, without blade, hands and pins. Time goes on."""
         self.apply("restart")
 
     def undo(self) -> None:
-        """Takes back the last change. Time goes on. Raises kerf.InputError where there is none."""
+        """Undoes the last change. Time goes on. Raises kerf.InputError where there is none."""
         self.apply("undo")
 
     def redo(self) -> None:
-        """Brings back what the last undo took."""
+        """Redoes the last change undone."""
         self.apply("redo")
 
     def snapshot(self) -> Snapshot:
-        """The present with all that belongs to it, to come back to as often as you like."""
+        """A copy of the whole current state, to restore() as often as you like."""
         return self._run.snapshot()
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Goes back, or forth, to a snapshot of this simulation. It goes on to the same bits."""
+        """Returns to a snapshot of this simulation. It continues with the same bits."""
         self._run.restore(snapshot)
 
     def apply(self, event: str, **keys: Any) -> None:
         """Applies any event of a session that changes the body, by its type and its keys.
 
-        Keys that are None are left out. See docs/session-format.md. Raises kerf.InputError; nothing
-        changed then.
+        Keys that are None are left out. See docs/session-format.md. Raises kerf.InputError, and
+        changes nothing then.
         """
         self._run.apply(_text.event(event, **keys))
 
-    # --- What the body is like ------------------------------------------------------------------
+    # --- The state of the body ------------------------------------------------------------------
 
     @property
     def positions(self) -> "npt.NDArray[np.float64]":
-        """Where all vertices are, [vertices, 3] in metres: read-only, and never changed later.
+        """Positions of all vertices, [vertices, 3] in metres: read-only, and never changed later.
 
         Between two steps each call returns the same numbers without a copy.
         """
@@ -291,7 +291,7 @@ class Simulation:
 
     @property
     def velocities(self) -> "npt.NDArray[np.float64]":
-        """How fast all vertices move, [vertices, 3] in m/s."""
+        """Velocities of all vertices, [vertices, 3] in m/s."""
         return self._run.velocities()
 
     @property
@@ -302,7 +302,7 @@ class Simulation:
 
     @property
     def strains(self) -> "npt.NDArray[np.float64]":
-        """The larger principal strain by amount of each triangle of `mesh`."""
+        """The principal strain of larger magnitude of each triangle of `mesh`."""
         return self._run.strains()
 
     @property
@@ -312,7 +312,7 @@ class Simulation:
 
     @property
     def cut_report(self) -> Optional[Dict[str, Any]]:
-        """How well the cuts came out, as `cut_report` of summary.json; None without a cut."""
+        """The quality of the cuts, as `cut_report` of summary.json; None without a cut."""
         report: Optional[Dict[str, Any]] = json.loads(self._run.cut_report())
         return report
 
@@ -332,14 +332,14 @@ class Simulation:
         """Writes the mesh: .ply, .obj, .stl, .glb, .gltf or .vtp, as the event `export` does.
 
         coordinates: "model", those of the model's own file, or "scene", metres. Returns the names
-        of all files, which lie in one folder.
+        of the files, all in one folder.
         """
         folder, name = os.path.split(os.fspath(file))
         event = _text.event("export", file=name, per_piece=per_piece, coordinates=coordinates)
         return self._run.export(folder or ".", event)
 
     def save_session(self, file: PathLike) -> None:
-        """Writes all that was done since the start as a session, with a check of the state.
+        """Writes everything done since the start as a session, with a check of the state.
 
         `kerf replay` runs it to the same bits, and the editor opens it.
         """

@@ -18,9 +18,9 @@ class StudyRun(NamedTuple):
 class Study:
     """A study of `kerf sweep`: sessions, and values of parameters to run them with.
 
-    Runs write into one folder, each into a folder of its own that appears complete. They need no
-    order, and may be shared out among processes and machines: `kerf sweep` and this class can even
-    work on the same folder. See docs/sweeps.md.
+    Each run writes a subfolder of one folder, which appears only when complete. Runs may be done in
+    any order, and shared among processes and machines: `kerf sweep` and this class can even work on
+    the same folder. See docs/sweeps.md.
     """
 
     def __init__(self, file: PathLike) -> None:
@@ -29,7 +29,7 @@ class Study:
         self._native = _native.Study(self.file)
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        """A study is sent to other processes by its file."""
+        """Other processes get a study by its file."""
         return Study, (self.file,)
 
     def __len__(self) -> int:
@@ -44,9 +44,9 @@ class Study:
         return StudyRun(session, {name: json.loads(value) for name, value in settings})
 
     def run(self, number: int, out: PathLike) -> Tuple[int, str]:
-        """Does one run, unless it is done, as `kerf sweep --run` in a process of its own.
+        """Does one run, unless already done, as `kerf sweep --run` in a process of its own.
 
-        Returns its exit code, and what went wrong in a clause where that is not 0.
+        Returns its exit code and, where that is not 0, a clause on what went wrong.
         """
         return self._native.run(number, os.fspath(out))
 
