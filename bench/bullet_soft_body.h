@@ -16,9 +16,9 @@ class BulletSoftBody {
     BulletSoftBody(const BulletSoftBody&) = delete;
     BulletSoftBody& operator=(const BulletSoftBody&) = delete;
 
-    /// Moves the nodes along by a step of `seconds` under gravity, without projecting anything.
+    /// Advances the nodes by a step of `seconds` under gravity, without projecting anything.
     void predict(double seconds);
-    /// All iterations of a step over all links, and what Bullet prepares for them.
+    /// All iterations of a step over all links, with Bullet's preparation.
     void project();
     int links() const;
 

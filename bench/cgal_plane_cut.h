@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// CGAL's way from a closed mesh to two closed ones: Polygon_mesh_processing::split by a plane,
+/// Cutting a closed mesh into two closed ones with CGAL: Polygon_mesh_processing::split by a plane,
 /// then triangulate_and_refine_hole on each border at about the edge length of the mesh, with the
 /// kernel of exact predicates and inexact constructions.
 class CgalPlaneCut {

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// The upper of the middle two where their number is even; NaN of nothing.
+/// The upper of the middle two where their number is even; NaN of none.
 inline double median(std::vector<double> values) {
     if (values.empty()) {
         return std::nan("");
@@ -17,7 +17,7 @@ inline double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Median of `repeats` calls, after one to warm up [ms], by the clock on the wall.
+/// Median wall-clock time of `repeats` calls, after one to warm up [ms].
 template <class Call>
 double medianMilliseconds(int repeats, Call&& call) {
     using Clock = std::chrono::steady_clock;

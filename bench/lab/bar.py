@@ -315,7 +315,7 @@ def report_of(runs, accuracy=()):
 
 def accuracy_section(accuracy):
     return (
-        "\n## What iterations buy\n\n"
+        "\n## Accuracy by iterations\n\n"
         "The hanging bar of 1e5 Pa, two squares across, with a true modulus. The largest error of "
         "where its end is while it comes down, in per cent of that way.\n\n"
         + table(["iterations", "time step, s", "substep, ms", "error, %"],
