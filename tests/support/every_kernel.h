@@ -2,8 +2,8 @@
 
 namespace kerf {
 
-/// Links every kernel that a simulation can come to need on the driver of the current context, the
-/// way that gpu::kernelWay() gives, and runs none. Throws gpu::ShaderError, gpu::OutOfMemory.
+/// Links every kernel that a simulation may need on the driver of the current context, as chosen by
+/// gpu::kernelWay(), and runs none. Throws gpu::ShaderError, gpu::OutOfMemory.
 void linkEveryKernel();
 
 }  // namespace kerf

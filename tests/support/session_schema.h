@@ -4,10 +4,9 @@
 
 namespace kerf::app {
 
-/// The JSON Schema (draft 7) of session files, by which text editors complete and check them: made
-/// from the tables of the reader. It accepts every session that parseSession() accepts. It can't
-/// tell what compares values, such as the order of two corners, nor what is wrong with the text as
-/// JSON, such as a key that stands there twice.
+/// The JSON Schema (draft 7) of session files for text editors, made from the tables of the reader.
+/// It accepts every session that parseSession() accepts. It can't compare values, such as the order
+/// of two corners, or find errors of the JSON text, such as duplicate keys.
 std::string sessionSchema();
 /// The JSON Schema (draft 7) of material files, made from the table of the reader.
 std::string materialSchema();

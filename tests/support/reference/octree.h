@@ -9,11 +9,11 @@
 
 namespace kerf {
 
-/// An octree of boxes: each item stands in the octant that holds the middle of its box, and a
-/// node's box is what its items fill. Built anew where things have moved.
+/// An octree of boxes: each item is in the octant of the middle of its box, and a node's box bounds
+/// its items. Rebuilt after motion.
 class Octree {
   public:
-    /// Items are told apart by their place in `boxes`.
+    /// Items are identified by their place in `boxes`.
     explicit Octree(std::vector<Bounds> boxes);
 
     /// Calls `visit` with each item whose box touches `box`; the order is that of the tree.

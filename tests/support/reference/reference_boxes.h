@@ -12,8 +12,8 @@
 
 namespace kerf {
 
-/// Computes how boxes and triangles answer to each other in a substep (sim/boxes/triangles.comp,
-/// respond.comp, apply.comp), in double precision: the truth that the kernels are tested against.
+/// Computes the contact of boxes and triangles in a substep (sim/boxes/triangles.comp,
+/// respond.comp, apply.comp), in double precision: the reference for tests of the kernels.
 class ReferenceBoxes {
   public:
     /// `model` must outlive it. `inverseMass`: of each vertex [1/kg].
@@ -21,12 +21,12 @@ class ReferenceBoxes {
                    const ContactSettings& settings, const TouchDistances& distances,
                    std::vector<double> inverseMass);
 
-    /// Triangles by what they answer to.
+    /// Triangles by kind of contact.
     struct Counts {
         int touched = 0;  ///< a corner or an edge of a box
-        int passed = 0;   ///< a box that passes through them
+        int passed = 0;   ///< a box passes through them
     };
-    /// One sweep over all touches: changes displacements and positions.
+    /// One sweep over all contacts: changes displacements and positions.
     Counts respond(ReferenceState& state) const;
 
   private:
@@ -45,7 +45,7 @@ class ReferenceBoxes {
         std::array<Vec3, 3> way;  ///< d [m]
     };
     using Ids = std::array<std::uint32_t, 3>;
-    /// The answer of a triangle, before masses are shared.
+    /// The response of a triangle, before masses are shared.
     struct Answer {
         Ids ids;
         Vec3 weights, impulse, push;  ///< the last two of d and X [m]

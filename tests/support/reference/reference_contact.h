@@ -16,8 +16,8 @@ struct ReferenceCandidate {
     double key = 0;        ///< distance as a share of how far the pair can move
 };
 
-/// Computes what the contact kernels compute, in double precision, without a grid and one pair
-/// after the other: the truth that they are tested against.
+/// Computes what the contact kernels compute, in double precision, without a grid, pair by pair:
+/// the reference for their tests.
 class ReferenceContact {
   public:
     /// `model` must outlive it. `inverseMass`: of each vertex [1/kg].
@@ -26,8 +26,8 @@ class ReferenceContact {
 
     /// The candidates of each vertex, nearest first, at most kCandidatesPerPoint.
     std::vector<std::vector<ReferenceCandidate>> findCandidates(const ReferenceState& state) const;
-    /// The sweeps of a substep over the contacts: changes displacements and positions. Returns how
-    /// many there were.
+    /// The sweeps of a substep over the contacts: changes displacements and positions. Returns
+    /// their number.
     int respond(const std::vector<std::vector<ReferenceCandidate>>& candidates,
                 ReferenceState& state) const;
 

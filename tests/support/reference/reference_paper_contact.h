@@ -5,10 +5,9 @@
 
 namespace kerf {
 
-/// Computes what PaperContact does, in double precision, with the paper's octree in the place of
-/// the grid and one pair after the other: the truth that the kernels are tested against. All
-/// vertices are free. `uniforms`: see paperContactUniforms(). Returns how many pairs of triangles
-/// meet.
+/// Computes what PaperContact does, in double precision, with the paper's octree instead of the
+/// grid, pair by pair: the reference for tests of the kernels. All vertices are free. `uniforms`:
+/// see paperContactUniforms(). Returns how many pairs of triangles meet.
 int respondAsThePaper(const BodyModel& model, const shared::ContactUniforms& uniforms,
                       BodyState& state);
 
