@@ -223,7 +223,7 @@ class AnswerBench {
         person_.picture();
         return true;
     }
-    /// To the start of the course, on the time line.
+    /// To the start of the session, on the time line.
     void goBack() {
         if (!editor_.itemRects().contains("scrubber")) {
             std::fprintf(stderr, "the time line is not in view\n");

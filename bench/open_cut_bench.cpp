@@ -47,12 +47,12 @@ double quality(const SurfaceMesh& mesh, int t) {
 class Play {
   public:
     Play(const app::Session& session, bool open)
-        : player_(session),
-          simulation_(app::loadSessionModel(session).mesh, withCourse(session.params, open)) {}
+        : schedule_(session),
+          simulation_(app::loadSessionModel(session).mesh, withTrace(session.params, open)) {}
 
     Figures run(int steps) {
         for (int step = 0; step < steps; ++step) {
-            for (const app::PlayedAction& played : player_.actionsAt(step)) {
+            for (const app::PlayedAction& played : schedule_.actionsAt(step)) {
                 std::visit(*this, played.action);
             }
             note(simulation_.step());
@@ -69,7 +69,7 @@ class Play {
     }
 
   private:
-    static Params withCourse(Params params, bool open) {
+    static Params withTrace(Params params, bool open) {
         params.openCut = open ? 1 : 0;
         return params;
     }
@@ -106,7 +106,7 @@ class Play {
         figures_.messages = simulation_.takeMessages();
     }
 
-    app::SessionPlayer player_;
+    app::SessionSchedule schedule_;
     Simulation simulation_;
     Figures figures_;
 };

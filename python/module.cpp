@@ -7,7 +7,7 @@
 #include "app/files/import/builtin_models.h"
 #include "app/session/material.h"
 #include "app/session/paper_experiments.h"
-#include "gpu/program_folder.h"
+#include "gpu/data_path.h"
 #include "python/bindings.h"
 #include "python/errors.h"
 #include "python/log.h"

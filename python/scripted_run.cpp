@@ -15,7 +15,7 @@
 #include "app/session/session.h"
 #include "sim/base/stopwatch.h"
 #include "sim/body/body_model.h"
-#include "sim/mesh/triangle_strain.h"
+#include "sim/mesh/triangle_quality.h"
 
 namespace kerf::python {
 namespace {
@@ -72,9 +72,9 @@ ScriptedRun::ScriptedRun(app::Session session, const RunOptions& options)
     app::ModelMesh model = load(session_);
     warnAbout(model.remarks);
     session_ = app::withOrigin(std::move(session_), model.origin);
-    player_.emplace(session_);
+    schedule_.emplace(session_);
     app::requireMemoryFor(session_, model.mesh, options.undoBudget);
-    running_ = std::make_unique<app::RunningSession>(
+    running_ = std::make_unique<app::HeadlessSession>(
         session_, std::move(model), options.undoBudget,
         options.fine ? render::Quality::full : render::Quality::light);
     simulation().feelBlade(options.forces);
@@ -126,7 +126,7 @@ void ScriptedRun::take(const app::CheckEvent& check) {
 
 const app::MetricsRow& ScriptedRun::step() {
     const Stopwatch watch;
-    running_->runner().applyActions(*player_, *this);
+    running_->driver().applyActions(*schedule_, *this);
     iterations_.add(stepCount(), simulation().bodyModel(), simulation().params());
     const StepReport& report = running_->step();
     row_ = {report, 0, watch.milliseconds(),
@@ -136,7 +136,7 @@ const app::MetricsRow& ScriptedRun::step() {
 }
 
 void ScriptedRun::finish() {
-    running_->runner().applyActions(*player_, *this);
+    running_->driver().applyActions(*schedule_, *this);
 }
 
 std::shared_ptr<const ScriptedRun::Snapshot> ScriptedRun::snapshot() {
@@ -145,7 +145,7 @@ std::shared_ptr<const ScriptedRun::Snapshot> ScriptedRun::snapshot() {
 }
 
 void ScriptedRun::restore(const Snapshot& snapshot) {
-    running_->goTo(snapshot.place);
+    running_->goTo(snapshot.checkpoint);
     journal_ = snapshot.journal;
     row_ = snapshot.row;
 }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/scene/timeline/session_journal.h"
+#include "app/session/headless_session.h"
 #include "app/session/iteration_watch.h"
 #include "app/session/metrics.h"
-#include "app/session/running_session.h"
 #include "gpu/context.h"
 
 namespace kerf::python {
@@ -77,7 +77,7 @@ class ScriptedRun {
 
     /// The current state, to return to; for this run only, as long as it lives.
     struct Snapshot {
-        app::RunningSession::Place place;
+        app::HeadlessSession::Checkpoint checkpoint;
         app::SessionJournal journal;
         app::MetricsRow row;
         int step = 0;
@@ -120,7 +120,7 @@ class ScriptedRun {
     /// Writes everything so far as a session that ends here with a check of the state.
     void saveSession(const std::filesystem::path& file);
 
-    // What happens before a step: see SessionRunner::applyActions.
+    // What happens before a step: see SimulationDriver::applyActions.
     void perform(const Command& command, int event);
     void take(const app::ScreenshotEvent& /*event*/) {}  // a replay writes it, or the script
     void take(const app::ExportEvent& /*event*/) {}
@@ -138,9 +138,9 @@ class ScriptedRun {
 
     app::Session session_;
     RunOptions options_;
-    std::optional<app::SessionPlayer> player_;
+    std::optional<app::SessionSchedule> schedule_;
     gpu::EglContext context_;
-    std::unique_ptr<app::RunningSession> running_;
+    std::unique_ptr<app::HeadlessSession> running_;
     app::SessionJournal journal_;
     app::MetricsRow row_;
     std::vector<std::string> messages_;

@@ -92,7 +92,7 @@ Json looksJson(const render::Appearance* appearance, const SkinAttributes& skin)
                   {"texture_coordinates", !skin.uvs.empty()},
                   {"vertex_colors", !skin.colors.empty()}};
     if (appearance != nullptr) {
-        for (const render::Material& material : appearance->materials) {
+        for (const render::SurfaceMaterial& material : appearance->materials) {
             looks["materials"].push_back({{"name", material.name}});
         }
         for (const auto& [name, bytes, pixels] : appearance->images) {
@@ -225,7 +225,7 @@ Json toJson(const UnitGuess& guess) {
 MemoryNeed memoryNeedOf(const MeshReport& report) {
     MemorySettings settings = memorySettings(Params{}, false);
     settings.undoBudget = kUndoBudget;
-    settings.courseBudget = kKeyframeBudget;
+    settings.keyframeBudget = kKeyframeBudget;
     return memoryNeedOf(
         BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
         settings);

@@ -88,9 +88,9 @@ void takeFilms(ReplayArguments& arguments) {
 ReplayResult runHeadless(const Session& session, const ReplayArguments& arguments,
                          std::ostream& out) {
     ReplayOptions options = arguments;
-    HashCourse expected;
+    HashTrace expected;
     if (!options.verifyName.empty()) {
-        expected = HashCourse::read(options.verifyName);
+        expected = HashTrace::read(options.verifyName);
         options.verify = &expected;
     }
     ReadOptions reading;

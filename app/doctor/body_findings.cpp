@@ -7,7 +7,7 @@
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
-#include "app/session/running_session.h"
+#include "app/session/headless_session.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
 #include "sim/mesh/invariants.h"
@@ -114,11 +114,11 @@ struct CutRun {
 };
 
 CutRun playCut(const Session& session) {
-    const SessionPlayer player(session);
-    RunningSession play(session, loadSessionModel(session), 0, render::Quality::light);
+    const SessionSchedule schedule(session);
+    HeadlessSession play(session, loadSessionModel(session), 0, render::Quality::light);
     CutRun run;
     while (play.simulation().stepCount() < session.steps) {
-        run.closed = play.stepBy(player).closed && run.closed;
+        run.closed = play.stepBy(schedule).closed && run.closed;
     }
     run.stateHash = play.simulation().stateHash();
     run.pieces = play.simulation().report().pieces;

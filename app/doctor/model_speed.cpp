@@ -4,8 +4,8 @@
 #include <span>
 
 #include "app/files/import/model_source.h"
+#include "app/session/headless_session.h"
 #include "app/session/paper_experiments.h"
-#include "app/session/running_session.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "gpu/program.h"
@@ -25,15 +25,15 @@ struct Frame {
 };
 
 std::vector<Frame> playFrames(const Session& session, double seconds) {
-    const SessionPlayer player(session);
-    RunningSession play(
+    const SessionSchedule schedule(session);
+    HeadlessSession play(
         session, loadSessionModel(session), 0,
         gpu::queryDevice().software ? render::Quality::light : render::Quality::full);
     std::vector<Frame> frames;
     const Stopwatch all;
     while (play.simulation().stepCount() < session.steps && all.seconds() < seconds) {
         const Stopwatch watch;
-        play.stepBy(player);
+        play.stepBy(schedule);
         play.show(play.camera(), kWidth, kHeight);
         gpu::finish();
         frames.push_back({watch.milliseconds(), play.simulation().blade().has_value()});

@@ -233,7 +233,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.view.camera.advance(elapsedSeconds);
     s.followFiles();
     if (s.scene != nullptr) {
-        s.sceneSteps.follow(s.scene.meanwhile().history());
+        s.sceneHistory.follow(s.scene.meanwhile().history());
     }
     if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
         s.redraw.panels();
@@ -346,8 +346,8 @@ void Editor::open(const std::filesystem::path& file) {
 
 void Editor::State::workOff() {
     while (!scene.underWay() &&
-           (sceneSteps.wanted != SceneSteps::Exchange::none || !scene.waiting.empty())) {
-        if (sceneSteps.wanted != SceneSteps::Exchange::none) {
+           (sceneHistory.wanted != SceneHistory::Exchange::none || !scene.waiting.empty())) {
+        if (sceneHistory.wanted != SceneHistory::Exchange::none) {
             followExchange();
             continue;
         }

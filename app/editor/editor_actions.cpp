@@ -170,7 +170,7 @@ void toggleRecording(State& s) {
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s) {
-    const JournalPlace place = s.toast.takeOffer().value_or(s.scene->recorder().here());
+    const JournalPosition place = s.toast.takeOffer().value_or(s.scene->recorder().here());
     const std::string file = s.scene->recorder().addPicture(place);
     s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
                  false);

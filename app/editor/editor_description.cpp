@@ -74,7 +74,7 @@ void Editor::State::describeScene() {
     panels.told = blank;
     if (scene != nullptr) {
         scene->describe(panels.told);
-        sceneSteps.describe(*scene, panels.told.changes);
+        sceneHistory.describe(*scene, panels.told.changes);
     }
     panels.told.help.hint = guide.hint(scene.get(), view);
     panels.experiments.describe(scene.get(), panels.told);

@@ -108,7 +108,7 @@ void closeScene(State& s) {
 
 /// Undoes the repair of the model on opening: shows its faults again.
 void askAboutRepair(State& s) {
-    const Mended& mended = *s.sceneSteps.mended;
+    const Mended& mended = *s.sceneHistory.mended;
     s.view.showFaulty(mended.fault, mended.order);
     s.panels.asked = {
         {.title = "Taken back: " + mended.change,
@@ -118,7 +118,7 @@ void askAboutRepair(State& s) {
         [&s](int choice) {
             s.hideFaulty();
             if (choice == 0) {
-                s.toast.show("Done again: " + s.sceneSteps.mended->change + ".", false);
+                s.toast.show("Done again: " + s.sceneHistory.mended->change + ".", false);
             } else {
                 s.askBefore("Close the model", [&s] { closeScene(s); });
             }
@@ -183,7 +183,7 @@ void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder&
             hideFaulty();
             if (choice < static_cast<int>(helps.size())) {
                 open(order, helps[choice].mending);
-                sceneSteps.beingMended = Mended{fault, order, helps[choice].button};
+                sceneHistory.beingMended = Mended{fault, order, helps[choice].button};
             }
         }};
 }
@@ -254,7 +254,7 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     picture.setBody(next->simulation().uncut());
     std::unique_ptr<EditorScene> old = scene.exchange(std::move(next));
     const int saved = keeping.savedDeeds();
-    sceneSteps.add(change, std::move(old), saved);
+    sceneHistory.add(change, std::move(old), saved);
     keeping.begin();
     view.beginAgain(*scene);
     beginScene();
@@ -266,30 +266,30 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
 }
 
 bool Editor::State::undoesScene() {
-    if (!sceneSteps.undoes(*scene) &&
-        !(sceneSteps.mended && !scene->simulation().history().canUndo())) {
+    if (!sceneHistory.undoes(*scene) &&
+        !(sceneHistory.mended && !scene->simulation().history().canUndo())) {
         return false;
     }
-    sceneSteps.wanted = SceneSteps::Exchange::back;
+    sceneHistory.wanted = SceneHistory::Exchange::back;
     return true;
 }
 
 bool Editor::State::redoesScene() {
-    if (!sceneSteps.redoes(*scene)) {
+    if (!sceneHistory.redoes(*scene)) {
         return false;
     }
-    sceneSteps.wanted = SceneSteps::Exchange::forth;
+    sceneHistory.wanted = SceneHistory::Exchange::forth;
     return true;
 }
 
 void Editor::State::followExchange() {
-    const SceneSteps::Exchange wanted =
-        std::exchange(sceneSteps.wanted, SceneSteps::Exchange::none);
-    if (wanted == SceneSteps::Exchange::none || scene == nullptr) {
+    const SceneHistory::Exchange wanted =
+        std::exchange(sceneHistory.wanted, SceneHistory::Exchange::none);
+    if (wanted == SceneHistory::Exchange::none || scene == nullptr) {
         return;
     }
-    const bool back = wanted == SceneSteps::Exchange::back;
-    if (back && !sceneSteps.undoes(*scene)) {
+    const bool back = wanted == SceneHistory::Exchange::back;
+    if (back && !sceneHistory.undoes(*scene)) {
         scene.waiting.clear();
         askAboutRepair(*this);
         return;
@@ -299,8 +299,8 @@ void Editor::State::followExchange() {
     scene->timeline().stopSeeking();
     const int saved = keeping.savedDeeds();
     std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
-    SceneSteps::Kept kept =
-        back ? sceneSteps.undo(std::move(now), saved) : sceneSteps.redo(std::move(now), saved);
+    SceneHistory::Kept kept =
+        back ? sceneHistory.undo(std::move(now), saved) : sceneHistory.redo(std::move(now), saved);
     scene.exchange(std::move(kept.scene));
     picture.setBody(scene->simulation().uncut());
     keeping.begin();
@@ -314,12 +314,12 @@ void Editor::State::followExchange() {
 
 void Editor::State::goToChange(std::size_t done) {
     const UndoHistory& history = scene->simulation().history();
-    const std::size_t first = sceneSteps.rowsBefore();
+    const std::size_t first = sceneHistory.rowsBefore();
     const std::size_t own = std::max(done, first) - first;
     while (history.done() > own && history.canUndo()) {
         execute(Undo{});
     }
-    while (history.done() < own && history.canRedo() && !sceneSteps.redoes(*scene)) {
+    while (history.done() < own && history.canRedo() && !sceneHistory.redoes(*scene)) {
         execute(Redo{});
     }
     const bool further = done < first ? undoesScene() : history.done() < own && redoesScene();

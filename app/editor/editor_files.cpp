@@ -132,7 +132,7 @@ void onSaved(State& s, const SavingQueue::Outcome& outcome) {
 
 void Editor::State::open(OpeningOrder order, const Mending& mending) {
     panels.asked.reset();
-    sceneSteps.beingMended.reset();
+    sceneHistory.beingMended.reset();
     hideFaulty();
     work.open(std::move(order), mending);
 }
@@ -155,8 +155,8 @@ void Editor::State::show(UploadedDocument uploaded) {
     picture.depths.note(next->simulation().uncut(), std::move(uploaded.depth));
     picture.setBody(next->simulation().uncut());
     scene.set(std::move(next));
-    sceneSteps.clear();
-    sceneSteps.mended = std::exchange(sceneSteps.beingMended, std::nullopt);
+    sceneHistory.clear();
+    sceneHistory.mended = std::exchange(sceneHistory.beingMended, std::nullopt);
     keeping.begin();
     view.begin(*scene);
     beginScene();
@@ -168,7 +168,7 @@ void Editor::State::show(UploadedDocument uploaded) {
 
 void Editor::State::beginScene() {
     work.stopPlacing();
-    sceneSteps.wanted = SceneSteps::Exchange::none;
+    sceneHistory.wanted = SceneHistory::Exchange::none;
     offers.comingBack = false;
     work.onceSaved = nullptr;
     guide.begin(*scene);

@@ -93,7 +93,7 @@ void Editor::State::tellOfDriver() {
 void Editor::State::leaveScene() {
     panels.asked.reset();
     hideFaulty();
-    sceneSteps.clear();
+    sceneHistory.clear();
     work.onceSaved = nullptr;
     offers.comingBack = false;
     work.stopPlacing();

@@ -9,7 +9,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/steps/kernel_preparation.h"
 #include "app/editor/steps/scene_at_work.h"
-#include "app/editor/steps/scene_steps.h"
+#include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/file_chooser.h"
@@ -54,8 +54,8 @@ struct Editor::State {
     StepClock clock;
     EditorPanels panels;
     EditorPicture picture;
-    SceneAtWork scene;      ///< null while nothing is open
-    SceneSteps sceneSteps;  ///< the scenes before and after it
+    SceneAtWork scene;          ///< null while nothing is open
+    SceneHistory sceneHistory;  ///< the scenes before and after it
     EditorView view;
     EditorToast toast;
     NewcomerGuide guide;

@@ -11,7 +11,7 @@ namespace kerf::app {
 
 /// Files of an expectation folder, besides hashes.csv and the pictures under their own names.
 inline constexpr const char* kExpectedFile = "expected.json";
-inline constexpr const char* kCourseFile = "course.csv";
+inline constexpr const char* kTraceFile = "course.csv";
 inline constexpr const char* kPieceBoxesFile = "pieces.csv";
 
 /// The folder of a session's expectations: NAME.expected beside NAME.kerf.json.

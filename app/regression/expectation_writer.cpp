@@ -24,7 +24,7 @@ const ExpectedPicture* findPicture(const Expectation& expectation, const std::st
 /// With what a person set in the earlier one.
 Expectation expectationOf(const RunResults& results, const Expectation& earlier) {
     Expectation expectation{
-        KERF_VERSION,      results.driver,     static_cast<int>(results.course.size()),
+        KERF_VERSION,      results.driver,     static_cast<int>(results.trace.size()),
         results.stateHash, earlier.tolerances, {}};
     for (const TakenPicture& picture : results.pictures) {
         const ExpectedPicture* before = findPicture(earlier, picture.file);
@@ -56,7 +56,7 @@ void writeExpectation(const std::filesystem::path& expectationFolder, const RunR
         copyFile(results, picture.file, folder);
     }
     copyFile(results, kHashesFile, folder);
-    folder.write(kCourseFile, formatCourse(results.course));
+    folder.write(kTraceFile, formatTrace(results.trace));
     folder.write(kPieceBoxesFile, formatPieces(thinnedOut(results.pieces)));
     folder.write(kExpectedFile, formatExpectation(expectation));
 }

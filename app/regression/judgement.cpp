@@ -24,9 +24,9 @@ constexpr std::uintmax_t kMaxSummaryBytes = 1u << 30;
 /// The parts of an expectation that are compared with a run.
 struct Expected {
     Expectation expectation;
-    HashCourse hashes;
-    Course course;
-    PieceCourse pieces;
+    HashTrace hashes;
+    RunTrace trace;
+    PieceTrace pieces;
 };
 
 /// A table that was cut short would hold less, and nobody would know.
@@ -41,11 +41,11 @@ void requireSteps(const std::filesystem::path& file, int steps, int expected) {
 
 Expected readExpected(const std::filesystem::path& folder) {
     Expected expected{readExpectation(folder / kExpectedFile),
-                      HashCourse::read(folder / kHashesFile), readCourse(folder / kCourseFile),
+                      HashTrace::read(folder / kHashesFile), readTrace(folder / kTraceFile),
                       readPieces(folder / kPieceBoxesFile)};
     const int steps = expected.expectation.steps;
     requireSteps(folder / kHashesFile, expected.hashes.steps(), steps);
-    requireSteps(folder / kCourseFile, static_cast<int>(expected.course.size()), steps);
+    requireSteps(folder / kTraceFile, static_cast<int>(expected.trace.size()), steps);
     requireSteps(folder / kPieceBoxesFile, lastStepOf(expected.pieces) + 1, steps);
     return expected;
 }
@@ -74,7 +74,7 @@ double farthest(const std::vector<PieceBox>& pieces, std::vector<PieceBox> other
 }
 
 /// Where there are more or fewer pieces than there should be, the box around all of them counts.
-std::vector<Deviation> comparePositions(const PieceCourse& expected, const PieceCourse& found) {
+std::vector<Deviation> comparePositions(const PieceTrace& expected, const PieceTrace& found) {
     std::vector<Deviation> deviations;
     for (const auto& [step, pieces] : expected) {
         const auto now = found.find(step);
@@ -87,7 +87,7 @@ std::vector<Deviation> comparePositions(const PieceCourse& expected, const Piece
     return deviations;
 }
 
-double diagonalOf(const PieceCourse& pieces) {
+double diagonalOf(const PieceTrace& pieces) {
     return pieces.empty() ? 0 : boxAround(pieces.begin()->second).diagonal();
 }
 
@@ -99,7 +99,7 @@ double shareOf(double difference, double whole) {
 }
 
 /// The largest difference of volume, as a share of that after the first step.
-Deviation compareVolume(const Course& expected, const Course& found) {
+Deviation compareVolume(const RunTrace& expected, const RunTrace& found) {
     std::vector<Deviation> deviations;
     for (std::size_t step = 0; step < std::min(expected.size(), found.size()); ++step) {
         const double difference = std::abs(found[step].volume - expected[step].volume);
@@ -113,14 +113,14 @@ Deviation compareVolume(const Course& expected, const Course& found) {
 struct Count {
     const char* one;
     const char* many;
-    int CourseRow::*member;
+    int TraceRow::*member;
 };
-constexpr Count kCounts[] = {{"piece", "pieces", &CourseRow::pieces},
-                             {"vertex", "vertices", &CourseRow::vertices},
-                             {"triangle", "triangles", &CourseRow::triangles}};
+constexpr Count kCounts[] = {{"piece", "pieces", &TraceRow::pieces},
+                             {"vertex", "vertices", &TraceRow::vertices},
+                             {"triangle", "triangles", &TraceRow::triangles}};
 
 /// "3 pieces instead of 2", where a step has other counts than expected; else "".
-std::string otherCounts(const CourseRow& expected, const CourseRow& found) {
+std::string otherCounts(const TraceRow& expected, const TraceRow& found) {
     for (const Count& count : kCounts) {
         if (expected.*count.member != found.*count.member) {
             return counted(found.*count.member, count.one, count.many) + " instead of " +
@@ -131,7 +131,7 @@ std::string otherCounts(const CourseRow& expected, const CourseRow& found) {
 }
 
 /// The first step with other counts, and what they are.
-std::optional<Finding> compareCounts(const Course& expected, const Course& found) {
+std::optional<Finding> compareCounts(const RunTrace& expected, const RunTrace& found) {
     for (std::size_t step = 0; step < std::min(expected.size(), found.size()); ++step) {
         const std::string counts = otherCounts(expected[step], found[step]);
         if (!counts.empty()) {
@@ -145,7 +145,7 @@ std::optional<Finding> compareCounts(const Course& expected, const Course& found
 // --- The state ----------------------------------------------------------------------------------
 
 std::optional<Finding> compareLengths(const Expected& expected, const RunResults& results) {
-    const int steps = static_cast<int>(results.course.size());
+    const int steps = static_cast<int>(results.trace.size());
     if (steps == expected.expectation.steps) {
         return std::nullopt;
     }
@@ -161,28 +161,28 @@ struct NewParts {
 };
 
 /// By step: what differs, and what follows from it later on. The parts `ignored` do not count.
-std::vector<NewParts> compareHashes(const HashCourse& expected, const HashCourse& found,
+std::vector<NewParts> compareHashes(const HashTrace& expected, const HashTrace& found,
                                     const std::set<std::string>& ignored = {}) {
-    std::vector<NewParts> course;
+    std::vector<NewParts> trace;
     std::set<std::string> known = ignored;
     for (int step = 0; step < std::min(expected.steps(), found.steps()); ++step) {
         NewParts now{step, expected.differingParts(step, found)};
         std::erase_if(now.names, [&](const auto& name) { return !known.insert(name).second; });
         if (!now.names.empty()) {
-            course.push_back(std::move(now));
+            trace.push_back(std::move(now));
         }
     }
-    return course;
+    return trace;
 }
 
 /// "Step 0: parameters differ, from step 25 on positions and velocities".
-std::string sentenceAbout(const std::vector<NewParts>& course) {
-    const std::vector<std::string>& first = course.front().names;
+std::string sentenceAbout(const std::vector<NewParts>& trace) {
+    const std::vector<std::string>& first = trace.front().names;
     const bool one = first.size() == 1 && !first.front().ends_with('s');
-    std::string text = fmt::format("Step {}: {} {}", course.front().step, enumerated(first),
+    std::string text = fmt::format("Step {}: {} {}", trace.front().step, enumerated(first),
                                    one ? "differs" : "differ");
-    for (std::size_t i = 1; i < course.size(); ++i) {
-        text += fmt::format(", from step {} on {}", course[i].step, enumerated(course[i].names));
+    for (std::size_t i = 1; i < trace.size(); ++i) {
+        text += fmt::format(", from step {} on {}", trace[i].step, enumerated(trace[i].names));
     }
     return text;
 }
@@ -195,7 +195,7 @@ std::string percent(double share) {
 /// How far off a run is at most, as the end of a sentence.
 std::string howFar(const Judgement& judgement, const Expected& expected) {
     const Deviation position = largest(judgement.positions);
-    const Deviation volume = compareVolume(expected.course, judgement.course);
+    const Deviation volume = compareVolume(expected.trace, judgement.trace);
     std::string text;
     if (position.value > 0) {
         text += fmt::format("; at most {:.3g} m away, at step {}", position.value, position.step);
@@ -203,7 +203,7 @@ std::string howFar(const Judgement& judgement, const Expected& expected) {
     if (volume.value > 0) {
         text += fmt::format("; volume off by {} at step {}", percent(volume.value), volume.step);
     }
-    const auto counts = compareCounts(expected.course, judgement.course);
+    const auto counts = compareCounts(expected.trace, judgement.trace);
     return text + (counts ? "; " + lowerCase(counts->sentence) : ".");
 }
 
@@ -233,7 +233,7 @@ std::optional<Finding> judgePositions(const Expected& expected, const Judgement&
 }
 
 std::optional<Finding> judgeVolume(const Expected& expected, const Judgement& judgement) {
-    const Deviation off = compareVolume(expected.course, judgement.course);
+    const Deviation off = compareVolume(expected.trace, judgement.trace);
     const double allowed = expected.expectation.tolerances.volume;
     if (off.value <= allowed) {
         return std::nullopt;
@@ -245,15 +245,14 @@ std::optional<Finding> judgeVolume(const Expected& expected, const Judgement& ju
 }
 
 std::optional<Finding> judgePieces(const Expected& expected, const Judgement& judgement) {
-    const int last =
-        static_cast<int>(std::min(expected.course.size(), judgement.course.size())) - 1;
-    if (last < 0 || expected.course[last].pieces == judgement.course[last].pieces) {
+    const int last = static_cast<int>(std::min(expected.trace.size(), judgement.trace.size())) - 1;
+    if (last < 0 || expected.trace[last].pieces == judgement.trace[last].pieces) {
         return std::nullopt;
     }
     return Finding{"pieces", last,
                    fmt::format("Step {}: {} instead of {}.", last,
-                               counted(judgement.course[last].pieces, "piece", "pieces"),
-                               expected.course[last].pieces)};
+                               counted(judgement.trace[last].pieces, "piece", "pieces"),
+                               expected.trace[last].pieces)};
 }
 
 /// What goes into a run is the same on each driver.
@@ -366,8 +365,8 @@ RunResults readResults(const std::filesystem::path& folder, const Session& sessi
                 summary.at("failures"),
                 summary.at("messages"),
                 takenPictures(session),
-                HashCourse::read(folder / kHashesFile),
-                readCourse(folder / kMetricsFile),
+                HashTrace::read(folder / kHashesFile),
+                readTrace(folder / kMetricsFile),
                 readPieces(folder / kPiecesFile)};
     } catch (const nlohmann::json::exception&) {
         throw InputError(file.string() + ": this is no summary of a replay; run it again.");
@@ -380,8 +379,8 @@ Judgement judge(const std::filesystem::path& expectationFolder, const RunResults
     Judgement judgement;
     judgement.otherDriver = expected.expectation.driver != results.driver;
     judgement.expectedDriver = expected.expectation.driver;
-    judgement.expectedCourse = expected.course;
-    judgement.course = results.course;
+    judgement.expectedTrace = expected.trace;
+    judgement.trace = results.trace;
     judgement.positions = comparePositions(expected.pieces, results.pieces);
     for (const std::string& failure : results.failures) {
         judgement.findings.push_back(findingOfCheck(failure));

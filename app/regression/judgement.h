@@ -7,8 +7,8 @@
 
 #include "app/regression/expectation.h"
 #include "app/regression/picture_check.h"
-#include "app/regression/run_course.h"
-#include "app/session/hash_course.h"
+#include "app/regression/run_trace.h"
+#include "app/session/hash_trace.h"
 #include "app/session/session.h"
 
 namespace kerf::app {
@@ -27,9 +27,9 @@ struct RunResults {
     std::vector<std::string> failures;  ///< of checks and invariants during the run
     std::vector<std::string> messages;  ///< about problems in steps
     std::vector<TakenPicture> pictures;
-    HashCourse hashes;
-    Course course;
-    PieceCourse pieces;
+    HashTrace hashes;
+    RunTrace trace;
+    PieceTrace pieces;
 };
 /// Reads the results of `kerf replay --hashes --pieces` of a session. Throws InputError.
 RunResults readResults(const std::filesystem::path& folder, const Session& session);
@@ -57,8 +57,8 @@ struct Judgement {
     Driver expectedDriver;     ///< that of the expectation
     std::vector<Finding> findings;
     std::vector<PictureCheck> pictures;
-    Course expectedCourse;
-    Course course;
+    RunTrace expectedTrace;
+    RunTrace trace;
     /// The deviation of boxes around pieces at some steps [m].
     std::vector<Deviation> positions;
 

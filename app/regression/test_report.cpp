@@ -39,13 +39,13 @@ Json pageData(const PictureCheck& picture, const TestResult& result) {
 
 /// Some values of a run, evenly spaced over its steps: {"x": [...], "y": [...]}.
 template <class Value>
-Json curve(const Course& course, Value value) {
+Json curve(const RunTrace& trace, Value value) {
     Json x = Json::array();
     Json y = Json::array();
-    const std::size_t spacing = course.size() / kPlottedSteps + 1;
-    for (std::size_t step = 0; step < course.size(); step += spacing) {
+    const std::size_t spacing = trace.size() / kPlottedSteps + 1;
+    for (std::size_t step = 0; step < trace.size(); step += spacing) {
         x.push_back(step);
-        y.push_back(value(course[step]));
+        y.push_back(value(trace[step]));
     }
     return {{"x", std::move(x)}, {"y", std::move(y)}};
 }
@@ -62,8 +62,8 @@ Json plot(const PlotScale& scale, const Judgement& judgement, Value value) {
     return {{"title", scale.title},
             {"least", scale.least},
             {"whole", scale.whole},
-            {"expected", curve(judgement.expectedCourse, value)},
-            {"actual", curve(judgement.course, value)}};
+            {"expected", curve(judgement.expectedTrace, value)},
+            {"actual", curve(judgement.trace, value)}};
 }
 
 Json positionPlot(const Judgement& judgement) {
@@ -80,17 +80,17 @@ Json positionPlot(const Judgement& judgement) {
 }
 
 Json plots(const Judgement& judgement) {
-    if (judgement.expectedCourse.empty()) {
+    if (judgement.expectedTrace.empty()) {
         return Json::array();
     }
-    const double start = judgement.expectedCourse.front().volume;
+    const double start = judgement.expectedTrace.front().volume;
     return Json::array(
         {positionPlot(judgement),
          plot({"Volume, % of the first step", 0.1}, judgement,
-              [start](const CourseRow& row) { return 100 * row.volume / start; }),
-         plot({"Pieces", 2, true}, judgement, [](const CourseRow& row) { return row.pieces; }),
+              [start](const TraceRow& row) { return 100 * row.volume / start; }),
+         plot({"Pieces", 2, true}, judgement, [](const TraceRow& row) { return row.pieces; }),
          plot({"Triangles", 10, true}, judgement,
-              [](const CourseRow& row) { return row.triangles; })});
+              [](const TraceRow& row) { return row.triangles; })});
 }
 
 std::string nameOf(const Driver& driver) {

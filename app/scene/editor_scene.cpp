@@ -69,7 +69,7 @@ void EditorScene::startAnew() {
 
 void EditorScene::forgetStroke() {
     stroke().clear();
-    body().runner.setStrokePoses({});
+    body().driver.setStrokePoses({});
 }
 
 // --- What is done to the body ------------------------------------------------------------------
@@ -147,7 +147,7 @@ void EditorScene::step() {
     hands().move();
     letTimeRunAsWanted(pose.has_value());
     const int piecesBefore = simulation().report().pieces;
-    const StepReport& report = body().runner.step();
+    const StepReport& report = body().driver.step();
     body().followPlacement();  // by an event of the session
     readout().addStep(report, piecesBefore);
     recorder().checkNowAndThen();

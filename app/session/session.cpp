@@ -238,12 +238,12 @@ bool undoesAnything(const Session& session) {
     });
 }
 
-SessionPlayer::SessionPlayer(const Session& session) : session_(&session) {
+SessionSchedule::SessionSchedule(const Session& session) : session_(&session) {
     collectBladeMoves();
     collectHandMoves();
 }
 
-void SessionPlayer::collectBladeMoves() {
+void SessionSchedule::collectBladeMoves() {
     const SessionEvent* lastKey = nullptr;
     for (const SessionEvent& event : session_->events) {
         if (takesBladeAway(event.action)) {
@@ -261,7 +261,7 @@ void SessionPlayer::collectBladeMoves() {
     }
 }
 
-void SessionPlayer::collectHandMoves() {
+void SessionSchedule::collectHandMoves() {
     struct Key {
         int step = 0;
         Vec3 at = Vec3::Zero();
@@ -287,7 +287,7 @@ void SessionPlayer::collectHandMoves() {
     }
 }
 
-std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
+std::vector<PlayedAction> SessionSchedule::actionsAt(int step) const {
     const auto byStep = [](const SessionEvent& event, int value) { return event.step < value; };
     const auto& events = session_->events;
     std::vector<PlayedAction> actions;
@@ -299,7 +299,7 @@ std::vector<PlayedAction> SessionPlayer::actionsAt(int step) const {
     return actions;
 }
 
-std::vector<PlayedAction> SessionPlayer::posesBetweenKeys(int step) const {
+std::vector<PlayedAction> SessionSchedule::posesBetweenKeys(int step) const {
     std::vector<PlayedAction> poses;
     for (const KeyMove& move : moves_) {
         if (step > move.firstStep && step < move.lastStep) {

@@ -202,10 +202,10 @@ struct PlayedAction {
 };
 
 /// The commands of one step, blade poses interpolated between key poses.
-class SessionPlayer {
+class SessionSchedule {
   public:
-    /// The session must outlive the player.
-    explicit SessionPlayer(const Session& session);
+    /// The session must outlive the schedule.
+    explicit SessionSchedule(const Session& session);
     /// All actions before step `step`, in order; between two key poses the blade's pose comes last.
     /// `step` equal to session.steps: after the run.
     std::vector<PlayedAction> actionsAt(int step) const;

@@ -54,7 +54,7 @@ class Case:
     params: dict = dataclasses.field(default_factory=lambda: dict(PARAMS))
 
 
-class Course:
+class Script:
     """The events of a session, in their order."""
 
     def __init__(self):
@@ -96,12 +96,12 @@ def even(half, cells):
 def bar(depth):
     half = BAR / 2
     bottom = half[1] - BAR[1] * depth / 100
-    course = Course()
-    course.add("pin", **plane_at(-half[0], BAR))
+    script = Script()
+    script.add("pin", **plane_at(-half[0], BAR))
     if depth:
         reach = half[2] + CLEARANCE
-        course.cut((NOTCH_AT, half[1] + CLEARANCE, reach), (NOTCH_AT, bottom, reach))
-    course.load(BAR_GRAVITY)
+        script.cut((NOTCH_AT, half[1] + CLEARANCE, reach), (NOTCH_AT, bottom, reach))
+    script.load(BAR_GRAVITY)
 
     def solid(fineness):
         mesh = solid_box([lines_through(-half[0], NOTCH_AT, half[0], 2 * fineness),
@@ -110,24 +110,24 @@ def bar(depth):
         return solid_of(mesh, BAR_GRAVITY, mesh.nodes[:, 0] == -half[0])
 
     return Case(f"bar-{depth}", "notched bar", f"{depth} % of its height" if depth else "none",
-                bodies.box(BAR, BAR_CELLS), course.events, course.step,
+                bodies.box(BAR, BAR_CELLS), script.events, script.step,
                 np.array([-half[0], 0, 0]), solid, end=half[0],
                 cut_plane=NOTCH_AT if depth else None, opens=depth > 0)
 
 
 def slab(cut):
     half = SLAB / 2
-    course = Course()
+    script = Script()
     if cut:
-        course.cut((0, half[1] + CLEARANCE, INCISION_HALF), (0, 0, INCISION_HALF))
+        script.cut((0, half[1] + CLEARANCE, INCISION_HALF), (0, 0, INCISION_HALF))
     still = plane_at(-half[0], SLAB)
-    course.add("pin", **plane_at(half[0], SLAB))
-    course.add("pin", **still)
+    script.add("pin", **plane_at(half[0], SLAB))
+    script.add("pin", **still)
     for _ in range(STRETCH_STEPS):  # what is pinned moves as a whole, so the other end is free then
-        course.add("unpin", **still)
-        course.add("move_pins", by=[STRETCH * SLAB[0] / STRETCH_STEPS, 0, 0])
-        course.add("pin", **still)
-        course.step += 1
+        script.add("unpin", **still)
+        script.add("move_pins", by=[STRETCH * SLAB[0] / STRETCH_STEPS, 0, 0])
+        script.add("pin", **still)
+        script.step += 1
 
     def solid(fineness):
         mesh = solid_box([lines_through(-half[0], 0, half[0], 3 * fineness),
@@ -137,8 +137,8 @@ def slab(cut):
         return solid_of(mesh, 0, abs(x) == half[0], STRETCH * SLAB[0] * (x == half[0]), 3)
 
     return Case("slab-incised" if cut else "slab-whole", "slab drawn apart",
-                "incision" if cut else "none", bodies.box(SLAB, SLAB_CELLS), course.events,
-                course.step, np.array([-half[0], 0, 0]), solid, cut_plane=0 if cut else None,
+                "incision" if cut else "none", bodies.box(SLAB, SLAB_CELLS), script.events,
+                script.step, np.array([-half[0], 0, 0]), solid, cut_plane=0 if cut else None,
                 opens=cut)
 
 
@@ -150,12 +150,12 @@ def cap():
 
 
 def ball(half):
-    course = Course()
-    course.add("pin", **cap())
+    script = Script()
+    script.add("pin", **cap())
     if half:
         reach = RADIUS + CLEARANCE
-        course.cut((0, reach, reach), (0, -reach, reach))
-    course.load(BALL_GRAVITY)
+        script.cut((0, reach, reach), (0, -reach, reach))
+    script.load(BALL_GRAVITY)
 
     def solid(fineness):
         mesh = solid_ball(RADIUS, ROWS, fineness + 1, half)
@@ -173,7 +173,7 @@ def ball(half):
     middle = (cap()["low"][0] + cap()["high"][0]) / 2
     return Case("ball-half" if half else "ball-whole", "hanging ball",
                 "in half" if half else "none", (whole.nodes[used], triangles),
-                course.events, course.step, np.array([middle, RADIUS, 0]), solid, hangs=True,
+                script.events, script.step, np.array([middle, RADIUS, 0]), solid, hangs=True,
                 cut_plane=0 if half else None,
                 params={**PARAMS, "floor": -4 * RADIUS})
 

@@ -85,7 +85,7 @@ Image decodeImage(std::string_view bytes) {
     return image;
 }
 
-Eigen::Vector4f shownColor(const Material& material) {
+Eigen::Vector4f shownColor(const SurfaceMaterial& material) {
     Eigen::Vector4f color = material.baseColor;
     if (material.image >= 0 && color.head<3>().isZero(0)) {
         color.head<3>().setOnes();

@@ -11,13 +11,13 @@ namespace kerf::render {
 
 /// A material of a model, in the terms of glTF: what a texture and the colours of corners give is
 /// multiplied by the base colour.
-struct Material {
+struct SurfaceMaterial {
     std::string name;
     Eigen::Vector4f baseColor = Eigen::Vector4f::Ones();  ///< linear light, and opacity
     float roughness = 0.6F;                               ///< 0 to 1
     float metallic = 0;                                   ///< 0 to 1
     int image = -1;                                       ///< of the base colour; -1 for none
-    bool operator==(const Material&) const = default;
+    bool operator==(const SurfaceMaterial&) const = default;
 };
 
 /// An image of a model: the bytes of its file, PNG or JPEG, and its pixels.
@@ -29,7 +29,7 @@ struct ModelImage {
 
 /// The model's own looks, besides those of its triangles (SkinAttributes).
 struct Appearance {
-    std::vector<Material> materials;
+    std::vector<SurfaceMaterial> materials;
     std::vector<ModelImage> images;
     bool empty() const { return materials.empty() && images.empty(); }
 };
@@ -55,6 +55,6 @@ Image decodeImage(std::string_view bytes);
 
 /// The displayed colour of a material, by which textures are multiplied: black under a texture, as
 /// some writers of MTL files leave it, counts as white.
-Eigen::Vector4f shownColor(const Material& material);
+Eigen::Vector4f shownColor(const SurfaceMaterial& material);
 
 }  // namespace kerf::render

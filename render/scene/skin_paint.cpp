@@ -25,12 +25,12 @@ class Paint {
         : colored_(colored), appearance_(appearance) {}
 
     int imageOf(const PaintedTriangle& painted) const {
-        const Material* material = materialOf(painted.attributes);
+        const SurfaceMaterial* material = materialOf(painted.attributes);
         return material == nullptr ? -1 : material->image;
     }
     shared::SkinRecord record(const PaintedTriangle& painted) const {
         const TriangleAttributes& from = painted.attributes;
-        const Material* material = materialOf(from);
+        const SurfaceMaterial* material = materialOf(from);
         const Eigen::Vector4f base =
             material == nullptr ? Eigen::Vector4f(Eigen::Vector4f::Ones()) : shownColor(*material);
         const bool own = material != nullptr || colored_;
@@ -41,7 +41,7 @@ class Paint {
     }
 
   private:
-    const Material* materialOf(const TriangleAttributes& attributes) const {
+    const SurfaceMaterial* materialOf(const TriangleAttributes& attributes) const {
         const bool has = appearance_ != nullptr && attributes.material >= 0;
         return has ? &appearance_->materials[attributes.material] : nullptr;
     }

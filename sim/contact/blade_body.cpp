@@ -30,7 +30,7 @@ Vec3 squared(const Vec3& direction, const Vec3& along) {
     return square.norm() > kLeastAcross ? Vec3(square.normalized()) : Vec3(Vec3::Zero());
 }
 
-BladeFrame frameBetween(const BladeCourse& from, const BladeCourse& to, double t) {
+BladeFrame frameBetween(const BladeTrail& from, const BladeTrail& to, double t) {
     const Blade edge = interpolate(from.edge, to.edge, t);
     const Vec3 along = directionOf(edge);
     const Vec3 first = from.back.isZero() ? to.back : from.back;
@@ -43,21 +43,21 @@ BladeFrame frameBetween(const BladeCourse& from, const BladeCourse& to, double t
     return frame;
 }
 
-BladeFrame frameAt(std::span<const BladeCourse> courses, double t) {
-    if (courses.size() == 1) {
-        return frameBetween(courses[0], courses[0], 0);
+BladeFrame frameAt(std::span<const BladeTrail> trails, double t) {
+    if (trails.size() == 1) {
+        return frameBetween(trails[0], trails[0], 0);
     }
-    const double place = t * static_cast<double>(courses.size() - 1);
-    const auto leg = std::min(static_cast<std::size_t>(place), courses.size() - 2);
-    return frameBetween(courses[leg], courses[leg + 1], place - static_cast<double>(leg));
+    const double place = t * static_cast<double>(trails.size() - 1);
+    const auto leg = std::min(static_cast<std::size_t>(place), trails.size() - 2);
+    return frameBetween(trails[leg], trails[leg + 1], place - static_cast<double>(leg));
 }
 
 }  // namespace
 
-BladeCourse ledTo(const BladeCourse& course, const Blade& to, double width) {
+BladeTrail ledTo(const BladeTrail& trail, const Blade& to, double width) {
     const Vec3 along = directionOf(to);
-    const Vec3 move = across(middle(to) - middle(course.edge), along);
-    BladeCourse next{to, squared(course.back, along), course.way, course.farthest};
+    const Vec3 move = across(middle(to) - middle(trail.edge), along);
+    BladeTrail next{to, squared(trail.back, along), trail.way, trail.farthest};
     if (next.back.isZero()) {
         next.way = next.farthest = 0;
     }
@@ -104,16 +104,16 @@ Bounds BladeMotion::bounds() const {
     return box;
 }
 
-BladeMotion motionOf(std::span<const BladeCourse> courses, const BladeSize& size, double front,
+BladeMotion motionOf(std::span<const BladeTrail> trails, const BladeSize& size, double front,
                      double leastBevel, int substeps) {
-    assert(!courses.empty() && substeps > 0);
+    assert(!trails.empty() && substeps > 0);
     BladeMotion motion;
     motion.front = front;
-    motion.back = courses.front().widthOf(size);
+    motion.back = trails.front().widthOf(size);
     motion.bevel = std::max(kBladeBevel * size.width, leastBevel);
     motion.halfThickness = 0.5 * size.thickness;
     for (int i = 0; i <= substeps; ++i) {
-        motion.frames.push_back(frameAt(courses, i / static_cast<double>(substeps)));
+        motion.frames.push_back(frameAt(trails, i / static_cast<double>(substeps)));
     }
     return motion;
 }

@@ -19,7 +19,7 @@ struct BladeSize {
 /// trails the edge like a towed point, as long as the edge moves ahead within 45 degrees; drawn
 /// back or sideways, the blade keeps its direction. The body is never wider than the distance ahead
 /// so far, so it stays in what the edge has swept.
-struct BladeCourse {
+struct BladeTrail {
     Blade edge;
     Vec3 back = Vec3::Zero();  ///< from the edge to the back, unit, square to AB; zero at first
     double way = 0;            ///< ahead since it was placed, less that drawn back [m]
@@ -29,8 +29,8 @@ struct BladeCourse {
     double widthOf(const BladeSize& size) const { return std::min(size.width, farthest); }
 };
 
-/// The course after the edge has moved to `to`. `width`: of the whole body, at which it trails [m].
-BladeCourse ledTo(const BladeCourse& course, const Blade& to, double width);
+/// The trail after the edge has moved to `to`. `width`: of the whole body, at which it trails [m].
+BladeTrail ledTo(const BladeTrail& trail, const Blade& to, double width);
 
 /// Axes of a blade: the middle of its edge, and unit columns along AB, to the back, and across the
 /// flat sides.
@@ -60,9 +60,9 @@ struct BladeMotion {
     Bounds bounds() const;
 };
 
-/// The body of a blade that passes `courses` (at least one) evenly in a time step of `substeps`. It
+/// The body of a blade that passes `trails` (at least one) evenly in a time step of `substeps`. It
 /// begins `front` behind the edge, and its bevel is at least `leastBevel` long [m].
-BladeMotion motionOf(std::span<const BladeCourse> courses, const BladeSize& size, double front,
+BladeMotion motionOf(std::span<const BladeTrail> trails, const BladeSize& size, double front,
                      double leastBevel, int substeps);
 
 /// Share of the width that is ground.

@@ -68,12 +68,12 @@ struct SweptArea {
     }
 };
 
-/// The closing of the wounds at the end of a stroke of the open course.
+/// The closing of the wounds at the end of a stroke of the open cut.
 struct WoundClosing {
     int patches = 0;         ///< wounds with a patch on either side
     int patchTriangles = 0;  ///< triangles of all patches, both sides
     int removedWalls = 0;    ///< absent triangles that the patches replace
-    int slits = 0;           ///< wounds that end in the body; they keep the closed course's walls
+    int slits = 0;           ///< wounds that end in the body; they keep the closed cut's walls
     int unpatched = 0;       ///< other wounds that keep these walls, for `reason`
     std::string reason;      ///< why the last of the unpatched wounds has no patch
 };

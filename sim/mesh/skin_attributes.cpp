@@ -80,12 +80,12 @@ TriangleAttributes SkinCarrier::of(int slot, const Corners& corners) {
     TriangleAttributes out = noAttributes();
     out.material = skin_.materials.empty() ? -1 : skin_.materials[middle];
     for (int i = 0; i < 3; ++i) {
-        const Place place = placeOf(middle, corners[i]);
+        const SkinPoint point = pointOf(middle, corners[i]);
         if (!skin_.uvs.empty()) {
-            out.uvs[i] = blend(skin_.uvs[place.triangle], place.weights);
+            out.uvs[i] = blend(skin_.uvs[point.triangle], point.weights);
         }
         if (!skin_.colors.empty()) {
-            out.colors[i] = blend(skin_.colors[place.triangle], place.weights);
+            out.colors[i] = blend(skin_.colors[point.triangle], point.weights);
         }
     }
     return out;
@@ -111,7 +111,7 @@ int SkinCarrier::find(const Vec3& p) {
 }
 
 /// From triangle t over edges that are no seams to where p lies.
-SkinCarrier::Place SkinCarrier::placeOf(int t, const Vec3& p) const {
+SkinCarrier::SkinPoint SkinCarrier::pointOf(int t, const Vec3& p) const {
     for (int walked = 0; walked < kMaxWalk; ++walked) {
         const Vec3 weights = planeWeights(t, p);
         int least = 0;

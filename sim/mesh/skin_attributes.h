@@ -52,13 +52,13 @@ class SkinCarrier {
 
   private:
     /// A place on a triangle of the uncut skin.
-    struct Place {
+    struct SkinPoint {
         int triangle;
         Eigen::Vector3f weights;
     };
     bool isOriginal(int slot, const std::array<Vec3, 3>& corners) const;
     int find(const Vec3& p);
-    Place placeOf(int t, const Vec3& p) const;
+    SkinPoint pointOf(int t, const Vec3& p) const;
     Vec3 planeWeights(int t, const Vec3& p) const;
     int neighbour(int t, int corner) const;
 

@@ -34,7 +34,7 @@ enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 /// copies of the vertices along it; those of one vertex form a group of copies, which represents
 /// one point of the uncut body.
 ///
-/// While a stroke of the open course is unfinished (CutSettings::openCut), its walls exist for the
+/// While a stroke of the open cut is unfinished (CutSettings::openCut), its walls exist for the
 /// cutter only: they are absent from the body, which has an open surface of the present triangles.
 ///
 /// While a solver moves the body on the GPU, positions and velocities may be stale: they are

@@ -49,7 +49,7 @@ std::vector<int> findNeedles(const TriangleSoup& soup) {
 }  // namespace
 
 bool Faults::any() const {
-    return std::ranges::any_of(places, [](const FaultPlaces& each) { return each.count() > 0; });
+    return std::ranges::any_of(places, [](const FaultLocations& each) { return each.count() > 0; });
 }
 
 Faults findFaults(const TriangleSoup& welded, bool crossings) {

@@ -22,7 +22,7 @@ enum class FaultKind {
 inline constexpr int kFaultKinds = 8;
 
 /// The edges, vertices or triangles with one kind of fault, ascending.
-struct FaultPlaces {
+struct FaultLocations {
     std::vector<SurfaceFaults::Edge> edges;
     std::vector<int> vertices;
     std::vector<int> triangles;
@@ -34,10 +34,12 @@ struct FaultPlaces {
 
 /// The faults of a model by kind.
 struct Faults {
-    std::array<FaultPlaces, kFaultKinds> places;
+    std::array<FaultLocations, kFaultKinds> places;
 
-    FaultPlaces& of(FaultKind kind) { return places[static_cast<std::size_t>(kind)]; }
-    const FaultPlaces& of(FaultKind kind) const { return places[static_cast<std::size_t>(kind)]; }
+    FaultLocations& of(FaultKind kind) { return places[static_cast<std::size_t>(kind)]; }
+    const FaultLocations& of(FaultKind kind) const {
+        return places[static_cast<std::size_t>(kind)];
+    }
     bool any() const;
 };
 

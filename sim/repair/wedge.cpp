@@ -10,21 +10,21 @@ namespace {
 enum class Turn { none, lessThanHalf, half, moreThanHalf };
 
 /// Where a face lies in the directions about a line, as a wedge divides them.
-enum class Place { within, outside, onFrom, onTo };
+enum class Sector { within, outside, onFrom, onTo };
 
 /// Compares the half-planes that begin at a line, each known by a point of it.
 class AroundLine {
   public:
     explicit AroundLine(const Line& line) : line_(line) {}
 
-    Place placeOf(const Vec3& face, const Wedge& wedge) const {
+    Sector sectorOf(const Vec3& face, const Wedge& wedge) const {
         if (turn(wedge.from, face) == Turn::none) {
-            return Place::onFrom;
+            return Sector::onFrom;
         }
         if (turn(wedge.to, face) == Turn::none) {
-            return Place::onTo;
+            return Sector::onTo;
         }
-        return comesFirst(wedge.from, face, wedge.to) ? Place::within : Place::outside;
+        return comesFirst(wedge.from, face, wedge.to) ? Sector::within : Sector::outside;
     }
     bool isFlat(const Wedge& wedge) const {
         return isOn(line_, wedge.from) || isOn(line_, wedge.to) ||
@@ -59,12 +59,12 @@ class AroundLine {
 
 /// Whether the faces of b say so: one has its material where a has it too, or just one lies in a.
 bool facesCross(const AroundLine& around, const Wedge& a, const Wedge& b) {
-    const Place from = around.placeOf(b.from, a);
-    const Place to = around.placeOf(b.to, a);
-    if (from == Place::onFrom || to == Place::onTo) {
+    const Sector from = around.sectorOf(b.from, a);
+    const Sector to = around.sectorOf(b.to, a);
+    if (from == Sector::onFrom || to == Sector::onTo) {
         return true;
     }
-    return (from == Place::within) != (to == Place::within);
+    return (from == Sector::within) != (to == Sector::within);
 }
 
 }  // namespace

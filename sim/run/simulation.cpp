@@ -8,7 +8,7 @@
 #include "sim/body/folded_triangles.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/run/blade/cut_followers.h"
-#include "sim/run/blade/stroke_course.h"
+#include "sim/run/blade/running_stroke.h"
 #include "sim/run/simulation_state.h"
 #include "sim/run/start/body_upload.h"
 #include "sim/run/state_hash.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/run/blade/stroke_course.h"
+#include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/box_edit.h"
 #include "sim/run/parts/simulation_parts.h"
 #include "sim/run/simulation.h"
@@ -43,7 +43,7 @@ struct Simulation::State {
     SimulationInput input;
     UndoLog log;
     SimulationOutput output;
-    StrokeCourse stroke{body, input, log, output};
+    RunningStroke stroke{body, input, log, output};
     /// See Simulation::expectPlacement().
     std::shared_ptr<const UncutBody> preparedPlacement;
 

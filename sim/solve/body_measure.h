@@ -73,7 +73,7 @@ class BodyMeasurer {
     std::size_t place_ = 0;  ///< of the block measures there
     NearbyVertices nearby_;  ///< of the coming start()
     bool watchesAll_ = false;
-    SolverState::Places all_;   ///< of all vertices there
+    SolverState::Offsets all_;  ///< of all vertices there
     NearbyVertices collected_;  ///< of statesOf()
     gpu::ReadBack collectedBack_;
 };

@@ -44,20 +44,20 @@ void SolverState::update(std::span<const std::uint32_t> written, const BodyState
     });
 }
 
-SolverState::Places SolverState::askFor(gpu::ReadBack& back, std::size_t count) const {
+SolverState::Offsets SolverState::askFor(gpu::ReadBack& back, std::size_t count) const {
     const std::size_t bytes = count * sizeof(shared::vec4);
     return {back.ask(positions, bytes), back.ask(velocities, bytes), count};
 }
 
-BodyState SolverState::take(const gpu::ReadBack& back, const Places& places) {
-    return {unpacked(back.read<shared::vec4>(places.positions, places.count)),
-            unpacked(back.read<shared::vec4>(places.velocities, places.count))};
+BodyState SolverState::take(const gpu::ReadBack& back, const Offsets& at) {
+    return {unpacked(back.read<shared::vec4>(at.positions, at.count)),
+            unpacked(back.read<shared::vec4>(at.velocities, at.count))};
 }
 
 BodyState SolverState::read(std::size_t count) const {
-    const Places places = askFor(back_, count);
+    const Offsets at = askFor(back_, count);
     back_.send();
-    return take(back_, places);
+    return take(back_, at);
 }
 
 using gpu::TexelFormat;

@@ -33,15 +33,15 @@ struct SolverState {
     void update(std::span<const std::uint32_t> written, const BodyState& state, std::size_t count,
                 Scatter& scatter);
     /// The places of the state in a read-back.
-    struct Places {
+    struct Offsets {
         std::size_t positions = 0;
         std::size_t velocities = 0;
         std::size_t count = 0;  ///< of vertices
     };
     /// Requests the state of `count` vertices.
-    Places askFor(gpu::ReadBack& back, std::size_t count) const;
+    Offsets askFor(gpu::ReadBack& back, std::size_t count) const;
     /// The requested state; waits for the GPU.
-    static BodyState take(const gpu::ReadBack& back, const Places& places);
+    static BodyState take(const gpu::ReadBack& back, const Offsets& at);
     /// Reads the state of `count` vertices back; waits for the GPU.
     BodyState read(std::size_t count) const;
 

@@ -88,16 +88,16 @@ Bounds endInX(const Bounds& box, bool high) {
 }
 
 /// Down through all that is there now: the blade along x, turned and tilted a little.
-void cutDown(ScenePlayer& player) {
-    const Bounds box = player.bounds();
-    const double z = player.middle().z() + player.draw(0.12);
-    const double yaw = player.draw(0.3);
-    const double tilt = player.draw(0.1);
-    const double lean = player.draw(0.1);
+void cutDown(ScenePlayer& schedule) {
+    const Bounds box = schedule.bounds();
+    const double z = schedule.middle().z() + schedule.draw(0.12);
+    const double yaw = schedule.draw(0.3);
+    const double tilt = schedule.draw(0.1);
+    const double lean = schedule.draw(0.1);
     const Vec3 along = Vec3(std::cos(yaw), tilt, std::sin(yaw)).normalized();
     const double top = box.high.y() + 0.18;
     const double bottom = box.low.y() - 0.2;
-    player.stroke(
+    schedule.stroke(
         [&](double u) {
             const double y = top + (bottom - top) * u;
             return bladeAround({box.center().x(), y, z + lean * (y - 0.5)}, along, 1.4);
@@ -106,54 +106,54 @@ void cutDown(ScenePlayer& player) {
 }
 
 SceneFigures throughOnFloor(const SceneRun& run, SurfaceMesh mesh) {
-    ScenePlayer player(run, roundBody(std::move(mesh)));
-    player.settle(60);
-    cutDown(player);
-    player.watch(run.stepsAfter);
-    return player.finish(2);
+    ScenePlayer schedule(run, roundBody(std::move(mesh)));
+    schedule.settle(60);
+    cutDown(schedule);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(2);
 }
 
 SceneFigures throughAtRest(const SceneRun& run) {
-    ScenePlayer player(run, roundBody(cubeSphere(8)), true);
-    cutDown(player);
-    player.watch(run.stepsAfter);
-    return player.finish(2);
+    ScenePlayer schedule(run, roundBody(cubeSphere(8)), true);
+    cutDown(schedule);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(2);
 }
 
 SceneFigures twice(const SceneRun& run) {
-    ScenePlayer player(run, roundBody(cubeSphere(8)));
-    player.settle(60);
-    cutDown(player);
-    player.watch(20);
-    const Bounds box = player.bounds();
-    const double x = player.middle().x() + player.draw(0.05);
-    const double tilt = player.draw(0.05);
-    const Vec3 along = Vec3(tilt, player.draw(0.03), 1).normalized();
+    ScenePlayer schedule(run, roundBody(cubeSphere(8)));
+    schedule.settle(60);
+    cutDown(schedule);
+    schedule.watch(20);
+    const Bounds box = schedule.bounds();
+    const double x = schedule.middle().x() + schedule.draw(0.05);
+    const double tilt = schedule.draw(0.05);
+    const Vec3 along = Vec3(tilt, schedule.draw(0.03), 1).normalized();
     const double top = box.high.y() + 0.1;
     const double bottom = box.low.y() - 0.15;
-    player.stroke(
+    schedule.stroke(
         [&](double u) {
             return bladeAround({x, top + (bottom - top) * u, 0}, along, 3.5);
         },
         kSteps);
-    player.watch(run.stepsAfter);
-    return player.finish(4);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(4);
 }
 
 /// Through the middle of the banana, upwards or downwards.
-void cutMiddle(ScenePlayer& player, bool upwards) {
+void cutMiddle(ScenePlayer& schedule, bool upwards) {
     Bounds middle;
-    for (const Vec3& p : player.mesh().positions()) {
+    for (const Vec3& p : schedule.mesh().positions()) {
         if (std::fabs(p.x()) < 0.1) {
             middle.add(p);
         }
     }
-    const double x = player.draw(0.06);
-    const double tilt = player.draw(0.08);
-    const Vec3 along = Vec3(player.draw(0.15), tilt, 1).normalized();
+    const double x = schedule.draw(0.06);
+    const double tilt = schedule.draw(0.08);
+    const Vec3 along = Vec3(schedule.draw(0.15), tilt, 1).normalized();
     const double below = middle.low.y() - 0.1;
     const double above = middle.high.y() + 0.1;
-    player.stroke(
+    schedule.stroke(
         [&](double u) {
             const double y = upwards ? below + (above - below) * u : above + (below - above) * u;
             return bladeAround({x, y, 0}, along, 0.7);
@@ -162,23 +162,23 @@ void cutMiddle(ScenePlayer& player, bool upwards) {
 }
 
 SceneFigures throughArch(const SceneRun& run, bool upwards) {
-    ScenePlayer player(run, arch());
-    player.settle(20);
-    cutMiddle(player, upwards);
-    player.watch(run.stepsAfter);
-    return player.finish(2);
+    ScenePlayer schedule(run, arch());
+    schedule.settle(20);
+    cutMiddle(schedule, upwards);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(2);
 }
 
 /// The banana hangs between its two ends and sags: upwards the cut opens, downwards it closes on
 /// the blade.
 SceneFigures throughHanging(const SceneRun& run, bool upwards) {
-    ScenePlayer player(run, hanging());
-    player.execute(Pin{endInX(player.bounds(), false)});
-    player.execute(Pin{endInX(player.bounds(), true)});
-    player.settle(200);
-    cutMiddle(player, upwards);
-    player.watch(run.stepsAfter);
-    return player.finish(2);
+    ScenePlayer schedule(run, hanging());
+    schedule.execute(Pin{endInX(schedule.bounds(), false)});
+    schedule.execute(Pin{endInX(schedule.bounds(), true)});
+    schedule.settle(200);
+    cutMiddle(schedule, upwards);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(2);
 }
 
 double fromAxis(const Vec3& p) {
@@ -217,11 +217,11 @@ Vec3 armMiddle(const SurfaceMesh& mesh, int tip, double distance) {
     return section.center();
 }
 
-void cutArm(ScenePlayer& player, int arm) {
-    const double angle = arm * std::numbers::pi / 4 + player.draw(0.2);
-    const SurfaceMesh& mesh = player.mesh();
+void cutArm(ScenePlayer& schedule, int arm) {
+    const double angle = arm * std::numbers::pi / 4 + schedule.draw(0.2);
+    const SurfaceMesh& mesh = schedule.mesh();
     const int tip = armTip(mesh, {std::cos(angle), 0, std::sin(angle)});
-    const double at = (0.62 + player.draw(0.06)) * fromAxis(mesh.position(tip));
+    const double at = (0.62 + schedule.draw(0.06)) * fromAxis(mesh.position(tip));
     Vec3 middle = armMiddle(mesh, tip, at);
     Vec3 out = armMiddle(mesh, tip, 1.1 * at) - middle;
     out.y() = 0;
@@ -236,8 +236,8 @@ void cutArm(ScenePlayer& player, int arm) {
     }
     const double high = top + 0.04;
     const double low = -0.08;
-    const Vec3 along = (across + Vec3(0, player.draw(0.05), 0)).normalized();
-    player.stroke(
+    const Vec3 along = (across + Vec3(0, schedule.draw(0.05), 0)).normalized();
+    schedule.stroke(
         [&](double u) {
             middle.y() = high + (low - high) * u;
             return bladeAround(middle, along, kHalfArmBlade);
@@ -245,12 +245,12 @@ void cutArm(ScenePlayer& player, int arm) {
         50);
 }
 
-void cutHead(ScenePlayer& player) {
-    const Bounds box = player.bounds();
-    const double y = (0.66 + player.draw(0.05)) * box.high.y();
-    const double tilt = player.draw(0.05);
-    const Vec3 along = Vec3(1, tilt, player.draw(0.2)).normalized();
-    player.stroke(
+void cutHead(ScenePlayer& schedule) {
+    const Bounds box = schedule.bounds();
+    const double y = (0.66 + schedule.draw(0.05)) * box.high.y();
+    const double tilt = schedule.draw(0.05);
+    const Vec3 along = Vec3(1, tilt, schedule.draw(0.2)).normalized();
+    schedule.stroke(
         [&](double u) {
             return bladeAround({box.center().x(), y, -0.5 + u + box.center().z()}, along, 0.8);
         },
@@ -258,25 +258,25 @@ void cutHead(ScenePlayer& player) {
 }
 
 SceneFigures armThenHead(const SceneRun& run) {
-    ScenePlayer player(run, onFloor(builtin("octopus"), turned(0, 0)));
-    player.settle(40);
-    cutArm(player, run.index);
-    player.watch(20);
-    cutHead(player);
-    player.watch(run.stepsAfter);
-    return player.finish(3);
+    ScenePlayer schedule(run, onFloor(builtin("octopus"), turned(0, 0)));
+    schedule.settle(40);
+    cutArm(schedule, run.index);
+    schedule.watch(20);
+    cutHead(schedule);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(3);
 }
 
 /// Two shallow strokes over the top, the second one across the first. The tip keeps its depth
 /// below the skin as the body sags.
-void incise(ScenePlayer& player, bool alongZ) {
-    const Bounds box = player.bounds();
-    const Vec3 middle = player.middle();
-    const double depth = 0.13 + player.draw(0.04);
-    const double aside = player.draw(0.08);
-    const double lean = player.draw(0.05);
+void incise(ScenePlayer& schedule, bool alongZ) {
+    const Bounds box = schedule.bounds();
+    const Vec3 middle = schedule.middle();
+    const double depth = 0.13 + schedule.draw(0.04);
+    const double aside = schedule.draw(0.08);
+    const double lean = schedule.draw(0.05);
     const double radius = 0.5 * (box.high.y() - box.low.y());
-    player.stroke(
+    schedule.stroke(
         [&](double u) {
             const double way = 0.36 * (2 * u - 1);
             const double skin = box.high.y() - radius + std::sqrt(radius * radius - way * way);
@@ -288,70 +288,70 @@ void incise(ScenePlayer& player, bool alongZ) {
 }
 
 SceneFigures incisions(const SceneRun& run) {
-    ScenePlayer player(run, roundBody(cubeSphere(8)));
-    player.settle(60);
-    incise(player, false);
-    player.watch(30);
-    incise(player, true);
-    player.watch(run.stepsAfter);
-    return player.finish(1);
+    ScenePlayer schedule(run, roundBody(cubeSphere(8)));
+    schedule.settle(60);
+    incise(schedule, false);
+    schedule.watch(30);
+    incise(schedule, true);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(1);
 }
 
 /// Hands on both sides of a slit along x over the top.
-std::array<Vec3, 2> takeSides(ScenePlayer& player) {
-    const Bounds box = player.bounds();
+std::array<Vec3, 2> takeSides(ScenePlayer& schedule) {
+    const Bounds box = schedule.bounds();
     const double radius = 0.5 * (box.high.y() - box.low.y());
     std::array<Vec3, 2> held;
     for (int hand = 0; hand < 2; ++hand) {
         const double aside = (2 * hand - 1) * kHandAside;
-        held[hand] = player.middle() + Vec3(0, 0, aside);
+        held[hand] = schedule.middle() + Vec3(0, 0, aside);
         held[hand].y() = box.high.y() - radius + std::sqrt(radius * radius - aside * aside);
-        player.execute(Grab{hand, held[hand], kHand});
+        schedule.execute(Grab{hand, held[hand], kHand});
     }
     return held;
 }
 
 /// Pulls the hands apart by `way` each in `steps` steps.
-void pullApart(ScenePlayer& player, const std::array<Vec3, 2>& held, double way, int steps) {
+void pullApart(ScenePlayer& schedule, const std::array<Vec3, 2>& held, double way, int steps) {
     for (int i = 1; i <= steps; ++i) {
         for (int hand = 0; hand < 2; ++hand) {
-            player.execute(Drag{hand, held[hand] + Vec3(0, 0, (2 * hand - 1) * way * i / steps)});
+            schedule.execute(Drag{hand, held[hand] + Vec3(0, 0, (2 * hand - 1) * way * i / steps)});
         }
-        player.watch(1);
+        schedule.watch(1);
     }
 }
 
 /// The first incision is pulled open before the second one crosses it.
 SceneFigures incisionsPulledOpen(const SceneRun& run) {
-    ScenePlayer player(run, roundBody(cubeSphere(8)));
-    player.settle(60);
-    incise(player, false);
-    player.watch(50);
-    pullApart(player, takeSides(player), kPull, 100);
-    player.watch(20);
-    incise(player, true);
-    player.watch(20);
-    player.execute(Release{0});
-    player.execute(Release{1});
-    player.watch(run.stepsAfter);
-    return player.finish(1);
+    ScenePlayer schedule(run, roundBody(cubeSphere(8)));
+    schedule.settle(60);
+    incise(schedule, false);
+    schedule.watch(50);
+    pullApart(schedule, takeSides(schedule), kPull, 100);
+    schedule.watch(20);
+    incise(schedule, true);
+    schedule.watch(20);
+    schedule.execute(Release{0});
+    schedule.execute(Release{1});
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(1);
 }
 
 SceneFigures randomPlane(const SceneRun& run, SurfaceMesh mesh) {
-    ScenePlayer player(run, roundBody(std::move(mesh)));
-    player.settle(60);
-    const Bounds box = player.bounds();
-    const Vec3 along = player.drawDirection();
-    const Vec3 travel = along.cross(player.drawDirection()).normalized();
-    const Vec3 middle = player.middle() + 0.1 * player.drawDirection();
+    ScenePlayer schedule(run, roundBody(std::move(mesh)));
+    schedule.settle(60);
+    const Bounds box = schedule.bounds();
+    const Vec3 along = schedule.drawDirection();
+    const Vec3 travel = along.cross(schedule.drawDirection()).normalized();
+    const Vec3 middle = schedule.middle() + 0.1 * schedule.drawDirection();
     const double reach = 0.7 * box.diagonal();
-    player.stroke(
+    schedule.stroke(
         [&](double u) {
             return bladeAround(middle + travel * (reach * (2 * u - 1)), along, reach);
         },
         kSteps);
-    player.watch(run.stepsAfter);
-    return player.finish(2);
+    schedule.watch(run.stepsAfter);
+    return schedule.finish(2);
 }
 
 using Scene = std::function<SceneFigures(const SceneRun&)>;

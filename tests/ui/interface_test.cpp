@@ -403,7 +403,7 @@ TEST_F(InterfaceTest, ANumberIsDraggedAndTyped) {
 TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
     model.session.playback.step = 10;
     model.session.playback.steps = 100;
-    model.session.course = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
+    model.session.past = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
     update({});
     update({});
     const Rect bar = interface->itemRects().at("scrubber");

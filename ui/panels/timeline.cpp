@@ -85,7 +85,7 @@ void drawTicks(const std::vector<SessionMark>& course, const StepScale& scale) {
 }
 
 /// Strokes and changes at the pointer, the first ones of many; "" where none are.
-std::string coursedAt(float x, const std::vector<SessionMark>& course, const StepScale& scale) {
+std::string pastAt(float x, const std::vector<SessionMark>& course, const StepScale& scale) {
     std::string text;
     std::size_t listed = 0;
     for (const SessionMark& mark : course) {
@@ -131,10 +131,10 @@ StepScale drawSlider(const SessionPanelState& session, std::vector<Action>& acti
     ImGui::EndDisabled();
     noteItem("scrubber");
     const StepScale scale(playback.steps);
-    drawTicks(session.course, scale);
+    drawTicks(session.past, scale);
     markDivergence(playback, scale);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsItemActive()) {
-        tellAbove(coursedAt(ImGui::GetIO().MousePos.x, session.course, scale) + adviceOn(playback));
+        tellAbove(pastAt(ImGui::GetIO().MousePos.x, session.past, scale) + adviceOn(playback));
     }
     return scale;
 }

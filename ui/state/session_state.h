@@ -33,7 +33,7 @@ struct SessionPanelState {
     PlaybackState playback;
     /// Pictures, exports and checks of the session that would be saved now, by step.
     std::vector<SessionMark> marks;
-    std::vector<SessionMark> course;  ///< strokes and changes of it, by step
+    std::vector<SessionMark> past;  ///< strokes and changes of it, by step
 };
 
 }  // namespace kerf::ui

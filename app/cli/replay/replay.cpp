@@ -13,8 +13,8 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/folder_lock.h"
 #include "app/files/io/output_folder.h"
+#include "app/session/headless_session.h"
 #include "app/session/iteration_watch.h"
-#include "app/session/running_session.h"
 #include "app/session/scene_view.h"
 #include "app/session/session.h"
 #include "app/session/volume_watch.h"
@@ -146,7 +146,7 @@ class TimeOutside {
 class Replay {
   public:
     /// `remarks`: those on the model. The session must not have run yet.
-    Replay(RunningSession& running, const std::vector<std::string>& remarks, OutputFolder& folder,
+    Replay(HeadlessSession& running, const std::vector<std::string>& remarks, OutputFolder& folder,
            const ReplayOptions& options)
         : running_(running),
           session_(running.session()),
@@ -154,7 +154,7 @@ class Replay {
           expected_(options.verify),
           steps_(std::min(session_.steps, options.until)),
           folder_(folder),
-          player_(session_),
+          schedule_(session_),
           files_(folder, options.hashes, options.pieces),
           path_(cameraPathOf(session_)) {
         summary_.model = session_.model.name();
@@ -192,7 +192,7 @@ class Replay {
     RunSummary takeSummary() { return std::move(summary_); }
     const std::optional<FilmReport>& filmReport() const { return filmReport_; }
 
-    // What happens before a step: see SessionRunner::applyActions.
+    // What happens before a step: see SimulationDriver::applyActions.
     void perform(const Command& command, int event) {
         if (film_) {
             film_->note(command);
@@ -303,7 +303,7 @@ class Replay {
         if (files_.wantsHashes() || expected_ != nullptr) {
             publish(simulation().stateHashes());
         }
-        for (const std::string& problem : running_.runner().newlyBroken(row.report)) {
+        for (const std::string& problem : running_.driver().newlyBroken(row.report)) {
             fail(problem);
         }
         logMessages();
@@ -367,7 +367,7 @@ class Replay {
     // --- Actions and results
     // ----------------------------------------------------------------------
 
-    void applyActions() { running_.runner().applyActions(player_, *this); }
+    void applyActions() { running_.driver().applyActions(schedule_, *this); }
 
     /// What no check fails for, but a reader of the results should know.
     void remark(const std::string& sentence) {
@@ -404,13 +404,13 @@ class Replay {
 
     Simulation& simulation() { return running_.simulation(); }
 
-    RunningSession& running_;
+    HeadlessSession& running_;
     const Session& session_;
     const ReplayOptions& options_;
-    const HashCourse* expected_;  ///< until the run differs from it
+    const HashTrace* expected_;  ///< until the run differs from it
     const int steps_;
     OutputFolder& folder_;
-    SessionPlayer player_;
+    SessionSchedule schedule_;
     RunFiles files_;
     std::optional<Film> film_;
     std::optional<FilmReport> filmReport_;
@@ -437,7 +437,7 @@ ReplayResult replaySession(const Session& session, ModelMesh model,
     const FolderLock lock(folder);
     removeUnfinished(output);
     const std::vector<std::string> remarks = std::move(model.remarks);
-    RunningSession running(session, std::move(model), undoBudget, options.quality);
+    HeadlessSession running(session, std::move(model), undoBudget, options.quality);
     Replay replay(running, remarks, output, options);
     replay.run(listener);
     return {replay.takeSummary(), output.written(), replay.filmReport()};

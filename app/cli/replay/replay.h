@@ -9,7 +9,7 @@
 #include "app/cli/replay/film.h"
 #include "app/cli/replay/film_strip.h"
 #include "app/cli/replay/mesh_sequence.h"
-#include "app/session/hash_course.h"
+#include "app/session/hash_trace.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
 #include "render/scene/quality.h"
@@ -26,17 +26,17 @@ struct ReplayListener {
 
 /// Options of a replay besides the session.
 struct ReplayOptions {
-    bool hashes = false;                 ///< writes hashes.csv
-    bool pieces = false;                 ///< writes pieces.csv
-    bool forces = false;                 ///< measures the load on the blade
-    const HashCourse* verify = nullptr;  ///< hashes that the steps must have; not owned
-    std::string verifyName;              ///< of the file with these hashes, for messages
-    int until = kMaxSteps;               ///< ends after that many steps at most
-    bool keepGoing = false;              ///< runs on after a check failed
-    bool hashChecks = true;              ///< false: ignores state hashes in check events
-    FilmOptions film;                    ///< if its file is set
-    StripOptions strip;                  ///< if its file is set
-    SequenceOptions sequence;            ///< where it names steps
+    bool hashes = false;                ///< writes hashes.csv
+    bool pieces = false;                ///< writes pieces.csv
+    bool forces = false;                ///< measures the load on the blade
+    const HashTrace* verify = nullptr;  ///< hashes that the steps must have; not owned
+    std::string verifyName;             ///< of the file with these hashes, for messages
+    int until = kMaxSteps;              ///< ends after that many steps at most
+    bool keepGoing = false;             ///< runs on after a check failed
+    bool hashChecks = true;             ///< false: ignores state hashes in check events
+    FilmOptions film;                   ///< if its file is set
+    StripOptions strip;                 ///< if its file is set
+    SequenceOptions sequence;           ///< where it names steps
     /// Of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;
 };

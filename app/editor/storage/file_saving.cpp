@@ -18,7 +18,7 @@ struct ExportInput {
     OwnLooks own;  ///< of it
     render::BodyLook look;
     SurfaceMesh mesh;
-    BodyPlace place;
+    ExportFrame place;
 };
 
 std::string exportBody(const ExportInput& input, WorkProgress& progress) {

@@ -41,7 +41,7 @@ void EditorToast::show(const SavingQueue::Outcome& outcome) {
     }
 }
 
-std::optional<JournalPlace> EditorToast::takeOffer() {
+std::optional<JournalPosition> EditorToast::takeOffer() {
     const std::optional<Offer> offer = std::exchange(offer_, std::nullopt);
     const bool shown = choice_ && choice_->id == ui::ActionId::addPicture && visible();
     return offer && shown ? std::optional(offer->place) : std::nullopt;

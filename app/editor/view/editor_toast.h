@@ -21,10 +21,10 @@ class EditorToast {
     /// Shows the end of a save, which may be that of offerOnceSaved().
     void show(const SavingQueue::Outcome& outcome);
     /// Offers the screenshot taken at `place`, once the save of that number has ended.
-    void offerOnceSaved(const JournalPlace& place, int saving) { offer_ = {place, saving}; }
+    void offerOnceSaved(const JournalPosition& place, int saving) { offer_ = {place, saving}; }
     void withdrawOffer() { offer_.reset(); }
     /// Takes the place of the screenshot offered in the view; none if none is.
-    std::optional<JournalPlace> takeOffer();
+    std::optional<JournalPosition> takeOffer();
     /// Advances time.
     void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
@@ -40,7 +40,7 @@ class EditorToast {
     std::optional<ui::HintChoice> choice_;  ///< possible action
     double remaining_ = 0;
     struct Offer {
-        JournalPlace place;
+        JournalPosition place;
         int saving = 0;  ///< its number
     };
     std::optional<Offer> offer_;

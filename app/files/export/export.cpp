@@ -189,10 +189,10 @@ std::string encodeObj(ExportMesh mesh, const std::string& materials = "") {
 }
 
 /// `images`: the names of their files.
-std::string encodeMtl(const std::vector<render::Material>& materials,
+std::string encodeMtl(const std::vector<render::SurfaceMaterial>& materials,
                       const std::vector<std::string>& images) {
     std::string text = "# " + std::string(kCompanionMark) + ", materials\n";
-    for (const render::Material& material : materials) {
+    for (const render::SurfaceMaterial& material : materials) {
         const float shine = 30 * (1 - material.roughness);
         text += "newmtl " + material.name + "\n";
         appendObjVector(text, "Kd", Vec3f(material.baseColor.head<3>()));
@@ -288,7 +288,7 @@ ExportMesh withoutUnused(ExportMesh mesh) {
     for (const ExportFace& face : mesh.faces) {
         numbers[face.material] = 0;
     }
-    std::vector<render::Material> used;
+    std::vector<render::SurfaceMaterial> used;
     for (std::size_t m = 0; m < numbers.size(); ++m) {
         if (numbers[m] == 0) {
             numbers[m] = static_cast<int>(used.size());
@@ -361,7 +361,7 @@ class ExportWriter {
     /// Those that materials show; the others have no name.
     void addImages() {
         images_.resize(whole_.appearance ? whole_.appearance->images.size() : 0);
-        for (const render::Material& material : whole_.materials) {
+        for (const render::SurfaceMaterial& material : whole_.materials) {
             if (material.image >= 0 && images_[material.image].empty()) {
                 const render::ModelImage& image = whole_.appearance->images[material.image];
                 images_[material.image] = addCompanion(fileNameOf(image), image.bytes);
@@ -428,7 +428,7 @@ std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, Mesh
 
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const ExportLooks& looks,
-                                       const BodyPlace& place) {
+                                       const ExportFrame& place) {
     const ExportMesh whole =
         withoutUnused(target.coordinates == Coordinates::scene
                           ? gatherInScene(mesh, pieces, looks, place.origin)

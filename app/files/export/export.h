@@ -49,7 +49,7 @@ struct ExportedFile {
     std::string bytes;
 };
 /// The place of a body: the placement of its model, and the origin of its positions in the scene.
-struct BodyPlace {
+struct ExportFrame {
     Placement placement{};
     Vec3 origin = Vec3::Zero();
 };
@@ -59,7 +59,7 @@ struct BodyPlace {
 /// from their `place` keep their exact numbers.
 std::vector<ExportedFile> encodeExport(const ExportTarget& target, const SurfaceMesh& mesh,
                                        const PieceMap& pieces, const ExportLooks& looks,
-                                       const BodyPlace& place = {});
+                                       const ExportFrame& place = {});
 
 /// The looks of an uncut body, transferred to the cut body.
 OwnLooks carried(const OwnLooks& looks, const SurfaceMesh& uncut, const SurfaceMesh& cut);

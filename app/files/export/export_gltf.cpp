@@ -115,7 +115,7 @@ class GltfFile {
         if (images != nullptr) {
             bytes_ = kCompanionMark;  // a file of its own
         }
-        for (const render::Material& material : mesh.materials) {
+        for (const render::SurfaceMaterial& material : mesh.materials) {
             Json json = toJson(material, mesh, images);  // adds to other lists itself
             json_["materials"].push_back(std::move(json));
         }
@@ -168,7 +168,7 @@ class GltfFile {
         }
     }
 
-    Json toJson(const render::Material& material, const ExportMesh& mesh,
+    Json toJson(const render::SurfaceMaterial& material, const ExportMesh& mesh,
                 const std::vector<std::string>* images) {
         const Eigen::Vector4f color = render::shownColor(material);
         Json pbr = {{"baseColorFactor", std::vector<float>(color.begin(), color.end())},

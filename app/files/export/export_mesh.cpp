@@ -65,9 +65,11 @@ class ValueNumbers {
 };
 
 /// `wanted`, or that with a number where the list has it.
-std::string freeName(const std::vector<render::Material>& materials, const std::string& wanted) {
+std::string freeName(const std::vector<render::SurfaceMaterial>& materials,
+                     const std::string& wanted) {
     const auto taken = [&](const std::string& name) {
-        return std::ranges::find(materials, name, &render::Material::name) != materials.end();
+        return std::ranges::find(materials, name, &render::SurfaceMaterial::name) !=
+               materials.end();
     };
     std::string name = wanted.empty() ? "material" : wanted;
     for (int number = 2; taken(name); ++number) {
@@ -76,8 +78,8 @@ std::string freeName(const std::vector<render::Material>& materials, const std::
     return name;
 }
 
-render::Material plainMaterial(const Eigen::Vector3f& color) {
-    render::Material material;
+render::SurfaceMaterial plainMaterial(const Eigen::Vector3f& color) {
+    render::SurfaceMaterial material;
     material.baseColor = {color.x(), color.y(), color.z(), 1};
     return material;
 }
@@ -180,7 +182,7 @@ class Gathering {
 
     void addMaterials() {
         for (int i = 0; out_.appearance && i < int(out_.appearance->materials.size()); ++i) {
-            render::Material material = out_.appearance->materials[i];
+            render::SurfaceMaterial material = out_.appearance->materials[i];
             material.name = freeName(out_.materials, material.name);
             out_.materials.push_back(material);
         }
@@ -191,7 +193,7 @@ class Gathering {
         cut_ = add(plainMaterial(looks_.look.inner), "cut");
     }
 
-    int add(render::Material material, const std::string& name) {
+    int add(render::SurfaceMaterial material, const std::string& name) {
         material.name = freeName(out_.materials, name);
         out_.materials.push_back(std::move(material));
         return static_cast<int>(out_.materials.size()) - 1;

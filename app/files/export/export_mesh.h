@@ -41,7 +41,7 @@ struct ExportMesh {
     std::vector<Eigen::Vector4f> colors;  ///< linear; each once, in the order of their first use
     std::vector<ExportFace> faces;
     /// Each with a unique name; "skin" is of faces without a material, "cut" of walls.
-    std::vector<render::Material> materials;
+    std::vector<render::SurfaceMaterial> materials;
     std::shared_ptr<const render::Appearance> appearance;  ///< with the images; may be null
     std::vector<double> pieceVolumes;  ///< signed, by piece, in the unit of the positions
     /// Whether to write strains, velocities and volumes in all formats that can hold them.

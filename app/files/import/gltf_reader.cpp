@@ -193,7 +193,7 @@ class GltfMaterials {
         const Json* const own = find(from, "pbrMetallicRoughness");
         const Json& look = own != nullptr ? *own : old != nullptr ? *old : kNothing;
         const bool isOld = own == nullptr && old != nullptr;
-        render::Material material;
+        render::SurfaceMaterial material;
         material.name = valueOf<std::string>(from, "name", "");
         const std::vector<double> color =
             listOf(look, isOld ? "diffuseFactor" : "baseColorFactor", {1, 1, 1, 1});
@@ -269,7 +269,7 @@ std::vector<Vec3> vectorsOf(const std::vector<double>& numbers) {
 }
 
 /// Where a mesh is put.
-struct GltfPlace {
+struct GltfInstance {
     Transform node;
     std::optional<std::uint64_t> skin;
     std::vector<double> weights;  ///< of its morph targets
@@ -280,7 +280,7 @@ class GltfMeshes {
     GltfMeshes(const GltfFile& file, const GltfNodes& nodes, GltfMaterials& materials)
         : file_(file), nodes_(nodes), materials_(materials) {}
 
-    void add(std::uint64_t index, GltfPlace place) {
+    void add(std::uint64_t index, GltfInstance place) {
         const Json& mesh = file_.item("meshes", index);
         if (place.weights.empty()) {
             place.weights = valueOf(mesh, "weights", std::vector<double>{});
@@ -293,7 +293,7 @@ class GltfMeshes {
     FaceSoup& faces() { return faces_; }
 
   private:
-    void addPrimitive(const Json& primitive, const GltfPlace& place) {
+    void addPrimitive(const Json& primitive, const GltfInstance& place) {
         refuseUnreadable(primitive);
         constexpr int kTriangles = 4;
         constexpr int kFan = 6;
@@ -339,7 +339,7 @@ class GltfMeshes {
     }
 
     /// Brings points into the scene. True where that mirrors them.
-    bool put(const Json& attributes, const GltfPlace& place, std::vector<Vec3>& points) const {
+    bool put(const Json& attributes, const GltfInstance& place, std::vector<Vec3>& points) const {
         if (place.skin && find(attributes, "JOINTS_0") != nullptr) {
             return putBySkin(attributes, *place.skin, points);
         }

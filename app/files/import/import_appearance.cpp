@@ -38,7 +38,7 @@ Eigen::Vector4f colorOf(const aiMaterial& material) {
 }
 
 float roughnessOf(const aiMaterial& material) {
-    float roughness = render::Material{}.roughness;
+    float roughness = render::SurfaceMaterial{}.roughness;
     float shininess = 0;
     if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) != aiReturn_SUCCESS &&
         material.Get(AI_MATKEY_SHININESS, shininess) == aiReturn_SUCCESS && shininess > 0) {
@@ -74,7 +74,7 @@ class AppearanceReader {
             return -1;
         }
         const aiMaterial& from = *scene_.mMaterials[index];
-        render::Material material;
+        render::SurfaceMaterial material;
         material.name = from.GetName().C_Str();
         material.baseColor = colorOf(from);
         material.roughness = roughnessOf(from);
@@ -129,7 +129,7 @@ bool isFileBelow(const fs::path& folder, const fs::path& file) {
 
 ModelImages::ModelImages(const fs::path& file, ImportedModel& model) : file_(file), model_(model) {}
 
-int ModelImages::add(render::Material material, const std::string& image) {
+int ModelImages::add(render::SurfaceMaterial material, const std::string& image) {
     if (!image.empty()) {
         material.image = numberOf(image, [&] { return read(image, material.name); });
     }

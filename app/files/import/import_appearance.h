@@ -36,7 +36,7 @@ class ModelImages {
 
     /// Adds a material with the image of that name beside the model's file; "" for none. A missing
     /// one becomes a remark. Returns the number of the material.
-    int add(render::Material material, const std::string& image);
+    int add(render::SurfaceMaterial material, const std::string& image);
     /// The number of an image from `read`; -1, with a remark, if that throws InputError.
     int numberOf(const std::string& name, const std::function<render::ModelImage()>& read);
 

@@ -151,7 +151,7 @@ TriangleSoup readSoup(const ImportHeader& head, AnswerReader& reader) {
 
 Json toJson(const ImportedModel& model) {
     Json materials = Json::array();
-    for (const render::Material& material : model.appearance.materials) {
+    for (const render::SurfaceMaterial& material : model.appearance.materials) {
         const Eigen::Vector4f& c = material.baseColor;
         materials.push_back({{"name", material.name},
                              {"color", {c.x(), c.y(), c.z(), c.w()}},
@@ -200,8 +200,8 @@ int indexIn(const Json& json, int count) {
     return there ? json.get<int>() : -1;
 }
 
-render::Material materialOf(const Json& json, int images) {
-    render::Material material;
+render::SurfaceMaterial materialOf(const Json& json, int images) {
+    render::SurfaceMaterial material;
     material.name = nameIn(json.at("name"));
     for (int i = 0; i < 4; ++i) {
         material.baseColor[i] = factorIn(json.at("color").at(i));

@@ -62,7 +62,7 @@ std::shared_ptr<const render::Appearance> joinedAppearances(const std::vector<Mo
     for (const ModelMesh& model : models) {
         if (const auto& own = model.looks.appearance) {
             const int firstImage = static_cast<int>(all.images.size());
-            for (render::Material material : own->materials) {
+            for (render::SurfaceMaterial material : own->materials) {
                 material.image += material.image >= 0 ? firstImage : 0;
                 all.materials.push_back(std::move(material));
             }
@@ -124,7 +124,7 @@ void paint(ModelMesh& model, const std::string& name, const Vec3& color) {
     skin.materials.resize(model.mesh.triangleSlots(), -1);
     const int own = static_cast<int>(appearance->materials.size());
     std::ranges::replace(skin.materials, -1, own);
-    render::Material material;
+    render::SurfaceMaterial material;
     material.name = name;
     material.baseColor.head<3>() = render::toLinear(color);
     appearance->materials.push_back(std::move(material));

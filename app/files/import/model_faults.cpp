@@ -58,7 +58,7 @@ std::vector<render::Marks> marksOf(
     std::vector<render::Marks> all;
     for (int k = 0; k < repair::kFaultKinds; ++k) {
         const auto kind = static_cast<FaultKind>(k);
-        const repair::FaultPlaces& places = faults.of(kind);
+        const repair::FaultLocations& places = faults.of(kind);
         if (places.count() == 0) {
             continue;
         }

@@ -275,7 +275,7 @@ void decodeImages(ImportedModel& model) {
             model.remarks.push_back("The image \"" + image.name +
                                     "\" was left out: " + error.what() +
                                     "; save it anew as PNG and open the model again.");
-            for (render::Material& material : model.appearance.materials) {
+            for (render::SurfaceMaterial& material : model.appearance.materials) {
                 material.image = material.image == static_cast<int>(i) ? -1 : material.image;
             }
         }
@@ -331,10 +331,10 @@ struct UsedItems {
 
 /// A scene may hold a model for each object of a file: none is to bring the images of all.
 void dropUnusedLooks(ImportedModel& model) {
-    UsedItems<render::Material> materials{model.appearance.materials};
+    UsedItems<render::SurfaceMaterial> materials{model.appearance.materials};
     UsedItems<render::ModelImage> images{model.appearance.images};
     std::ranges::for_each(model.soup.skin.materials, [&](int& number) { materials.take(number); });
-    for (render::Material& material : materials.used) {
+    for (render::SurfaceMaterial& material : materials.used) {
         images.take(material.image);
     }
     model.appearance = {std::move(materials.used), std::move(images.used)};

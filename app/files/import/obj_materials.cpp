@@ -56,7 +56,7 @@ float share(double number) {
 }
 
 /// `Kd 0.5` is grey; a spectrum, or a colour in XYZ, is not read.
-void readColor(std::string_view rest, render::Material& material) {
+void readColor(std::string_view rest, render::SurfaceMaterial& material) {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = takeWord(rest);
         material.baseColor[i] =
@@ -86,7 +86,7 @@ struct MaterialLines {
     }
 
     void readProperty(std::string_view key, std::string_view rest, ObjMaterial& to) {
-        render::Material& material = to.material;
+        render::SurfaceMaterial& material = to.material;
         if (key == "Kd") {
             readColor(rest, material);
         } else if (key == "d") {

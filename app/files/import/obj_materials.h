@@ -10,9 +10,9 @@ namespace kerf::app {
 
 /// A material of an .mtl file.
 struct ObjMaterial {
-    render::Material material;  ///< without its image
-    std::string image;          ///< the name of its file; "" for none
-    std::string leftOut;        ///< an unsupported option of the image, such as "-s"; "" for none
+    render::SurfaceMaterial material;  ///< without its image
+    std::string image;                 ///< the name of its file; "" for none
+    std::string leftOut;  ///< an unsupported option of the image, such as "-s"; "" for none
 };
 
 /// Reads the text of an .mtl file. Throws InputError for invalid numbers.

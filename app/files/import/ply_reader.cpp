@@ -261,8 +261,8 @@ struct Group {
 };
 
 /// The properties of an element that are read.
-struct Places {
-    explicit Places(const Element& element)
+struct ReadProperties {
+    explicit ReadProperties(const Element& element)
         : at{{element.find({"x"}), element.find({"y"}), element.find({"z"})}},
           uv{{element.find({"s", "u", "texture_u", "texture_s"}),
               element.find({"t", "v", "texture_v", "texture_t"})}},
@@ -298,7 +298,7 @@ class PlyModel {
   public:
     /// Leaves out elements that say nothing about the surface. False for one of these.
     bool read(const Element& element, Numbers& numbers) {
-        const Places places(element);
+        const ReadProperties places(element);
         const bool isVertex = element.name == "vertex";
         const bool isFace = element.name == "face";
         const bool isStrip = element.name == "tristrips";
@@ -333,7 +333,7 @@ class PlyModel {
     }
 
   private:
-    void addVertex(const Element& element, const Places& places, const Row& row) {
+    void addVertex(const Element& element, const ReadProperties& places, const Row& row) {
         const Vec3 at(places.at.of(row, 0), places.at.of(row, 1), places.at.of(row, 2));
         faces_.positions.push_back(at);
         if (places.uv.isThere(2)) {
@@ -344,7 +344,7 @@ class PlyModel {
         }
     }
 
-    void addFace(const Element& element, const Places& places, const Row& row) {
+    void addFace(const Element& element, const ReadProperties& places, const Row& row) {
         const std::vector<double> none;
         const std::vector<double>& uvs = places.cornerUvs < 0 ? none : row[places.cornerUvs];
         const std::vector<double>& corners = row[places.corners];
@@ -390,7 +390,7 @@ void addImages(const std::filesystem::path& file, const std::vector<std::string>
                ImportedModel& model) {
     ModelImages images(file, model);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        render::Material material;
+        render::SurfaceMaterial material;
         material.name = "image" + (i == 0 ? "" : std::to_string(i + 1));
         images.add(std::move(material), names[i]);
     }

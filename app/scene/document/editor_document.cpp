@@ -127,7 +127,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
     const Session& session = document.session;
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = kUndoBudget;
-    settings.courseBudget = kKeyframeBudget;
+    settings.keyframeBudget = kKeyframeBudget;
     return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
 }
 

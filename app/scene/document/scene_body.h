@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/scene/document/rest_of_body.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "sim/run/start/body_upload.h"
 
 namespace kerf::app {
@@ -19,7 +19,7 @@ struct SceneBody {
     Document document;
     Simulation simulation;
     RestOfBody rest;
-    SessionRunner runner{simulation};
+    SimulationDriver driver{simulation};
     std::vector<std::string> messages;  ///< for the person, besides those of the simulation
 
     /// Updates the figures of the uncut body after a placement.

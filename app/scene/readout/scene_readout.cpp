@@ -33,7 +33,7 @@ void MarkTable::follow(const SessionJournal& journal) {
     const std::size_t entries = journal.entries().size();
     if (revision_ != journal.revision() || entries_ != entries) {
         marks_ = marksOf(journal);
-        course_ = courseOf(journal);
+        past_ = pastMarks(journal);
         revision_ = journal.revision();
         entries_ = entries;
     }
@@ -108,7 +108,7 @@ const std::shared_ptr<const std::vector<render::Marks>>& SceneReadout::faultMark
 
 render::SceneView SceneReadout::view() {
     render::SceneView view = sceneOf(body_.simulation, lookOf(body_.document.session),
-                                     body_.rest.bounds(), body_.runner.strokePoses());
+                                     body_.rest.bounds(), body_.driver.strokePoses());
     view.paint = skin_.paintOf(body_.simulation);
     view.field.values = thickness_.values();
     return view;
@@ -146,7 +146,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     timeline_.describe(model.session.playback);
     marks_.follow(timeline_.journal());
     model.session.marks = marks_.marks();
-    model.session.course = marks_.course();
+    model.session.past = marks_.past();
 }
 
 void SceneReadout::describeChanges(ui::ChangeList& list) const {
@@ -184,7 +184,7 @@ void SceneReadout::describeModels(ui::PanelModel& model) const {
     model.model.models.front().guess = body_.document.guess ? body_.document.guess->sentence : "";
     model.model.objects = static_cast<int>(body_.document.objects.size());
     model.model.faultCount = 0;
-    for (const repair::FaultPlaces& places : faults.places) {
+    for (const repair::FaultLocations& places : faults.places) {
         model.model.faultCount += places.count();
     }
     model.model.untouched =

@@ -23,10 +23,10 @@ class MarkTable {
     /// Updates them if the journal has changed.
     void follow(const SessionJournal& journal);
     const std::vector<ui::SessionMark>& marks() const { return marks_; }
-    const std::vector<ui::SessionMark>& course() const { return course_; }
+    const std::vector<ui::SessionMark>& past() const { return past_; }
 
   private:
-    std::vector<ui::SessionMark> marks_, course_;
+    std::vector<ui::SessionMark> marks_, past_;
     int revision_ = -1;        ///< of the journal
     std::size_t entries_ = 0;  ///< its length then
 };

@@ -19,7 +19,7 @@ void Keyframes::keep(int step, Keyframe keyframe, std::size_t bytes) {
     }
 }
 
-/// The first one stays: a course can always be taken up from its start.
+/// The first one stays: the session can always be played from its start.
 void Keyframes::thinOut() {
     spacing_ *= 2;
     std::erase_if(byStep_, [this](const auto& entry) { return entry.first % spacing_ != 0; });

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/scene/timeline/session_journal.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 
 namespace kerf::app {
 

@@ -103,11 +103,11 @@ void SceneRecorder::setView(Session& session, const render::Camera& camera,
     session.colors = colors;
 }
 
-JournalPlace SceneRecorder::here() const {
+JournalPosition SceneRecorder::here() const {
     return timeline_.journal().here(body_.simulation.stepCount());
 }
 
-JournalPlace SceneRecorder::end() const {
+JournalPosition SceneRecorder::end() const {
     const auto& entries = timeline_.journal().entries();
     return {stepsAsSaved(), entries.empty() ? 0 : entries.back().id};
 }
@@ -118,14 +118,14 @@ bool SceneRecorder::takesPictures() const {
     });
 }
 
-std::string SceneRecorder::addPicture(const JournalPlace& place) {
+std::string SceneRecorder::addPicture(const JournalPosition& place) {
     std::string file = freeOutputName(timeline_.journal(), body_.document.name, place.step, ".png");
     addMark(place, ScreenshotEvent{file});
     return file;
 }
 
 std::string SceneRecorder::addExport() {
-    const JournalPlace place = here();
+    const JournalPosition place = here();
     std::string file = freeOutputName(timeline_.journal(), body_.document.name, place.step, ".ply");
     addMark(place, ExportEvent{file, false, Coordinates::model});
     return file;
@@ -139,7 +139,7 @@ void SceneRecorder::addCamera(const render::Camera& camera) {
     addMark(here(), CameraEvent{camera});
 }
 
-void SceneRecorder::addMark(const JournalPlace& place, SessionAction action) {
+void SceneRecorder::addMark(const JournalPosition& place, SessionAction action) {
     timeline_.journal().add(place, std::move(action));
     timeline_.extendTo(place.step);
 }

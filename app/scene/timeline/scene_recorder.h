@@ -41,13 +41,13 @@ class SceneRecorder {
     void useView(const render::Camera& camera) { chosenView_ = camera; }
 
     /// The present in the session, to add a picture later.
-    JournalPlace here() const;
+    JournalPosition here() const;
     /// The last place in the session as it would be saved now.
-    JournalPlace end() const;
+    JournalPosition end() const;
     /// Whether a replay of the session would take any.
     bool takesPictures() const;
     /// Adds a picture under a new name, which it returns.
-    std::string addPicture(const JournalPlace& place);
+    std::string addPicture(const JournalPosition& place);
     /// Adds an export of the present body under a new name, which it returns.
     std::string addExport();
     /// Adds a check of the present state.
@@ -64,7 +64,7 @@ class SceneRecorder {
     CheckEvent checkOfNow();
     void setView(Session& session, const render::Camera& camera,
                  const render::ChosenColors& colors) const;
-    void addMark(const JournalPlace& place, SessionAction action);
+    void addMark(const JournalPosition& place, SessionAction action);
 
     SceneBody& body_;
     SceneTimeline& timeline_;

@@ -129,7 +129,7 @@ std::vector<PlayedAction> SceneTimeline::movesOnTheirWay() const {
     }
     const Simulation& simulation = body_.simulation;
     std::vector<PlayedAction> poses =
-        playback_->player().posesBetweenKeys(simulation.stepCount() - 1);
+        playback_->schedule().posesBetweenKeys(simulation.stepCount() - 1);
     const auto isGone = [&](const PlayedAction& pose) {
         const auto* drag = std::get_if<Drag>(&pose.action);
         return drag != nullptr
@@ -153,7 +153,7 @@ bool SceneTimeline::playEvents() {
     while (JournalEntry* entry = journal_.takeDue(step)) {
         countsAnew |= play(*entry);
     }
-    for (const PlayedAction& pose : playback_->player().posesBetweenKeys(step)) {
+    for (const PlayedAction& pose : playback_->schedule().posesBetweenKeys(step)) {
         tell(body_.simulation.execute(*commandOf(pose.action)));
     }
     return countsAnew;
@@ -172,7 +172,7 @@ bool SceneTimeline::play(JournalEntry& entry) {
             countFromHere();
         }
     } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
-        const CheckDifference difference = body_.runner.compare(*check);
+        const CheckDifference difference = body_.driver.compare(*check);
         if (entry.doubtful) {
             journal_.noteFound(entry, corrected(*check, difference));
         } else {
@@ -191,7 +191,7 @@ void SceneTimeline::keepKeyframe() {
     if (keyframes_.wants(step, bytes)) {
         keyframes_.keep(
             step,
-            {simulation.moment(), journal_.commandsDone(step), body_.runner.strokePoses(), start_},
+            {simulation.moment(), journal_.commandsDone(step), body_.driver.strokePoses(), start_},
             bytes);
     }
 }
@@ -226,7 +226,7 @@ SceneTimeline::Jump SceneTimeline::goTo(int step, const Keyframe& keyframe) {
     body_.simulation.goTo(keyframe.moment);
     body_.followPlacement();
     journal_.goTo(step, keyframe.commandsDone);
-    body_.runner.setStrokePoses(keyframe.strokePoses);
+    body_.driver.setStrokePoses(keyframe.strokePoses);
     return {before != keyframe.start.step};
 }
 

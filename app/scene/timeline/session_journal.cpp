@@ -276,11 +276,11 @@ void SessionJournal::noteFound(JournalEntry& entry, CheckEvent found) {
 
 // --- Pictures, exports and checks --------------------------------------------------------------
 
-JournalPlace SessionJournal::here(int step) const {
+JournalPosition SessionJournal::here(int step) const {
     return {step, done_ == 0 ? 0 : entries_[done_ - 1].id};
 }
 
-void SessionJournal::add(const JournalPlace& place, SessionAction action) {
+void SessionJournal::add(const JournalPosition& place, SessionAction action) {
     insert(indexOf(place), Origin::person, {place.step, std::move(action)});
     ++deeds_;
     ++revision_;
@@ -299,7 +299,7 @@ void SessionJournal::remove(int id) {
 }
 
 /// Before all that is noted for its step, unless it is to stand behind some of that.
-std::size_t SessionJournal::indexOf(const JournalPlace& place) const {
+std::size_t SessionJournal::indexOf(const JournalPosition& place) const {
     const auto first = std::ranges::lower_bound(
         entries_, place.step, {}, [](const JournalEntry& entry) { return entry.event.step; });
     const auto behind = std::ranges::find(entries_, place.behind, &JournalEntry::id);

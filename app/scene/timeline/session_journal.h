@@ -28,7 +28,7 @@ struct JournalEntry {
 };
 
 /// A place in a journal: before a step, after an entry (its id, 0 for none).
-struct JournalPlace {
+struct JournalPosition {
     int step = 0;
     int behind = 0;
 };
@@ -67,9 +67,9 @@ class SessionJournal {
 
     // Pictures, exports and checks.
     /// The present, before step `step`.
-    JournalPlace here(int step) const;
+    JournalPosition here(int step) const;
     /// Adds a user action.
-    void add(const JournalPlace& place, SessionAction action);
+    void add(const JournalPosition& place, SessionAction action);
     void remove(int id);
 
     const std::vector<JournalEntry>& entries() const { return entries_; }
@@ -88,7 +88,7 @@ class SessionJournal {
 
   private:
     JournalEntry& insert(std::size_t index, JournalEntry::Origin origin, SessionEvent event);
-    std::size_t indexOf(const JournalPlace& place) const;
+    std::size_t indexOf(const JournalPosition& place) const;
     bool mergeIntoLast(int step, const Command& command);
     void voidLater(const Command& command);
     void doubtChecksFrom(std::size_t index);

@@ -48,14 +48,14 @@ std::string nameOf(const SetParam& set) {
 }
 
 /// A slider that is dragged leaves many at a step.
-void addChange(std::vector<ui::SessionMark>& course, ui::SessionMark mark) {
+void addChange(std::vector<ui::SessionMark>& marks, ui::SessionMark mark) {
     const auto label = [](const ui::SessionMark& m) { return m.text.substr(0, m.text.find(':')); };
-    const bool again = !course.empty() && course.back().kind == Kind::change &&
-                       course.back().step == mark.step && label(course.back()) == label(mark);
+    const bool again = !marks.empty() && marks.back().kind == Kind::change &&
+                       marks.back().step == mark.step && label(marks.back()) == label(mark);
     if (again) {
-        course.pop_back();
+        marks.pop_back();
     }
-    course.push_back(std::move(mark));
+    marks.push_back(std::move(mark));
 }
 
 }  // namespace
@@ -70,21 +70,21 @@ std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
     return marks;
 }
 
-std::vector<ui::SessionMark> courseOf(const SessionJournal& journal) {
-    std::vector<ui::SessionMark> course;
+std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal) {
+    std::vector<ui::SessionMark> marks;
     bool down = false;
     for (const JournalEntry& entry : journal.entries()) {
         const SessionAction& action = entry.event.action;
         const int step = entry.event.step;
         if (std::holds_alternative<MoveBlade>(action) && !std::exchange(down, true)) {
-            course.push_back({entry.id, step, Kind::stroke, "Stroke"});
+            marks.push_back({entry.id, step, Kind::stroke, "Stroke"});
         } else if (takesBladeAway(action)) {
             down = false;
         } else if (const auto* set = std::get_if<SetParam>(&action)) {
-            addChange(course, {entry.id, step, Kind::change, nameOf(*set)});
+            addChange(marks, {entry.id, step, Kind::change, nameOf(*set)});
         }
     }
-    return course;
+    return marks;
 }
 
 std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,

@@ -14,7 +14,7 @@ std::vector<ui::SessionMark> marksOf(const SessionJournal& journal);
 
 /// The strokes of a journal, each at its first pose, and its changes of parameters. Of several
 /// changes of a parameter at one step, the last.
-std::vector<ui::SessionMark> courseOf(const SessionJournal& journal);
+std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal);
 
 /// NAME-STEP with an ending (".png"), numbered if an event of the journal already writes that file.
 std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,

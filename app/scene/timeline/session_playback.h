@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 
 namespace kerf::app {
 
@@ -16,7 +16,7 @@ class SessionPlayback {
         past,     ///< what was done here; it ends at the present
     };
     SessionPlayback(Session session, Of what);
-    SessionPlayback(const SessionPlayback&) = delete;  // the player points into it
+    SessionPlayback(const SessionPlayback&) = delete;  // the schedule points into it
     SessionPlayback& operator=(const SessionPlayback&) = delete;
 
     bool isPast() const { return what_ == Of::past; }
@@ -25,7 +25,7 @@ class SessionPlayback {
     void extendTo(int step) { steps_ = std::max(steps_, step); }
     bool loop = false;
 
-    const SessionPlayer& player() const { return player_; }
+    const SessionSchedule& schedule() const { return schedule_; }
 
     /// Records the result of a check of an unchanged session before step `step`. Returns "" or one
     /// sentence.
@@ -37,7 +37,7 @@ class SessionPlayback {
     Session session_;
     Of what_;
     int steps_;
-    SessionPlayer player_{session_};
+    SessionSchedule schedule_{session_};
     std::optional<int> divergedAt_;
 };
 

@@ -192,7 +192,7 @@ class Collapse {
     }
 
     void makePatches(const CopyPairing& pairing) {
-        const VertexPlaces places = VertexPlaces::current(mesh_);
+        const VertexPositions places = VertexPositions::current(mesh_);
         closed_ = haveOnePlace(places, from_.copies, workspace_.edgeLength()) &&
                   haveOnePlace(places, to_.copies, workspace_.edgeLength());
         for (const int h : pairing.edges) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRidge = 1e-6;  // of the trace
 
 /// The sides and, about as long, the normal.
-std::array<Vec3, 4> edgesOf(const VertexPlaces& places, const Triangle& triangle) {
+std::array<Vec3, 4> edgesOf(const VertexPositions& places, const Triangle& triangle) {
     const Vec3& a = places[triangle[0]];
     const Vec3& b = places[triangle[1]];
     const Vec3& c = places[triangle[2]];

@@ -5,19 +5,19 @@
 namespace kerf::cut {
 
 /// The current or the rest positions of a mesh, by vertex.
-class VertexPlaces {
+class VertexPositions {
   public:
     /// The current positions.
-    static VertexPlaces current(const SurfaceMesh& mesh) { return {mesh, false}; }
+    static VertexPositions current(const SurfaceMesh& mesh) { return {mesh, false}; }
     /// The rest positions.
-    static VertexPlaces atRest(const SurfaceMesh& mesh) { return {mesh, true}; }
+    static VertexPositions atRest(const SurfaceMesh& mesh) { return {mesh, true}; }
     /// The place of vertex v [m].
     const Vec3& operator[](int v) const {
         return atRest_ ? mesh_->restPosition(v) : mesh_->position(v);
     }
 
   private:
-    VertexPlaces(const SurfaceMesh& mesh, bool atRest) : mesh_(&mesh), atRest_(atRest) {}
+    VertexPositions(const SurfaceMesh& mesh, bool atRest) : mesh_(&mesh), atRest_(atRest) {}
 
     const SurfaceMesh* mesh_;
     bool atRest_;
@@ -43,7 +43,8 @@ class LinearField {
 class DeformationField {
   public:
     /// Maps from the shape `from` to the shape `to`; add triangles before use.
-    DeformationField(const VertexPlaces& from, const VertexPlaces& to) : from_(from), to_(to) {}
+    DeformationField(const VertexPositions& from, const VertexPositions& to)
+        : from_(from), to_(to) {}
 
     /// Adds the edges and the normal of a triangle.
     void add(const Triangle& triangle);
@@ -51,8 +52,8 @@ class DeformationField {
     Vec3 along(const Vec3& way) const { return way + offset_.along(way); }
 
   private:
-    VertexPlaces from_;
-    VertexPlaces to_;
+    VertexPositions from_;
+    VertexPositions to_;
     LinearField offset_;  ///< change of vectors from `from` to `to`
 };
 

@@ -33,7 +33,7 @@ struct VolumeEquation {
 };
 
 /// Of moving the ring's vertex from `place`, with all else where `positions` has it.
-VolumeEquation equationAt(const SurfaceMesh& mesh, const VertexPlaces& positions,
+VolumeEquation equationAt(const SurfaceMesh& mesh, const VertexPositions& positions,
                           const OneRing& ring, const Vec3& place) {
     VolumeEquation equation;
     for (const int t : ring.before) {
@@ -127,7 +127,7 @@ Displacement displaceTogether(const std::vector<VolumeEquation>& equations, doub
 }
 
 /// Whether all copies that stay, and all that go, lie at one place each.
-bool isClosed(const VertexPlaces& positions, const std::vector<OneRing>& rings, double h) {
+bool isClosed(const VertexPositions& positions, const std::vector<OneRing>& rings, double h) {
     std::vector<int> staying;
     std::vector<int> going;
     for (const OneRing& ring : rings) {
@@ -139,7 +139,7 @@ bool isClosed(const VertexPlaces& positions, const std::vector<OneRing>& rings, 
 
 /// The current or the rest shape.
 struct Shape {
-    VertexPlaces positions;
+    VertexPositions positions;
     Vec3 OneRing::*place;
     double longestWay;  ///< [m]
     double tolerable;   ///< [m^3]
@@ -262,9 +262,10 @@ VolumeDefect placeByVolume(const Workspace& workspace, std::vector<OneRing>& rin
     const VolumeDefect tolerable = workspace.mostPerOperation();
     const double longest = workspace.mostDeviation();
     const double stretch = std::min(kMostStretch, restStretch(mesh, rings.front().vertex));
-    const Shape current{VertexPlaces::current(mesh), &OneRing::position, longest,
+    const Shape current{VertexPositions::current(mesh), &OneRing::position, longest,
                         tolerable.current};
-    const Shape rest{VertexPlaces::atRest(mesh), &OneRing::rest, longest * stretch, tolerable.rest};
+    const Shape rest{VertexPositions::atRest(mesh), &OneRing::rest, longest * stretch,
+                     tolerable.rest};
     VolumeDefect defect;
     if (workspace.judgesAtRest()) {
         std::tie(defect.current, defect.rest) = placeAlike(workspace, current, rest, rings);
@@ -278,14 +279,14 @@ VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<OneRing>& r
     VolumeDefect defect;
     for (const OneRing& ring : rings) {
         defect.current +=
-            std::fabs(equationAt(mesh, VertexPlaces::current(mesh), ring, ring.position).change);
+            std::fabs(equationAt(mesh, VertexPositions::current(mesh), ring, ring.position).change);
         defect.rest +=
-            std::fabs(equationAt(mesh, VertexPlaces::atRest(mesh), ring, ring.rest).change);
+            std::fabs(equationAt(mesh, VertexPositions::atRest(mesh), ring, ring.rest).change);
     }
     return defect;
 }
 
-Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& positions, int vertex) {
+Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPositions& positions, int vertex) {
     Vec3 gradient = Vec3::Zero();
     const Vec3& place = positions[vertex];
     mesh.forEachOutgoing(vertex, [&](int h) {
@@ -317,7 +318,7 @@ double restStretch(const SurfaceMesh& mesh, int vertex) {
     return rest / std::max(current, 1e-300);
 }
 
-bool haveOnePlace(const VertexPlaces& places, const std::vector<int>& vertices, double h) {
+bool haveOnePlace(const VertexPositions& places, const std::vector<int>& vertices, double h) {
     return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
         return (places[v] - places[vertices[0]]).norm() <= kCoincident * h;
     });

@@ -20,10 +20,10 @@ VolumeDefect placeByVolume(const Workspace& workspace, std::vector<OneRing>& rin
 VolumeDefect volumeDefect(const SurfaceMesh& mesh, const std::vector<OneRing>& rings);
 
 /// The gradient of the volume by the position of a vertex, in the shape `places` [m^2].
-Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPlaces& places, int vertex);
+Vec3 volumeGradient(const SurfaceMesh& mesh, const VertexPositions& places, int vertex);
 
 /// Whether all of these vertices coincide with the first one, to the precision of `h` [m].
-bool haveOnePlace(const VertexPlaces& places, const std::vector<int>& vertices, double h);
+bool haveOnePlace(const VertexPositions& places, const std::vector<int>& vertices, double h);
 
 /// The part of `direction` along which no gradient changes.
 Vec3 projectOnConstantVolume(const std::vector<Vec3>& gradients, const Vec3& direction);

@@ -30,8 +30,8 @@ class Slide {
     Slide(Workspace& workspace, int vertex)
         : workspace_(workspace), mesh_(workspace.mesh), star_(starOf(mesh_, vertex)) {
         for (const int v : star_.copies) {
-            gradients_.push_back(volumeGradient(mesh_, VertexPlaces::current(mesh_), v));
-            restGradients_.push_back(volumeGradient(mesh_, VertexPlaces::atRest(mesh_), v));
+            gradients_.push_back(volumeGradient(mesh_, VertexPositions::current(mesh_), v));
+            restGradients_.push_back(volumeGradient(mesh_, VertexPositions::atRest(mesh_), v));
         }
     }
 
@@ -121,7 +121,7 @@ class Slide {
         if (liesAtRest()) {
             return way;
         }
-        DeformationField field(VertexPlaces::current(mesh_), VertexPlaces::atRest(mesh_));
+        DeformationField field(VertexPositions::current(mesh_), VertexPositions::atRest(mesh_));
         for (const int v : star_.copies) {
             mesh_.forEachOutgoing(v, [&](int h) { field.add(mesh_.triangle(h / 3)); });
         }

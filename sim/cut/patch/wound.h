@@ -13,7 +13,7 @@ struct WoundEdge {
     int minus = -1;  ///< the half-edge on W-
 };
 
-/// A sheet of wall that a stroke of the open course left absent, and its border loops on the body's
+/// A sheet of wall that a stroke of the open cut left absent, and its border loops on the body's
 /// surface; the sheet is on the left of W+.
 struct Wound {
     std::vector<int> plus;                      ///< triangles of W+, ascending

@@ -54,7 +54,7 @@ class Cutter {
     /// blade, and the front stays as a slit.
     CutResult advance(const Blade& blade);
     /// Ends the stroke: cuts what the gate delayed, drops the front, cleans up, closes the wounds
-    /// of the open course, removes debris.
+    /// of the open cut, removes debris.
     CutResult finish();
 
     /// Removes short edges of these triangles, where the body stays folded; only between strokes.

@@ -89,7 +89,7 @@ class GroupStep {
         }
         std::vector<RungNode> from = group_.rung;
         const double least = body_.gateLength(gate, group_.edgeLength);
-        const BladeMotion motion = reparametrize(to_, body_.h(), from);
+        const BladeAdvance motion = reparametrize(to_, body_.h(), from);
         if (goesInParts(from)) {
             return cutAhead(from, least);
         }

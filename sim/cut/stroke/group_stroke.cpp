@@ -77,10 +77,10 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
     }
 }
 
-BladeMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
+BladeAdvance reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {
     const Vec3 along = blade.b - blade.a;
     const double least = kLeastPassing * h / along.norm();
-    BladeMotion motion;
+    BladeAdvance motion;
     double previous = -1e300;
     for (RungNode& node : rung) {
         node.s = (node.position - blade.a).dot(along) / along.squaredNorm();

@@ -75,7 +75,7 @@ struct GroupStroke {
 };
 
 /// The motion of the blade since the old rung.
-struct BladeMotion {
+struct BladeAdvance {
     double advance = 0;        ///< largest distance of a rung node to the line of the blade [m]
     double axial = 0;          ///< largest distance of the rung's ends to the blade's ends [m]
     bool anyAttached = false;  ///< the rung has a front edge
@@ -87,7 +87,7 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung);
 /// Sets the rung's s to the positions of its nodes along the new blade, so that sliding along its
 /// axis (sawing, plunging) does not shear the strip. s is forced to increase. The blade must have a
 /// length.
-BladeMotion reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung);
+BladeAdvance reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung);
 
 /// Whether more than half of the front would move back into its own slit. Walls bent by the solver
 /// may point anywhere, so the direction `lastAdvance` of the last cut counts as forwards (zero for

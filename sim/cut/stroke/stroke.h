@@ -51,7 +51,7 @@ struct Stroke {
     Debris removeDebris(CutBody& body, CutDelta& delta) const;
 };
 
-/// Patches the wounds of the open course. Walls without a patch become part of the body. Adds the
+/// Patches the wounds of the open cut. Walls without a patch become part of the body. Adds the
 /// changes to `delta`.
 WoundClosing closeWounds(CutBody& body, CutDelta& delta);
 /// Removes short edges at some triangles between strokes. Returns the change.

@@ -40,13 +40,13 @@ struct Grid {
 };
 
 /// Where a place lies in a grid: the lowest node of its cell, and shares of the way to the next.
-struct CellPlace {
+struct CellPosition {
     Counts node;
     Vec3 part;
 };
 
-CellPlace cellPlace(const Vec3& p, const Vec3& low, double cell, const Counts& counts) {
-    CellPlace place{};
+CellPosition cellPosition(const Vec3& p, const Vec3& low, double cell, const Counts& counts) {
+    CellPosition place{};
     for (int axis = 0; axis < 3; ++axis) {
         const double x = std::clamp((p[axis] - low[axis]) / cell, 0.0, counts[axis] - 1.0);
         place.node[axis] = std::clamp(static_cast<int>(x), 0, std::max(0, counts[axis] - 2));
@@ -175,7 +175,8 @@ EdgeLengthField EdgeLengthField::ofSkin(const SurfaceMesh& mesh) {
         if (!(t.area > 0)) {
             continue;
         }
-        const CellPlace place = cellPlace(t.middle, field.box_.low, field.cell_, field.nodes_);
+        const CellPosition place =
+            cellPosition(t.middle, field.box_.low, field.cell_, field.nodes_);
         const auto nearest = [&](int axis) {
             const int n = place.node[axis] + (place.part[axis] > 0.5 ? 1 : 0);
             return std::min(n, field.nodes_[axis] - 1);
@@ -201,7 +202,7 @@ double EdgeLengthField::localEdgeLength(const Vec3& rest) const {
     if (isEven()) {
         return mean_;
     }
-    const CellPlace place = cellPlace(rest, box_.low, cell_, nodes_);
+    const CellPosition place = cellPosition(rest, box_.low, cell_, nodes_);
     const auto at = [&](int i, int j, int k) {
         return lengths_[placeOf(nodes_, std::min(place.node[0] + i, nodes_[0] - 1),
                                 std::min(place.node[1] + j, nodes_[1] - 1),

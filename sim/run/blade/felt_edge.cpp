@@ -24,7 +24,7 @@ struct FrontEdge {
     Vec3 end = Vec3::Zero();
 };
 
-std::vector<FrontEdge> frontOf(const EdgePlace& place) {
+std::vector<FrontEdge> frontOf(const EdgeSurroundings& place) {
     const Vec3 along = place.edge.b - place.edge.a;
     const auto parameterOf = [&](const RungNode& node) {
         return (node.position - place.edge.a).dot(along) / along.squaredNorm();
@@ -42,7 +42,7 @@ std::vector<FrontEdge> frontOf(const EdgePlace& place) {
 
 /// How deep a point lies behind the surface that it went in through, against `back` [m]; 0
 /// outside, or where that is farther than `most` away.
-double depthOf(const EdgePlace& place, const Vec3& point, double most) {
+double depthOf(const EdgeSurroundings& place, const Vec3& point, double most) {
     double depth = most;
     bool inside = false;
     for (const int t : place.triangles) {
@@ -57,8 +57,9 @@ double depthOf(const EdgePlace& place, const Vec3& point, double most) {
 }
 
 /// None where there is no front.
-std::optional<double> lagBehindFront(const EdgePlace& place, const std::vector<FrontEdge>& front,
-                                     double s, const Vec3& point) {
+std::optional<double> lagBehindFront(const EdgeSurroundings& place,
+                                     const std::vector<FrontEdge>& front, double s,
+                                     const Vec3& point) {
     for (const FrontEdge& edge : front) {
         if (edge.from <= s && s < edge.to) {
             const double t = (s - edge.from) / (edge.to - edge.from);
@@ -70,7 +71,7 @@ std::optional<double> lagBehindFront(const EdgePlace& place, const std::vector<F
 
 }  // namespace
 
-std::optional<FeltEdge> feltEdge(const EdgePlace& place, const EdgeSpring& spring) {
+std::optional<FeltEdge> feltEdge(const EdgeSurroundings& place, const EdgeSpring& spring) {
     const std::vector<FrontEdge> front = frontOf(place);
     const double most = spring.mostLag(standsInMaterial(place.rung));
     const Vec3 along = place.edge.b - place.edge.a;

@@ -38,7 +38,7 @@ struct FeltEdge {
 };
 
 /// The edge of a blade in the material, and its surroundings.
-struct EdgePlace {
+struct EdgeSurroundings {
     const Blade& edge;  ///< its command
     const Vec3& back;   ///< from the edge to the blade's back, unit, square to the edge
     const std::vector<RungNode>& rung;  ///< present position of the last cut
@@ -48,6 +48,6 @@ struct EdgePlace {
 
 /// Measures the lag of an edge from the material in front of it: the front where it has cut,
 /// elsewhere the surface. None if it touches nothing.
-std::optional<FeltEdge> feltEdge(const EdgePlace& place, const EdgeSpring& spring);
+std::optional<FeltEdge> feltEdge(const EdgeSurroundings& place, const EdgeSpring& spring);
 
 }  // namespace kerf

@@ -29,7 +29,7 @@ bool standsInMaterial(const std::vector<RungNode>& rung) {
 }
 
 std::optional<Blade> LedBlade::pose() const {
-    return course_ ? std::optional(course_->edge) : std::nullopt;
+    return trail_ ? std::optional(trail_->edge) : std::nullopt;
 }
 
 std::optional<Blade> LedBlade::comingPose() const {
@@ -41,23 +41,23 @@ std::optional<Blade> LedBlade::comingPose() const {
 }
 
 bool LedBlade::isAt(const Blade& pose) const {
-    return course_ && course_->edge.a == pose.a && course_->edge.b == pose.b;
+    return trail_ && trail_->edge.a == pose.a && trail_->edge.b == pose.b;
 }
 
-BladeCourse LedBlade::courseTo(const Blade& to, double width) const {
-    return course_ ? ledTo(*course_, to, width) : BladeCourse{to};
+BladeTrail LedBlade::trailTo(const Blade& to, double width) const {
+    return trail_ ? ledTo(*trail_, to, width) : BladeTrail{to};
 }
 
 void LedBlade::moveTo(const Blade& to, double width, const Blade& edge) {
-    course_ = courseTo(to, width);
+    trail_ = trailTo(to, width);
     edge_ = edge;
 }
 
 Blade LedBlade::edgeAt(const Blade& to, double width, double lag) const {
-    if (lag <= 0 || !course_) {
+    if (lag <= 0 || !trail_) {
         return to;
     }
-    const Vec3 back = courseTo(to, width).back;
+    const Vec3 back = trailTo(to, width).back;
     Blade trailing{to.a + lag * back, to.b + lag * back};
     // How far the edge is ahead of a pose [m].
     const auto aheadOf = [&](const Blade& pose) {
@@ -70,7 +70,7 @@ Blade LedBlade::edgeAt(const Blade& to, double width, double lag) const {
 }
 
 Blade LedBlade::nextPose() const {
-    Blade pose = course_->edge;
+    Blade pose = trail_->edge;
     for (const BladeAction& action : coming_) {
         const auto* move = std::get_if<MoveBlade>(&action);
         if (move == nullptr) {
@@ -83,11 +83,11 @@ Blade LedBlade::nextPose() const {
 
 std::vector<Blade> LedBlade::path() const {
     std::vector<Blade> path;
-    if (course_) {
+    if (trail_) {
         path.push_back(*edge_);
     }
-    if (course_ && !(edge_->a == course_->edge.a && edge_->b == course_->edge.b)) {
-        path.push_back(course_->edge);
+    if (trail_ && !(edge_->a == trail_->edge.a && edge_->b == trail_->edge.b)) {
+        path.push_back(trail_->edge);
     }
     for (const BladeAction& action : coming_) {
         if (const auto* move = std::get_if<MoveBlade>(&action)) {
@@ -98,39 +98,38 @@ std::vector<Blade> LedBlade::path() const {
 }
 
 std::optional<BladeMotion> LedBlade::body(const BladePush& push) const {
-    if (!course_ || course_->farthest <= 0) {
+    if (!trail_ || trail_->farthest <= 0) {
         return std::nullopt;
     }
-    return motionOf(std::array{*course_}, push.size, 0, push.wallEdge, 1);
+    return motionOf(std::array{*trail_}, push.size, 0, push.wallEdge, 1);
 }
 
 std::optional<BladeMotion> LedBlade::motion(const BladePush& push,
                                             const std::vector<RungNode>& front) const {
     assert(isPlaced());
-    std::vector<BladeCourse> courses{*course_};
+    std::vector<BladeTrail> trails{*trail_};
     for (const BladeAction& action : coming_) {
         const auto* move = std::get_if<MoveBlade>(&action);
         if (move == nullptr) {
             break;
         }
-        courses.push_back(ledTo(courses.back(), move->blade, push.size.width));
+        trails.push_back(ledTo(trails.back(), move->blade, push.size.width));
     }
-    BladeMotion motion =
-        motionOf(courses, push.size, lagOfBody(courses.back(), front, push.wallEdge), push.wallEdge,
-                 push.substeps);
+    BladeMotion motion = motionOf(trails, push.size, lagOfBody(trails.back(), front, push.wallEdge),
+                                  push.wallEdge, push.substeps);
     return motion.back > motion.front ? std::optional(std::move(motion)) : std::nullopt;
 }
 
 /// How far behind the edge at the end of a step its body begins: not before where the edge has cut.
-double LedBlade::lagOfBody(const BladeCourse& end, const std::vector<RungNode>& front,
+double LedBlade::lagOfBody(const BladeTrail& end, const std::vector<RungNode>& front,
                            double wallEdge) const {
     double lag = 0;
     const auto keepBehind = [&](const Vec3& p, double s) {
         const Vec3 edge = end.edge.a + s * (end.edge.b - end.edge.a);
         lag = std::max(lag, end.back.dot(p - edge));
     };
-    keepBehind(course_->edge.a, 0);
-    keepBehind(course_->edge.b, 1);
+    keepBehind(trail_->edge.a, 0);
+    keepBehind(trail_->edge.b, 1);
     // A front that waits at the gate and one that has just been cut are one to the plate: it comes
     // on evenly.
     const double mostLag = lag + kMostLag * wallEdge;

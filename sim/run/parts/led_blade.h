@@ -26,7 +26,7 @@ struct BladePush {
     int substeps = 1;     ///< of the coming time step
 };
 
-/// The commanded blade: its pose, its course, and its commands for the coming step.
+/// The commanded blade: its pose, its trail, and its commands for the coming step.
 class LedBlade {
   public:
     /// Appends a command.
@@ -44,10 +44,10 @@ class LedBlade {
     /// The pose after the coming step, or where it is lifted in it. It must be placed.
     Blade nextPose() const;
     /// From the edge to the back, unit; zero while it has no direction. It must be placed.
-    const Vec3& back() const { return course_->back; }
+    const Vec3& back() const { return trail_->back; }
     /// The cutting edge: the pose, unless the material resists the edge. It must be placed.
     const Blade& edge() const { return *edge_; }
-    bool isPlaced() const { return course_.has_value(); }
+    bool isPlaced() const { return trail_.has_value(); }
     bool isAt(const Blade& pose) const;
     /// The cutting edge once the blade is commanded to `to` and lags by `lag` [m]: it follows as if
     /// on a string of that length, and moves back before the blade. Its body trails at its whole
@@ -56,7 +56,7 @@ class LedBlade {
     /// Moves the blade to its commanded pose, and its edge to where it cuts.
     void moveTo(const Blade& to, double width, const Blade& edge);
     /// Returns whether it was placed.
-    bool lift() { return std::exchange(course_, std::nullopt).has_value(); }
+    bool lift() { return std::exchange(trail_, std::nullopt).has_value(); }
 
     /// The poses of the blade in the coming step, from its cutting edge on.
     std::vector<Blade> path() const;
@@ -68,13 +68,13 @@ class LedBlade {
                                       const std::vector<RungNode>& front) const;
 
   private:
-    double lagOfBody(const BladeCourse& end, const std::vector<RungNode>& front,
+    double lagOfBody(const BladeTrail& end, const std::vector<RungNode>& front,
                      double wallEdge) const;
 
-    BladeCourse courseTo(const Blade& to, double width) const;
+    BladeTrail trailTo(const Blade& to, double width) const;
 
-    std::optional<BladeCourse> course_;  ///< since it was placed
-    std::optional<Blade> edge_;          ///< where it cuts
+    std::optional<BladeTrail> trail_;  ///< since it was placed
+    std::optional<Blade> edge_;        ///< where it cuts
     std::vector<BladeAction> coming_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-Pins::Place Pins::placeOf(const SurfaceMesh& mesh, std::uint32_t vertex) {
+Pins::RestPosition Pins::restPositionOf(const SurfaceMesh& mesh, std::uint32_t vertex) {
     const Vec3& p = mesh.restPosition(static_cast<int>(vertex));
     return {p.x(), p.y(), p.z()};
 }
@@ -14,9 +14,9 @@ bool Pins::holds(int vertex) const {
 }
 
 void Pins::collectPlaces(const SurfaceMesh& mesh) {
-    places_.clear();
+    positions_.clear();
     for (const std::uint32_t v : vertices_) {
-        places_.insert(placeOf(mesh, v));
+        positions_.insert(restPositionOf(mesh, v));
     }
 }
 
@@ -44,7 +44,7 @@ bool Pins::follow(const SurfaceMesh& mesh, const CutDelta& delta) {
     bool changed = std::erase_if(vertices_, isDead) > 0;
     for (int v = delta.firstNewVertex; v < mesh.vertexCount(); ++v) {
         const auto vertex = static_cast<std::uint32_t>(v);
-        if (!isDead(vertex) && places_.contains(placeOf(mesh, vertex))) {
+        if (!isDead(vertex) && positions_.contains(restPositionOf(mesh, vertex))) {
             vertices_.push_back(vertex);
             changed = true;
         }

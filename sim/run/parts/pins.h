@@ -24,13 +24,14 @@ class Pins {
     const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
   private:
-    using Place = std::array<double, 3>;
-    static Place placeOf(const SurfaceMesh& mesh, std::uint32_t vertex);
+    using RestPosition = std::array<double, 3>;
+    static RestPosition restPositionOf(const SurfaceMesh& mesh, std::uint32_t vertex);
     void collectPlaces(const SurfaceMesh& mesh);
     bool holds(int vertex) const;
 
     std::vector<std::uint32_t> vertices_;
-    std::set<Place> places_;  ///< rest positions of the vertices: copies share them, bit for bit
+    std::set<RestPosition>
+        positions_;  ///< rest positions of the vertices: copies share them, bit for bit
 };
 
 }  // namespace kerf

@@ -80,7 +80,7 @@ struct RunningBody {
     bool liesStill() const;
     /// After the measure of a step of `timeStep` [s]; `lost`: it lost a piece.
     void noteStillness(double timeStep, bool lost);
-    /// Tells whether walls of a stroke of the open course are absent.
+    /// Tells whether walls of a stroke of the open cut are absent.
     bool isOpen() const;
     const PieceMap& pieces();
     /// The solver has the changed model.

@@ -66,11 +66,11 @@ shared::PullRecord ledTo(const RestPose& goal, const RigidMotion& motion, const 
 }  // namespace
 
 int ShapeRecovery::begin(std::span<const double> insideOut) {
-    courses_.resize(insideOut.size());
+    recoveries_.resize(insideOut.size());
     int begun = 0;
-    for (std::size_t p = 0; p < courses_.size(); ++p) {
-        if (insideOut[p] > kMostInsideOut && !courses_[p].spent) {
-            courses_[p] = {.draws = true, .spent = true, .motion = {}};
+    for (std::size_t p = 0; p < recoveries_.size(); ++p) {
+        if (insideOut[p] > kMostInsideOut && !recoveries_[p].spent) {
+            recoveries_[p] = {.draws = true, .spent = true, .motion = {}};
             ++begun;
         }
     }
@@ -78,34 +78,34 @@ int ShapeRecovery::begin(std::span<const double> insideOut) {
 }
 
 void ShapeRecovery::allowAgain() {
-    for (Course& course : courses_) {
-        course.spent = course.draws;
+    for (Recovery& recovery : recoveries_) {
+        recovery.spent = recovery.draws;
     }
 }
 
 void ShapeRecovery::follow(std::span<const int> source) {
-    if (courses_.empty()) {
+    if (recoveries_.empty()) {
         return;
     }
-    const std::vector<Course> before = courses_;
-    courses_.assign(source.size(), {});
+    const std::vector<Recovery> before = recoveries_;
+    recoveries_.assign(source.size(), {});
     for (std::size_t p = 0; p < source.size(); ++p) {
         if (source[p] >= 0 && static_cast<std::size_t>(source[p]) < before.size()) {
-            courses_[p] = before[source[p]];
+            recoveries_[p] = before[source[p]];
         }
     }
 }
 
 bool ShapeRecovery::draws() const {
-    return std::ranges::any_of(courses_, &Course::draws);
+    return std::ranges::any_of(recoveries_, &Recovery::draws);
 }
 
 bool ShapeRecovery::draws(int piece) const {
-    return static_cast<std::size_t>(piece) < courses_.size() && courses_[piece].draws;
+    return static_cast<std::size_t>(piece) < recoveries_.size() && recoveries_[piece].draws;
 }
 
 std::vector<shared::PullRecord> ShapeRecovery::advance(const Body& body) {
-    std::vector<std::vector<FittedVertex>> pieces(courses_.size());
+    std::vector<std::vector<FittedVertex>> pieces(recoveries_.size());
     for (std::size_t v = 0; v < body.model.pieceOfVertex.size(); ++v) {
         if (const int piece = body.model.pieceOfVertex[v]; piece >= 0 && draws(piece)) {
             pieces[piece].push_back(vertexOf(body, v));
@@ -113,28 +113,28 @@ std::vector<shared::PullRecord> ShapeRecovery::advance(const Body& body) {
     }
     std::vector<shared::PullRecord> records;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-        if (courses_[p].draws) {
-            lead(std::move(pieces[p]), body, courses_[p], records);
+        if (recoveries_[p].draws) {
+            lead(std::move(pieces[p]), body, recoveries_[p], records);
         }
     }
     return records;
 }
 
-void ShapeRecovery::lead(std::vector<FittedVertex> vertices, const Body& body, Course& course,
+void ShapeRecovery::lead(std::vector<FittedVertex> vertices, const Body& body, Recovery& recovery,
                          std::vector<shared::PullRecord>& records) {
     const Params& params = body.params;
     RestPose goal = fitRestPose(vertices);
-    RigidMotion motion = noFasterThan(rigidMotionOf(vertices, goal.middle), course.motion);
+    RigidMotion motion = noFasterThan(rigidMotionOf(vertices, goal.middle), recovery.motion);
     motion.velocity += params.timeStep * params.gravity;
     if (params.floor) {
         putOnFloor(vertices, *params.floor, goal, motion);
     }
-    course.motion = motion;
-    course.time += params.timeStep;
+    recovery.motion = motion;
+    recovery.time += params.timeStep;
     std::erase_if(vertices, [&](const FittedVertex& v) { return isHeld(body, v.vertex); });
-    course.draws = course.time < kLongest && !vertices.empty() &&
-                   rmsWay(goal, vertices) > kBack * fitRestPose(vertices).radius;
-    for (std::size_t i = 0; course.draws && i < vertices.size(); ++i) {
+    recovery.draws = recovery.time < kLongest && !vertices.empty() &&
+                     rmsWay(goal, vertices) > kBack * fitRestPose(vertices).radius;
+    for (std::size_t i = 0; recovery.draws && i < vertices.size(); ++i) {
         records.push_back(ledTo(goal, motion, vertices[i], params.timeStep));
     }
 }

@@ -30,7 +30,7 @@ class ShapeRecovery {
     /// Allows recovery again: the load that crushed the pieces may be gone.
     void allowAgain();
     /// Stops all recoveries.
-    void stop() { courses_.clear(); }
+    void stop() { recoveries_.clear(); }
     /// Follows a cut. `source`: see LabelChange.
     void follow(std::span<const int> source);
 
@@ -49,17 +49,17 @@ class ShapeRecovery {
     std::vector<shared::PullRecord> advance(const Body& body);
 
   private:
-    struct Course {
+    struct Recovery {
         bool draws = false;
         bool spent = false;                 ///< recovered since the last user action
         double time = 0;                    ///< since its start [s]
         std::optional<RigidMotion> motion;  ///< as a whole, in the last step
     };
     /// Appends the motion of the vertices of a piece, or ends its recovery.
-    static void lead(std::vector<FittedVertex> vertices, const Body& body, Course& course,
+    static void lead(std::vector<FittedVertex> vertices, const Body& body, Recovery& recovery,
                      std::vector<shared::PullRecord>& records);
 
-    std::vector<Course> courses_;  ///< by piece; those behind the last have none
+    std::vector<Recovery> recoveries_;  ///< by piece; those behind the last have none
 };
 
 }  // namespace kerf

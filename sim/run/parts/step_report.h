@@ -32,7 +32,7 @@ struct StepReport {
     HeldEdge heldEdge;                   ///< with `blade_feels`
     int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
-    bool open = false;                   ///< walls of a stroke of the open course are absent
+    bool open = false;                   ///< walls of a stroke of the open cut are absent
     double kineticEnergy = 0;            ///< see BodyMeasure [J]
     double potentialEnergy = 0;          ///< [J]
     std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]

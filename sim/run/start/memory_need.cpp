@@ -193,8 +193,8 @@ MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
     // the start of the course, and another moment.
     const double undoBudget = static_cast<double>(settings.undoBudget);
     const double undo = copy <= undoBudget ? std::min(undoBudget, (1 + kGrowthByCut) * copy) : 0;
-    const double courseBudget = static_cast<double>(settings.courseBudget);
-    const double course = courseBudget > 0 ? copy + std::min(courseBudget, copy) : 0;
+    const double keyframeBudget = static_cast<double>(settings.keyframeBudget);
+    const double course = keyframeBudget > 0 ? copy + std::min(keyframeBudget, copy) : 0;
     const BodySize cut{kGrowthByCut * size.vertices, kGrowthByCut * size.triangles};
     MemoryNeed need;
     need.program = kProgram;

@@ -29,11 +29,11 @@ struct BodySize {
 
 /// The settings that affect memory.
 struct MemorySettings {
-    bool contact = true;             ///< parts of the body collide
-    int ispcsPerVertex = 1;          ///< three with a true modulus
-    bool obstacles = false;          ///< boxes, or a blade that pushes
-    std::uint64_t undoBudget = 0;    ///< of the undo history [bytes]
-    std::uint64_t courseBudget = 0;  ///< of checkpoints [bytes]
+    bool contact = true;               ///< parts of the body collide
+    int ispcsPerVertex = 1;            ///< three with a true modulus
+    bool obstacles = false;            ///< boxes, or a blade that pushes
+    std::uint64_t undoBudget = 0;      ///< of the undo history [bytes]
+    std::uint64_t keyframeBudget = 0;  ///< of checkpoints [bytes]
 };
 MemorySettings memorySettings(const Params& params, bool hasBoxes);
 

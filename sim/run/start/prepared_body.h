@@ -9,7 +9,7 @@
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/start/placed_model.h"
-#include "sim/solve/vertex_pages.h"
+#include "sim/solve/solver_pieces.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include "app/scene/timeline/scene_recorder.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/session.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "gpu/data_path.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
@@ -55,14 +55,14 @@ struct Executing {
 std::string hashAfter(const Session& session, const Document& start) {
     Simulation simulation(start.mesh, session.params, session.boxes);
     simulation.setUndoBudget(kReplayUndoBudget);
-    SessionRunner runner(simulation);
-    const SessionPlayer player(session);
+    SimulationDriver driver(simulation);
+    const SessionSchedule schedule(session);
     Executing host{simulation};
     while (simulation.stepCount() < session.steps) {
-        runner.applyActions(player, host);
-        runner.step();
+        driver.applyActions(schedule, host);
+        driver.step();
     }
-    runner.applyActions(player, host);
+    driver.applyActions(schedule, host);
     return simulation.stateHash();
 }
 

@@ -35,7 +35,7 @@ class ExpectationPaths : public ::testing::Test {
         results_.folder = run_;
         results_.driver = {"llvmpipe", "4.5"};
         results_.pictures = {{"a.png", 0}};
-        results_.hashes = HashCourse::read(run_ / kHashesFile);
+        results_.hashes = HashTrace::read(run_ / kHashesFile);
     }
     ~ExpectationPaths() override {
         EXPECT_EQ(test::readBytes(elsewhere_ / "kept.png"), kept_);

@@ -60,13 +60,13 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     journal.note(9, pose(0.8));
     journal.note(10, LiftBlade{});
     const Session session = sessionOf(journal, 12);
-    const SessionPlayer player(session);
+    const SessionSchedule schedule(session);
     for (const int step : {5, 6, 7}) {
-        const auto actions = player.actionsAt(step);
+        const auto actions = schedule.actionsAt(step);
         ASSERT_EQ(actions.size(), 1U);
         EXPECT_NEAR(std::get<MoveBlade>(actions[0].action).blade.a.y(), 0.9, 1e-15);
     }
-    EXPECT_EQ(std::get<MoveBlade>(player.actionsAt(9).at(0).action).blade.a.y(), 0.8);
+    EXPECT_EQ(std::get<MoveBlade>(schedule.actionsAt(9).at(0).action).blade.a.y(), 0.8);
 }
 
 TEST(SessionJournal, NoHandTookTimeWhereABladeStoodStill) {
@@ -89,10 +89,10 @@ TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
     journal.note(12, Drag{0, Vec3(3, 0, 0)});
     journal.note(13, Release{0});
     const Session session = sessionOf(journal, 15);
-    const SessionPlayer player(session);
+    const SessionSchedule schedule(session);
     const auto drags = [&](int step) {
         std::vector<double> places;
-        for (const PlayedAction& played : player.actionsAt(step)) {
+        for (const PlayedAction& played : schedule.actionsAt(step)) {
             if (const auto* drag = std::get_if<Drag>(&played.action)) {
                 places.push_back(drag->to.x());
             }
@@ -247,7 +247,7 @@ TEST(SessionJournal, WhatFailedIsLeftOutOnlyOfAChangedSession) {
 TEST(SessionJournal, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
     SessionJournal journal;
     journal.note(3, pose(1));
-    const JournalPlace then = journal.here(3);
+    const JournalPosition then = journal.here(3);
     journal.note(3, LiftBlade{});
     journal.note(8, pose(0));
     journal.add(then, ScreenshotEvent{freeOutputName(journal, "ball", 3, ".png")});

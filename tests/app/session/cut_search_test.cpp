@@ -3,7 +3,7 @@
 
 #include "app/files/import/model_source.h"
 #include "app/session/session.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 
@@ -39,12 +39,12 @@ CutRun cutOf(const app::Session& session, CutSearch search) {
     params.iterations = 1;
     params.contact = 0;
     Simulation simulation(app::loadSessionModel(session).mesh, params, session.boxes);
-    const app::SessionPlayer player(session);
-    app::SessionRunner runner(simulation);
+    const app::SessionSchedule schedule(session);
+    app::SimulationDriver driver(simulation);
     Host host{simulation};
     while (!host.lifted && simulation.stepCount() < session.steps) {
-        runner.applyActions(player, host);
-        runner.step();
+        driver.applyActions(schedule, host);
+        driver.step();
     }
     return {simulation.stateHash(), simulation.report().pieces, host.cuts};
 }

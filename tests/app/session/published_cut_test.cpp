@@ -5,7 +5,7 @@
 
 #include "app/files/import/model_source.h"
 #include "app/session/session.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "sim/mesh/piece_labels.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
@@ -54,12 +54,12 @@ class PublishedCut : public test::GlTest {};
 TEST_F(PublishedCut, ItsHalvesComeApart) {
     const app::Session session = publishedSession("sphere768");
     Simulation simulation(app::loadSessionModel(session).mesh, session.params, session.boxes);
-    const app::SessionPlayer player(session);
-    app::SessionRunner runner(simulation);
+    const app::SessionSchedule schedule(session);
+    app::SimulationDriver driver(simulation);
     PublishedHost host{simulation};
     while (simulation.stepCount() < kFallen) {
-        runner.applyActions(player, host);
-        runner.step();
+        driver.applyActions(schedule, host);
+        driver.step();
     }
     ASSERT_EQ(simulation.report().pieces, 2);
     const double atRest = distanceOfHalves(simulation.mesh(), true);

@@ -15,44 +15,44 @@ Blade bladeAt(const Vec3& middle) {
     return {middle - kHalf, middle + kHalf};
 }
 
-BladeCourse led(const std::vector<Vec3>& places, double width = 0.2) {
-    BladeCourse course{bladeAt(places.front())};
+BladeTrail led(const std::vector<Vec3>& places, double width = 0.2) {
+    BladeTrail trail{bladeAt(places.front())};
     for (std::size_t i = 1; i < places.size(); ++i) {
-        course = ledTo(course, bladeAt(places[i]), width);
+        trail = ledTo(trail, bladeAt(places[i]), width);
     }
-    return course;
+    return trail;
 }
 
-TEST(BladeCourse, TheBodyTrailsTheEdgeAndComesOutOfWhereItWasPlaced) {
+TEST(BladeTrail, TheBodyTrailsTheEdgeAndComesOutOfWhereItWasPlaced) {
     EXPECT_TRUE(led({{0, 0, 0}}).back.isZero());
-    const BladeCourse course = led({{0, 0, 0}, {0.05, 0, 0}, {0.1, 0, 0.3}});
-    EXPECT_LT((course.back - Vec3(-1, 0, 0)).norm(), 1e-12) << "not along the edge";
-    EXPECT_NEAR(course.widthOf({0.2, 0.01}), 0.1, 1e-12);
+    const BladeTrail trail = led({{0, 0, 0}, {0.05, 0, 0}, {0.1, 0, 0.3}});
+    EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 1e-12) << "not along the edge";
+    EXPECT_NEAR(trail.widthOf({0.2, 0.01}), 0.1, 1e-12);
     EXPECT_NEAR(led({{0, 0, 0}, {0.5, 0, 0}}).widthOf({0.2, 0.01}), 0.2, 1e-12);
 }
 
-TEST(BladeCourse, DrawnBackOrAsideItKeepsItsDirection) {
+TEST(BladeTrail, DrawnBackOrAsideItKeepsItsDirection) {
     for (const Vec3& to : {Vec3(0.1, 0, 0), Vec3(0.4, 0.3, 0), Vec3(0.4, -0.3, 0)}) {
-        const BladeCourse course = led({{0, 0, 0}, {0.4, 0, 0}, to});
-        EXPECT_LT((course.back - Vec3(-1, 0, 0)).norm(), 1e-12);
-        EXPECT_NEAR(course.farthest, 0.4, 1e-12);
-        EXPECT_NEAR(course.way, to.x(), 1e-12);
+        const BladeTrail trail = led({{0, 0, 0}, {0.4, 0, 0}, to});
+        EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 1e-12);
+        EXPECT_NEAR(trail.farthest, 0.4, 1e-12);
+        EXPECT_NEAR(trail.way, to.x(), 1e-12);
     }
 }
 
-TEST(BladeCourse, ItFollowsACurve) {
+TEST(BladeTrail, ItFollowsACurve) {
     std::vector<Vec3> places;
     for (int i = 0; i <= 100; ++i) {
         const double angle = 0.01 * i * std::numbers::pi / 2;
         places.emplace_back(std::sin(angle), std::cos(angle), 0);
     }
-    const BladeCourse course = led(places);
+    const BladeTrail trail = led(places);
     // A point towed at 0.2 on a circle of radius 1 lies on one of radius sqrt(0.96).
-    EXPECT_NEAR((places.back() + 0.2 * course.back).norm(), std::sqrt(0.96), 0.01);
-    EXPECT_GT(course.back.y(), 0.9);
+    EXPECT_NEAR((places.back() + 0.2 * trail.back).norm(), std::sqrt(0.96), 0.01);
+    EXPECT_GT(trail.back.y(), 0.9);
 }
 
-TEST(BladeCourse, JitterOfTheHandDoesNotSwingIt) {
+TEST(BladeTrail, JitterOfTheHandDoesNotSwingIt) {
     std::vector<Vec3> places{{0, 0, 0}};
     for (int i = 1; i < 60; ++i) {
         places.emplace_back(0.01 * i, i % 2 == 0 ? 0.002 : -0.002, 0);
@@ -61,10 +61,10 @@ TEST(BladeCourse, JitterOfTheHandDoesNotSwingIt) {
 }
 
 TEST(BladeMotion, GoesEvenlyThroughAllPosesOfAStep) {
-    std::vector<BladeCourse> courses{led({{-0.5, 0, 0}, {0, 0, 0}})};
-    courses.push_back(ledTo(courses.back(), bladeAt({0.1, 0, 0}), 0.2));
-    courses.push_back(ledTo(courses.back(), bladeAt({0.4, 0, 0}), 0.2));
-    const BladeMotion motion = motionOf(courses, {0.2, 0.01}, 0.03, 0.05, 4);
+    std::vector<BladeTrail> trails{led({{-0.5, 0, 0}, {0, 0, 0}})};
+    trails.push_back(ledTo(trails.back(), bladeAt({0.1, 0, 0}), 0.2));
+    trails.push_back(ledTo(trails.back(), bladeAt({0.4, 0, 0}), 0.2));
+    const BladeMotion motion = motionOf(trails, {0.2, 0.01}, 0.03, 0.05, 4);
     ASSERT_EQ(motion.frames.size(), 5U);
     const std::array expected{0.0, 0.05, 0.1, 0.25, 0.4};
     for (std::size_t i = 0; i < expected.size(); ++i) {

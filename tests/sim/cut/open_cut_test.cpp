@@ -1,4 +1,4 @@
-// The open course: hollow while the blade moves, patched when the stroke ends.
+// The open cut: hollow while the blade moves, patched when the stroke ends.
 #include <gtest/gtest.h>
 
 #include <cmath>

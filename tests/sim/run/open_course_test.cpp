@@ -1,4 +1,4 @@
-// The open course with the solver: hollow while the blade moves, patched when it has left.
+// The open cut with the solver: hollow while the blade moves, patched when it has left.
 #include <gmock/gmock.h>
 
 #include "sim/body/body_updater.h"

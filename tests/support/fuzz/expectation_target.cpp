@@ -55,10 +55,10 @@ class Place {
         results.driver = {"llvmpipe", "4.5"};
         results.stateHash = "0123456789abcdef";
         results.pictures = {{"a.png", 1}, {"b.png", 2}};
-        results.hashes = app::HashCourse::read(run() / app::kHashesFile);
+        results.hashes = app::HashTrace::read(run() / app::kHashesFile);
         writeText(folder_ / "course.csv", kCourse);
         writeText(folder_ / "pieces.csv", kPieces);
-        results.course = app::readCourse(folder_ / "course.csv");
+        results.trace = app::readTrace(folder_ / "course.csv");
         results.pieces = app::readPieces(folder_ / "pieces.csv");
         before_ = content();
     }
@@ -105,8 +105,8 @@ std::string brokenTables() {
     const fs::path again = place().differences().parent_path() / "x.expected/again";
     std::string broken = brokenByWriting(app::readExpectation(folder / app::kExpectedFile), again,
                                          app::readExpectation, app::formatExpectation);
-    broken += brokenByWriting(app::readCourse(folder / app::kCourseFile), again, app::readCourse,
-                              app::formatCourse);
+    broken += brokenByWriting(app::readTrace(folder / app::kTraceFile), again, app::readTrace,
+                              app::formatTrace);
     broken += brokenByWriting(app::readPieces(folder / app::kPieceBoxesFile), again,
                               app::readPieces, app::formatPieces);
     fs::remove(again);
@@ -117,7 +117,7 @@ std::string brokenTables() {
 
 FuzzOutcome readExpectationText(const std::string& text) {
     unpack(text, place().expected(),
-           {app::kExpectedFile, app::kCourseFile, app::kPieceBoxesFile, app::kHashesFile});
+           {app::kExpectedFile, app::kTraceFile, app::kPieceBoxesFile, app::kHashesFile});
     FuzzOutcome outcome;
     try {
         outcome.broken = brokenTables();

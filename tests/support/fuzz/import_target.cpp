@@ -151,8 +151,8 @@ app::ImportedModel paintedBox() {
     for (int t = 0; t < 12; ++t) {
         model.soup.skin.materials.push_back(t % 3 - 1);
     }
-    render::Material glossy{"glossy", {0.5F, 0.25F, 1, 1}, 0.2F, 0.5F, 0};
-    model.appearance.materials = {glossy, render::Material{"plain"}};
+    render::SurfaceMaterial glossy{"glossy", {0.5F, 0.25F, 1, 1}, 0.2F, 0.5F, 0};
+    model.appearance.materials = {glossy, render::SurfaceMaterial{"plain"}};
     model.appearance.images = {{"sub/leaf.png", imageTexts().front(), {}}};
     return model;
 }

@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kShiftRidge = 1e-6;  // of the trace, towards a shift
 
-struct KnownPlace {
+struct KnownOffset {
     Vec3 position;
     Vec3 offset;  ///< rest - position
 };
 
-std::vector<KnownPlace> knownPlaces(const StepInput& in, const Strip& strip,
-                                    const CutCurves& curves) {
-    std::vector<KnownPlace> places;
+std::vector<KnownOffset> knownOffsets(const StepInput& in, const Strip& strip,
+                                      const CutCurves& curves) {
+    std::vector<KnownOffset> places;
     for (const CutNode& node : curves.nodes) {
         if (node.kind != NodeKind::wall) {
             places.push_back({node.position, node.rest - node.position});
@@ -37,17 +37,17 @@ RestGuess::RestGuess(const StepInput& in, const Strip& strip, const CutCurves& c
     if (in.atRest || in.edgeLengths.isEven()) {
         return;
     }
-    const std::vector<KnownPlace> places = knownPlaces(in, strip, curves);
+    const std::vector<KnownOffset> places = knownOffsets(in, strip, curves);
     if (places.empty()) {
         return;
     }
-    for (const KnownPlace& place : places) {
+    for (const KnownOffset& place : places) {
         center_ += place.position / sizeOf(places);
         offset_ += place.offset / sizeOf(places);
     }
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d offsets = Eigen::Matrix3d::Zero();
-    for (const KnownPlace& place : places) {
+    for (const KnownOffset& place : places) {
         const Vec3 q = place.position - center_;
         spread += q * q.transpose();
         offsets += (place.offset - offset_) * q.transpose();

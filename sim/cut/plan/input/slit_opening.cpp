@@ -103,13 +103,13 @@ class Opening {
         std::map<int, Vec3> displacements;
         for (const auto& [v, inwards] : step_.sides) {
             if (!step_.takesSeamsAlong && isEndOfPast(v)) {
-                displacements[v] = -placeOf(v).distance * placeOf(v).normal;
+                displacements[v] = -offsetOf(v).distance * offsetOf(v).normal;
             } else if (opens(v, inwards) && fixed_.count(v) == 0) {
-                const Place place = placeOf(v);
-                const int side = inwards.dot(place.normal) > 0 ? 1 : -1;
-                const double way = step_.opening * step_.h - side * place.distance;
+                const PlaneOffset offset = offsetOf(v);
+                const int side = inwards.dot(offset.normal) > 0 ? 1 : -1;
+                const double way = step_.opening * step_.h - side * offset.distance;
                 if (way > 0 && way < kFarthest * step_.h) {
-                    displacements[v] = side * way * place.normal;
+                    displacements[v] = side * way * offset.normal;
                 }
             }
         }
@@ -118,7 +118,7 @@ class Opening {
 
   private:
     /// Where a vertex lies to the nearest part of the strip.
-    struct Place {
+    struct PlaneOffset {
         double distance;  ///< to its plane, signed [m]
         Vec3 normal;
     };
@@ -197,17 +197,17 @@ class Opening {
         }
     }
 
-    const Place& placeOf(int v) {
-        const auto known = places_.find(v);
-        if (known != places_.end()) {
+    const PlaneOffset& offsetOf(int v) {
+        const auto known = offsets_.find(v);
+        if (known != offsets_.end()) {
             return known->second;
         }
         if (mesh_.outgoing(v) < 0) {
-            return places_.emplace(v, Place{1e300, Vec3::Zero()}).first->second;  // gone
+            return offsets_.emplace(v, PlaneOffset{1e300, Vec3::Zero()}).first->second;  // gone
         }
         bringAround(v);
         const Vec3& p = mesh_.position(v);
-        Place place{1e300, Vec3::Zero()};
+        PlaneOffset offset{1e300, Vec3::Zero()};
         double least = 1e300;
         for (const SweptTriangle& s : swept_) {
             const Vec3 w = closestWeights(p, s.at[0], s.at[1], s.at[2]);
@@ -215,13 +215,13 @@ class Opening {
             if (distance < least) {
                 least = distance;
                 const Vec3 normal = s.normal.normalized();
-                place = {normal.dot(p - s.at[0]), normal};
+                offset = {normal.dot(p - s.at[0]), normal};
             }
         }
-        return places_[v] = place;
+        return offsets_[v] = offset;
     }
 
-    bool isNear(int v) { return std::fabs(placeOf(v).distance) <= retracedAt(v); }
+    bool isNear(int v) { return std::fabs(offsetOf(v).distance) <= retracedAt(v); }
 
     bool isRetraced(int t) {
         const Triangle& c = mesh_.triangle(t);
@@ -249,12 +249,12 @@ class Opening {
                 area += normal.norm();
             }
         });
-        const double across = sum.dot(placeOf(v).normal);
+        const double across = sum.dot(offsetOf(v).normal);
         const double along = step_.past.contains(v) ? kAlongPast : kAlong;
         if (area == 0 || std::fabs(across) < along * area) {
             return Vec3::Zero();
         }
-        return across < 0 ? placeOf(v).normal : Vec3(-placeOf(v).normal);
+        return across < 0 ? offsetOf(v).normal : Vec3(-offsetOf(v).normal);
     }
 
     // Skin that lies so near goes with the rim of the slit beside it.
@@ -313,7 +313,7 @@ class Opening {
     const OpeningInput& step_;
     std::vector<SweptTriangle> swept_;
     std::set<int> fixed_;
-    std::map<int, Place> places_;
+    std::map<int, PlaneOffset> offsets_;
 };
 
 }  // namespace

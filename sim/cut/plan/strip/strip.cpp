@@ -54,7 +54,7 @@ Strip Strip::seenBy(int piece, const std::vector<int>& pieceOfVertex) const {
     return strip;
 }
 
-PlacesInStrip::PlacesInStrip(const Blade& blade, const Strip& strip)
+StripLocator::StripLocator(const Blade& blade, const Strip& strip)
     : strip_(strip), room_(kRoomInStrip * lengthOf(blade)) {
     double reach = -1e300;
     reachOfTriangle_.reserve(strip.triangles.size());
@@ -66,7 +66,7 @@ PlacesInStrip::PlacesInStrip(const Blade& blade, const Strip& strip)
     }
 }
 
-Vec3 PlacesInStrip::at(const Vec2& p) const {
+Vec3 StripLocator::at(const Vec2& p) const {
     const auto first = std::ranges::lower_bound(reachOfTriangle_, p.x() - room_);
     for (std::size_t i = first - reachOfTriangle_.begin(); i < strip_.triangles.size(); ++i) {
         const Triangle& t = strip_.triangles[i];

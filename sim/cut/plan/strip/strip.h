@@ -66,10 +66,10 @@ struct Strip {
 };
 
 /// Finds the points of a strip for places of the layout plane.
-class PlacesInStrip {
+class StripLocator {
   public:
     /// The strip must outlive the object.
-    PlacesInStrip(const Blade& blade, const Strip& strip);
+    StripLocator(const Blade& blade, const Strip& strip);
     /// The point of the strip there [m]. Throws StepFailure outside.
     Vec3 at(const Vec2& layout) const;
 

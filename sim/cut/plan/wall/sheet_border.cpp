@@ -88,24 +88,24 @@ void BorderedSheet::insertBorder(double coincident) {
 /// of the blade those behind come first: rectangles get the same diagonals as around the
 /// border.
 std::vector<int> BorderedSheet::nodesAlongBlade() const {
-    struct Place {
+    struct BorderPoint {
         double x, y;
         int node;
     };
-    std::vector<Place> places;
-    places.reserve(edges_.size());
+    std::vector<BorderPoint> points;
+    points.reserve(edges_.size());
     for (const OutlineEdge& edge : edges_) {
         const Vec2& at = nodes_[edge.from].layout;
-        places.push_back({at.x(), at.y(), edge.from});
+        points.push_back({at.x(), at.y(), edge.from});
     }
-    std::ranges::sort(places, [](const Place& p, const Place& q) {
+    std::ranges::sort(points, [](const BorderPoint& p, const BorderPoint& q) {
         return p.x != q.x ? p.x > q.x : p.y != q.y ? p.y < q.y : p.node < q.node;
     });
     std::vector<int> order;
-    order.reserve(places.size());
-    for (const Place& place : places) {
-        if (order.empty() || order.back() != place.node) {
-            order.push_back(place.node);
+    order.reserve(points.size());
+    for (const BorderPoint& point : points) {
+        if (order.empty() || order.back() != point.node) {
+            order.push_back(point.node);
         }
     }
     return order;

@@ -94,7 +94,7 @@ bool shareFlatFaces(const SurfaceMesh& mesh, const CutNode& p, const CutNode& q,
 /// off the face, and off two adjacent faces in one plane.
 class Chords {
   public:
-    Chords(const StepInput& in, const PlacesInStrip& places, BorderedSheet& sheet)
+    Chords(const StepInput& in, const StripLocator& places, BorderedSheet& sheet)
         : in_(in), places_(places), sheet_(sheet), plane_(sheet.plane()) {}
 
     void clear() {
@@ -193,7 +193,7 @@ class Chords {
     }
 
     const StepInput& in_;
-    const PlacesInStrip& places_;
+    const StripLocator& places_;
     BorderedSheet& sheet_;
     Triangulation& plane_;
 };
@@ -209,7 +209,7 @@ constexpr double kLattices = 2;  // for each doubling of the edge length
 /// those of the border.
 class InnerPoints {
   public:
-    InnerPoints(const StepInput& in, const RestGuess& guess, const PlacesInStrip& places,
+    InnerPoints(const StepInput& in, const RestGuess& guess, const StripLocator& places,
                 const std::vector<CutNode>& nodes, BorderedSheet& sheet)
         : in_(in),
           guess_(guess),
@@ -301,7 +301,7 @@ class InnerPoints {
 
     const StepInput& in_;
     const RestGuess& guess_;
-    const PlacesInStrip& places_;
+    const StripLocator& places_;
     const std::vector<CutNode>& nodes_;
     BorderedSheet& sheet_;
     Triangulation& plane_;
@@ -314,7 +314,7 @@ Wall triangulateWall(const StepInput& in, const Strip& strip, const Outline& out
     Wall wall;
     const std::vector<CutNode>& nodes = curves.nodes;
     const RestGuess guess(in, strip, curves);
-    const PlacesInStrip places(in.blade, strip);
+    const StripLocator places(in.blade, strip);
     for (const Sheet2d& loops : nestLoops(in, outline, nodes)) {
         const int piece = loops.outer.front().piece;
         try {

@@ -3,7 +3,7 @@
 
 #include "app/cli/replay/replay.h"
 #include "app/files/import/model_source.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "sim/run/simulation.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
@@ -97,11 +97,11 @@ double largestDeformation(Simulation& simulation) {
 class SessionRun {
   public:
     explicit SessionRun(const Session& session)
-        : player_(session), simulation_(loadSessionModel(session).mesh, session.params) {}
+        : schedule_(session), simulation_(loadSessionModel(session).mesh, session.params) {}
 
     const StepReport& step() {
-        runner_.applyActions(player_, *this);
-        return runner_.step();
+        driver_.applyActions(schedule_, *this);
+        return driver_.step();
     }
     Simulation& simulation() { return simulation_; }
 
@@ -110,9 +110,9 @@ class SessionRun {
     void take(const Event&) {}
 
   private:
-    SessionPlayer player_;
+    SessionSchedule schedule_;
     Simulation simulation_;
-    SessionRunner runner_{simulation_};
+    SimulationDriver driver_{simulation_};
 };
 
 TEST_P(ShippedModels, CutInTwoKeepTheirVolumeStayClosedAndAreSoft) {

@@ -85,7 +85,7 @@ bool haveAllMaterials(const OwnLooks& looks, const Json& right) {
     const auto count = looks.appearance == nullptr ? 0 : looks.appearance->materials.size();
     bool same = count == right.size();
     for (std::size_t i = 0; same && i < count; ++i) {
-        const render::Material& own = looks.appearance->materials[i];
+        const render::SurfaceMaterial& own = looks.appearance->materials[i];
         same = right.contains(own.name) && areNear(own.baseColor, right[own.name]);
     }
     return same;

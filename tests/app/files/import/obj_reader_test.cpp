@@ -98,7 +98,7 @@ TEST_F(ObjReader, MaterialsAreThoseOfTheLibrariesThatItNames) {
                                      "usemtl none\nf 5 6 8\nusemtl grey\nf 5 8 7\n");
     EXPECT_THAT(model.soup.skin.materials, ElementsAre(0, 1, -1, 0));
     ASSERT_EQ(model.appearance.materials.size(), 2U);
-    const render::Material& grey = model.appearance.materials[0];
+    const render::SurfaceMaterial& grey = model.appearance.materials[0];
     EXPECT_EQ(grey.name, "grey");
     EXPECT_EQ(grey.baseColor, Eigen::Vector4f(0.5, 0.5, 0.5, 0.75));
     EXPECT_EQ(grey.roughness, 0.25F);

@@ -79,7 +79,7 @@ TEST_F(Rungs, PlacesBetweenThemAreFoundInTheStrip) {
     const StepInput in = bench.stepTo(bladeAt(-0.3, 0.1));
     PredicatePositions positions(in);
     const Strip strip = buildStrip(in, positions);
-    const PlacesInStrip places(in.blade, strip);
+    const StripLocator places(in.blade, strip);
     for (const Triangle& t : strip.triangles) {
         Vec2 layout = Vec2::Zero();
         Vec3 position = Vec3::Zero();

@@ -1,4 +1,4 @@
-#include "app/editor/steps/scene_steps.h"
+#include "app/editor/steps/scene_history.h"
 
 #include <utility>
 
@@ -32,14 +32,14 @@ double timeOf(const EditorScene& scene) {
 
 }  // namespace
 
-void SceneSteps::clear() {
+void SceneHistory::clear() {
     before_.clear();
     after_.clear();
     wanted = Exchange::none;
     mended.reset();
 }
 
-void SceneSteps::add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds) {
+void SceneHistory::add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds) {
     after_.clear();
     const int additions = historyOf(*before).additions();
     const std::size_t undone = undoneOf(*before);
@@ -49,36 +49,36 @@ void SceneSteps::add(std::string name, std::unique_ptr<EditorScene> before, int 
     }
 }
 
-void SceneSteps::follow(const UndoHistory& now) {
+void SceneHistory::follow(const UndoHistory& now) {
     if (!after_.empty() && after_.back().additions != now.additions()) {
         after_.clear();
     }
 }
 
-bool SceneSteps::undoes(const EditorScene& now) const {
+bool SceneHistory::undoes(const EditorScene& now) const {
     return !before_.empty() && !historyOf(now).canUndo();
 }
 
-bool SceneSteps::redoes(const EditorScene& now) const {
+bool SceneHistory::redoes(const EditorScene& now) const {
     return !after_.empty() && after_.back().additions == historyOf(now).additions() &&
            after_.back().undone == undoneOf(now);
 }
 
-SceneSteps::Kept SceneSteps::undo(std::unique_ptr<EditorScene> now, int savedDeeds) {
+SceneHistory::Kept SceneHistory::undo(std::unique_ptr<EditorScene> now, int savedDeeds) {
     Kept back = std::move(before_.back());
     before_.pop_back();
     after_.push_back({back.name, std::move(now), savedDeeds, back.additions, back.undone});
     return back;
 }
 
-SceneSteps::Kept SceneSteps::redo(std::unique_ptr<EditorScene> now, int savedDeeds) {
+SceneHistory::Kept SceneHistory::redo(std::unique_ptr<EditorScene> now, int savedDeeds) {
     Kept next = std::move(after_.back());
     after_.pop_back();
     before_.push_back({next.name, std::move(now), savedDeeds, next.additions, next.undone});
     return next;
 }
 
-std::size_t SceneSteps::rowsBefore() const {
+std::size_t SceneHistory::rowsBefore() const {
     std::size_t rows = before_.size() + (mended ? 1 : 0);
     for (const Kept& kept : before_) {
         rows += historyOf(*kept.scene).entries().size() - kept.undone;
@@ -86,7 +86,7 @@ std::size_t SceneSteps::rowsBefore() const {
     return rows;
 }
 
-void SceneSteps::describe(const EditorScene& now, ui::ChangeList& list) const {
+void SceneHistory::describe(const EditorScene& now, ui::ChangeList& list) const {
     std::vector<ui::ChangeRow> rows;
     if (mended) {
         rows.push_back({mended->change, 0});

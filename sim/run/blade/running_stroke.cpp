@@ -1,4 +1,4 @@
-#include "sim/run/blade/stroke_course.h"
+#include "sim/run/blade/running_stroke.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-void StrokeCourse::step() {
+void RunningStroke::step() {
     if (!input_.blade.isTold()) {
         return;
     }
@@ -21,14 +21,14 @@ void StrokeCourse::step() {
     output_.report.cutMs = watch.milliseconds();
 }
 
-bool StrokeCourse::endsInStep() const {
+bool RunningStroke::endsInStep() const {
     const auto lifts = [](const BladeAction& action) {
         return std::holds_alternative<LiftBlade>(action);
     };
     return body_.cutter->inStroke() && std::ranges::any_of(input_.blade.actions(), lifts);
 }
 
-void StrokeCourse::carryOut(const MoveBlade& move) {
+void RunningStroke::carryOut(const MoveBlade& move) {
     LedBlade& blade = input_.blade;
     if (blade.isAt(move.blade)) {
         return;
@@ -46,7 +46,7 @@ void StrokeCourse::carryOut(const MoveBlade& move) {
     blade.moveTo(move.blade, width, edge);
 }
 
-void StrokeCourse::lift() {
+void RunningStroke::lift() {
     if (input_.blade.lift()) {
         end();
     }
@@ -54,7 +54,7 @@ void StrokeCourse::lift() {
 }
 
 /// Whether the cutter must look: a front is in the material, or the strip comes near the body.
-bool StrokeCourse::mayTouch(const Blade& to) {
+bool RunningStroke::mayTouch(const Blade& to) {
     const std::vector<RungNode>& rung = body_.cutter->rung();
     const Blade& from = input_.blade.edge();
     std::vector<Vec3> strip{from.a, from.b, to.a, to.b};
@@ -64,7 +64,7 @@ bool StrokeCourse::mayTouch(const Blade& to) {
     return standsInMaterial(rung) || body_.isNear(strip);
 }
 
-void StrokeCourse::begin() {
+void RunningStroke::begin() {
     log_.beginStroke(body_);
     output_.refusal.clear();
     body_.cutter->begin(input_.blade.edge());
@@ -74,11 +74,11 @@ void StrokeCourse::begin() {
     body_.memory.beginStroke(stroke);
 }
 
-void StrokeCourse::end() {
+void RunningStroke::end() {
     accept(body_.cutter->inStroke() ? body_.cutter->finish() : CutResult{});
 }
 
-void StrokeCourse::accept(const CutResult& result) {
+void RunningStroke::accept(const CutResult& result) {
     output_.lastCut = result;
     output_.report.add(result.statistics);
     output_.report.search.add(body_.cutter->takeSearchWork());
@@ -99,19 +99,19 @@ void StrokeCourse::accept(const CutResult& result) {
     }
 }
 
-BladePush StrokeCourse::push() const {
+BladePush RunningStroke::push() const {
     const Params& params = input_.params;
     return {{params.bladeWidth * body_.diagonal, params.bladeThickness * body_.diagonal},
             body_.wallEdge,
             contactSettings(params).substeps};
 }
 
-std::optional<BladeMotion> StrokeCourse::bladeBody() const {
+std::optional<BladeMotion> RunningStroke::bladeBody() const {
     return input_.params.bladePush != 0 ? input_.blade.body(push()) : std::nullopt;
 }
 
 /// While time stands nothing can yield: there the edge cuts as if it felt nothing.
-std::optional<EdgeSpring> StrokeCourse::edgeSpring() const {
+std::optional<EdgeSpring> RunningStroke::edgeSpring() const {
     const Params& params = input_.params;
     if (params.bladeFeels == 0 || params.toughness <= 0 || params.solver == SolverMode::pbd ||
         !input_.timeRuns) {
@@ -123,12 +123,12 @@ std::optional<EdgeSpring> StrokeCourse::edgeSpring() const {
 }
 
 /// Once it has broken in, going on takes less.
-double StrokeCourse::lag() const {
+double RunningStroke::lag() const {
     const std::optional<EdgeSpring> spring = edgeSpring();
     return spring ? spring->lag(standsInMaterial(body_.cutter->rung())) : 0;
 }
 
-std::optional<FeltEdge> StrokeCourse::feltEdge() const {
+std::optional<FeltEdge> RunningStroke::feltEdge() const {
     const std::optional<EdgeSpring> spring = edgeSpring();
     if (!spring || !input_.blade.isPlaced() || input_.blade.back().isZero(0)) {
         return std::nullopt;
@@ -141,7 +141,7 @@ std::optional<FeltEdge> StrokeCourse::feltEdge() const {
     return kerf::feltEdge({edge, input_.blade.back(), front, body_.mesh(), triangles}, *spring);
 }
 
-std::optional<PressingEdge> StrokeCourse::pressingEdge() const {
+std::optional<PressingEdge> RunningStroke::pressingEdge() const {
     const std::optional<FeltEdge> felt = feltEdge();
     if (!felt) {
         return std::nullopt;
@@ -153,12 +153,12 @@ std::optional<PressingEdge> StrokeCourse::pressingEdge() const {
     return edge;
 }
 
-HeldEdge StrokeCourse::heldEdge() const {
+HeldEdge RunningStroke::heldEdge() const {
     const std::optional<FeltEdge> felt = feltEdge();
     return felt ? HeldEdge{felt->pressing.lag, felt->energy, 0} : HeldEdge{};
 }
 
-std::optional<BladeMotion> StrokeCourse::bladeMotion() const {
+std::optional<BladeMotion> RunningStroke::bladeMotion() const {
     const bool pushes = input_.params.bladePush != 0 && input_.blade.isPlaced();
     return pushes ? input_.blade.motion(push(), body_.front()) : std::nullopt;
 }

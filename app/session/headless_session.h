@@ -8,7 +8,7 @@
 
 #include "app/files/io/output_folder.h"
 #include "app/session/session.h"
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 #include "app/session/skin_follower.h"
 #include "render/scene/image.h"
 #include "render/scene/quality.h"
@@ -26,15 +26,15 @@ void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size
 
 /// A session without a window: its simulation, driven by commands and steps, and its pictures and
 /// meshes. Replays and the Python module use this class, so both give the same bits.
-class RunningSession {
+class HeadlessSession {
   public:
     /// Uploads `model`, which is loadSessionModel(session), to the current OpenGL context, which
     /// all functions need. Pictures are of `quality`. Throws gpu::ShaderError, gpu::OutOfMemory.
-    RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
-                   render::Quality quality);
-    ~RunningSession();
-    RunningSession(const RunningSession&) = delete;  // parts of it refer to one another
-    RunningSession& operator=(const RunningSession&) = delete;
+    HeadlessSession(const Session& session, ModelMesh model, std::size_t undoBudget,
+                    render::Quality quality);
+    ~HeadlessSession();
+    HeadlessSession(const HeadlessSession&) = delete;  // parts of it refer to one another
+    HeadlessSession& operator=(const HeadlessSession&) = delete;
 
     /// Applies a command before the coming step. Returns "", or one sentence if nothing changed.
     std::string execute(const Command& command);
@@ -42,20 +42,20 @@ class RunningSession {
     /// with its position in the file if it fails.
     void perform(const Command& command, int event);
     /// Runs one step.
-    const StepReport& step() { return runner_.step(); }
+    const StepReport& step() { return driver_.step(); }
     /// Performs what the session says before the coming step, except for its pictures, exports and
     /// checks, and runs that. Throws like perform().
-    const StepReport& stepBy(const SessionPlayer& player);
+    const StepReport& stepBy(const SessionSchedule& schedule);
 
     /// A checkpoint of the present, with the poses of the running stroke and the blade's commands
     /// for the coming step.
-    struct Place {
+    struct Checkpoint {
         Moment moment;
         std::vector<BladeAction> bladeActions;
         std::vector<Blade> strokePoses;
     };
-    Place here();
-    void goTo(const Place& place);
+    Checkpoint here();
+    void goTo(const Checkpoint& checkpoint);
 
     /// The camera of the session, or the default one for the present placement of the model.
     const render::Camera& camera() const { return camera_; }
@@ -74,7 +74,7 @@ class RunningSession {
     std::vector<std::string> problemsWith(const CheckEvent& check, bool withHash) const;
     /// "first-cut.kerf.json: events[3] at step 12", as far as it is known; `event` is
     /// SessionEvent::number.
-    std::string placeInFile(int event) const;
+    std::string positionInFile(int event) const;
     /// "first-cut.kerf.json: "; "" for a session without a file.
     std::string filePrefix() const;
 
@@ -82,7 +82,7 @@ class RunningSession {
     const Session& session() const { return session_; }
     Simulation& simulation() { return simulation_; }
     const Simulation& simulation() const { return simulation_; }
-    SessionRunner& runner() { return runner_; }
+    SimulationDriver& driver() { return driver_; }
     /// The uncut body in its last placement. Never null.
     const std::shared_ptr<const UncutBody>& uncut() const { return uncut_; }
 
@@ -97,7 +97,7 @@ class RunningSession {
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
     Bounds restBounds_;                       ///< of it
-    SessionRunner runner_;
+    SimulationDriver driver_;
     render::Camera camera_;
 };
 

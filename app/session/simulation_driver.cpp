@@ -1,4 +1,4 @@
-#include "app/session/session_runner.h"
+#include "app/session/simulation_driver.h"
 
 #include <cmath>
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace kerf::app {
 
-const StepReport& SessionRunner::step() {
+const StepReport& SimulationDriver::step() {
     const StepReport& report = simulation_.step();
     if (const std::optional<Blade> blade = simulation_.blade()) {
         strokePoses_.push_back(*blade);
@@ -17,7 +17,7 @@ const StepReport& SessionRunner::step() {
     return report;
 }
 
-CheckDifference SessionRunner::compare(const CheckEvent& check) const {
+CheckDifference SimulationDriver::compare(const CheckEvent& check) const {
     CheckDifference difference;
     std::string hash = check.hash ? simulation_.stateHash() : "";
     if (check.hash && hash != *check.hash) {
@@ -31,7 +31,7 @@ CheckDifference SessionRunner::compare(const CheckEvent& check) const {
     return difference;
 }
 
-std::vector<std::string> SessionRunner::newlyBroken(const StepReport& report) {
+std::vector<std::string> SimulationDriver::newlyBroken(const StepReport& report) {
     std::vector<std::string> broken;
     if (!report.closed && !report.open && !std::exchange(toldOpen_, true)) {
         broken.emplace_back("the mesh is no closed, oriented 2-manifold any more");

@@ -1,4 +1,4 @@
-#include "app/session/hash_course.h"
+#include "app/session/hash_trace.h"
 
 #include <algorithm>
 
@@ -99,22 +99,22 @@ std::string formatHashes(int step, const StateHashes& hashes) {
     return std::to_string(step) + "," + hashes.state + "," + joined(hashes.parts, ",") + "\n";
 }
 
-HashCourse HashCourse::read(const std::filesystem::path& file) {
+HashTrace HashTrace::read(const std::filesystem::path& file) {
     const CsvTable table(file, kMaxBytes);
     const Columns columns(table);
-    HashCourse course;
-    course.rows_.reserve(table.rows());
+    HashTrace trace;
+    trace.rows_.reserve(table.rows());
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        course.rows_.push_back(readRow(table, columns, row));
+        trace.rows_.push_back(readRow(table, columns, row));
     }
-    return course;
+    return trace;
 }
 
-std::vector<std::string> HashCourse::differingParts(int step, const StateHashes& hashes) const {
+std::vector<std::string> HashTrace::differingParts(int step, const StateHashes& hashes) const {
     return partsThatDiffer(rows_[static_cast<std::size_t>(step)], hashes);
 }
 
-std::vector<std::string> HashCourse::differingParts(int step, const HashCourse& other) const {
+std::vector<std::string> HashTrace::differingParts(int step, const HashTrace& other) const {
     return differingParts(step, other.rows_[static_cast<std::size_t>(step)]);
 }
 

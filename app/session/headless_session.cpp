@@ -1,4 +1,4 @@
-#include "app/session/running_session.h"
+#include "app/session/headless_session.h"
 
 #include <utility>
 
@@ -17,9 +17,9 @@ namespace kerf::app {
 
 namespace {
 
-/// A host of SessionRunner::applyActions.
+/// A host of SimulationDriver::applyActions.
 struct CommandsAlone {
-    RunningSession& running;
+    HeadlessSession& running;
 
     void perform(const Command& command, int event) const { running.perform(command, event); }
     template <class Event>
@@ -35,8 +35,8 @@ void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size
                   memoryMeansOfContext());
 }
 
-RunningSession::RunningSession(const Session& session, ModelMesh model, std::size_t undoBudget,
-                               render::Quality quality)
+HeadlessSession::HeadlessSession(const Session& session, ModelMesh model, std::size_t undoBudget,
+                                 render::Quality quality)
     : session_(withOrigin(session, model.origin)),
       quality_(quality),
       looks_(std::move(model.looks)),
@@ -44,46 +44,46 @@ RunningSession::RunningSession(const Session& session, ModelMesh model, std::siz
                   session_.params, session_.boxes),
       uncut_(simulation_.uncut()),
       restBounds_(meshBounds(simulation_.mesh())),
-      runner_(simulation_),
+      driver_(simulation_),
       camera_(sessionCamera(session_, restBounds_)) {
     simulation_.setUndoBudget(undoBudget);
 }
 
-RunningSession::~RunningSession() = default;
+HeadlessSession::~HeadlessSession() = default;
 
-std::string RunningSession::execute(const Command& command) {
+std::string HeadlessSession::execute(const Command& command) {
     std::string problem = simulation_.execute(command);
     followPlacement();
     return problem;
 }
 
-void RunningSession::perform(const Command& command, int event) {
+void HeadlessSession::perform(const Command& command, int event) {
     const std::string problem = execute(command);
     if (!problem.empty()) {
-        throw InputError(placeInFile(event) + ": " + problem);
+        throw InputError(positionInFile(event) + ": " + problem);
     }
 }
 
-const StepReport& RunningSession::stepBy(const SessionPlayer& player) {
-    runner_.applyActions(player, CommandsAlone{*this});
+const StepReport& HeadlessSession::stepBy(const SessionSchedule& schedule) {
+    driver_.applyActions(schedule, CommandsAlone{*this});
     return step();
 }
 
-RunningSession::Place RunningSession::here() {
-    return {simulation_.moment(), simulation_.bladeActions(), runner_.strokePoses()};
+HeadlessSession::Checkpoint HeadlessSession::here() {
+    return {simulation_.moment(), simulation_.bladeActions(), driver_.strokePoses()};
 }
 
-void RunningSession::goTo(const Place& place) {
-    simulation_.goTo(place.moment);
-    for (const BladeAction& action : place.bladeActions) {
+void HeadlessSession::goTo(const Checkpoint& checkpoint) {
+    simulation_.goTo(checkpoint.moment);
+    for (const BladeAction& action : checkpoint.bladeActions) {
         std::visit([&](const auto& command) { simulation_.execute(command); }, action);
     }
-    runner_.setStrokePoses(place.strokePoses);
+    driver_.setStrokePoses(checkpoint.strokePoses);
     followPlacement();
 }
 
 /// Where the model is placed otherwise now, pictures are of another rest shape.
-void RunningSession::followPlacement() {
+void HeadlessSession::followPlacement() {
     if (uncut_ == simulation_.uncut()) {
         return;
     }
@@ -95,27 +95,27 @@ void RunningSession::followPlacement() {
     }
 }
 
-void RunningSession::preparePictures() {
+void HeadlessSession::preparePictures() {
     if (!renderer_) {
         renderer_ = std::make_unique<render::Renderer>(quality_);
         renderer_->setRestShape(uncut_->mesh);
     }
 }
 
-void RunningSession::show(const render::Camera& camera, int width, int height) {
+void HeadlessSession::show(const render::Camera& camera, int width, int height) {
     preparePictures();
     render::SceneView view =
-        sceneOf(simulation_, lookOf(session_), restBounds_, runner_.strokePoses());
+        sceneOf(simulation_, lookOf(session_), restBounds_, driver_.strokePoses());
     view.paint = session_.colors.showOwn() ? skin_.paintOf(simulation_) : nullptr;
     renderer_->draw(view, camera, width, height);
 }
 
-render::Image RunningSession::draw(const render::Camera& camera, int width, int height) {
+render::Image HeadlessSession::draw(const render::Camera& camera, int width, int height) {
     show(camera, width, height);
     return renderer_->readPicture();
 }
 
-void RunningSession::write(const ExportEvent& event, OutputFolder& folder) {
+void HeadlessSession::write(const ExportEvent& event, OutputFolder& folder) {
     const SurfaceMesh& mesh = simulation_.mesh();
     const Placement& placement = simulation_.placement();
     const ExportTarget target{event.file, event.filePerPiece, coordinatesOf(event, placement),
@@ -128,9 +128,9 @@ void RunningSession::write(const ExportEvent& event, OutputFolder& folder) {
     }
 }
 
-std::vector<std::string> RunningSession::problemsWith(const CheckEvent& check,
-                                                      bool withHash) const {
-    const CheckDifference other = runner_.compare(check);
+std::vector<std::string> HeadlessSession::problemsWith(const CheckEvent& check,
+                                                       bool withHash) const {
+    const CheckDifference other = driver_.compare(check);
     std::vector<std::string> problems;
     if (other.hash && withHash) {
         problems.push_back("the state hash is " + *other.hash + " where the session expects " +
@@ -143,11 +143,11 @@ std::vector<std::string> RunningSession::problemsWith(const CheckEvent& check,
     return problems;
 }
 
-std::string RunningSession::filePrefix() const {
+std::string HeadlessSession::filePrefix() const {
     return session_.fileName.empty() ? "" : session_.fileName + ": ";
 }
 
-std::string RunningSession::placeInFile(int event) const {
+std::string HeadlessSession::positionInFile(int event) const {
     const std::string place = event < 0 ? "" : "events[" + std::to_string(event) + "] at ";
     return filePrefix() + place + "step " + std::to_string(simulation_.stepCount());
 }

@@ -1,4 +1,4 @@
-#include "app/regression/run_course.h"
+#include "app/regression/run_trace.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ constexpr std::uintmax_t kMaxTableBytes = 1u << 30;
 constexpr int kSamples = 30;
 constexpr double kMostCounted = 1e9;
 
-constexpr const char* kCourseHeader = "step,volume,pieces,vertices,triangles\n";
+constexpr const char* kTraceHeader = "step,volume,pieces,vertices,triangles\n";
 constexpr const char* kPiecesHeader = "step,piece,volume,low_x,low_y,low_z,high_x,high_y,high_z\n";
 constexpr std::array kSides = {"low_x", "low_y", "low_z", "high_x", "high_y", "high_z"};
 
@@ -29,28 +29,28 @@ int readCount(const CsvTable& table, std::size_t row, std::size_t column) {
 
 }  // namespace
 
-Course readCourse(const std::filesystem::path& file) {
+RunTrace readTrace(const std::filesystem::path& file) {
     const CsvTable table(file, kMaxTableBytes);
     const std::size_t step = table.require("step");
     const std::size_t volume = table.require("volume");
     const std::size_t pieces = table.require("pieces");
     const std::size_t vertices = table.require("vertices");
     const std::size_t triangles = table.require("triangles");
-    Course course;
+    RunTrace trace;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         if (readCount(table, row, step) != static_cast<int>(row)) {
             table.fail(row, "expected step " + std::to_string(row));
         }
-        course.push_back({table.number(row, volume), readCount(table, row, pieces),
-                          readCount(table, row, vertices), readCount(table, row, triangles)});
+        trace.push_back({table.number(row, volume), readCount(table, row, pieces),
+                         readCount(table, row, vertices), readCount(table, row, triangles)});
     }
-    return course;
+    return trace;
 }
 
-std::string formatCourse(const Course& course) {
-    std::string text = kCourseHeader;
-    for (std::size_t step = 0; step < course.size(); ++step) {
-        const CourseRow& row = course[step];
+std::string formatTrace(const RunTrace& trace) {
+    std::string text = kTraceHeader;
+    for (std::size_t step = 0; step < trace.size(); ++step) {
+        const TraceRow& row = trace[step];
         text += std::to_string(step) + "," + formatNumber(row.volume) + "," +
                 std::to_string(row.pieces) + "," + std::to_string(row.vertices) + "," +
                 std::to_string(row.triangles) + "\n";
@@ -58,13 +58,13 @@ std::string formatCourse(const Course& course) {
     return text;
 }
 
-PieceCourse readPieces(const std::filesystem::path& file) {
+PieceTrace readPieces(const std::filesystem::path& file) {
     const CsvTable table(file, kMaxTableBytes);
     const std::size_t step = table.require("step");
     const std::size_t volume = table.require("volume");
     std::array<std::size_t, kSides.size()> sides{};
     std::ranges::transform(kSides, sides.begin(), [&](auto side) { return table.require(side); });
-    PieceCourse pieces;
+    PieceTrace pieces;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         PieceBox& piece = pieces[readCount(table, row, step)].emplace_back();
         piece.volume = table.number(row, volume);
@@ -76,7 +76,7 @@ PieceCourse readPieces(const std::filesystem::path& file) {
     return pieces;
 }
 
-std::string formatPieces(const PieceCourse& pieces) {
+std::string formatPieces(const PieceTrace& pieces) {
     std::string text = kPiecesHeader;
     for (const auto& [step, boxes] : pieces) {
         for (std::size_t p = 0; p < boxes.size(); ++p) {
@@ -93,8 +93,8 @@ std::string formatPieces(const PieceCourse& pieces) {
     return text;
 }
 
-PieceCourse thinnedOut(const PieceCourse& pieces) {
-    PieceCourse kept;
+PieceTrace thinnedOut(const PieceTrace& pieces) {
+    PieceTrace kept;
     const int last = std::max(0, lastStepOf(pieces));
     const int spacing = std::max(1, (last + kSamples) / kSamples);
     for (const auto& entry : pieces) {
@@ -105,7 +105,7 @@ PieceCourse thinnedOut(const PieceCourse& pieces) {
     return kept;
 }
 
-int lastStepOf(const PieceCourse& pieces) {
+int lastStepOf(const PieceTrace& pieces) {
     return pieces.empty() ? -1 : pieces.rbegin()->first;
 }
 

@@ -10,14 +10,14 @@
 namespace kerf::app {
 
 /// The counts and the volume after a step.
-struct CourseRow {
+struct TraceRow {
     double volume = 0;  ///< [m^3]
     int pieces = 0;
     int vertices = 0;
     int triangles = 0;
 };
 /// The counts of each step of a run.
-using Course = std::vector<CourseRow>;
+using RunTrace = std::vector<TraceRow>;
 
 /// A piece after a step.
 struct PieceBox {
@@ -25,23 +25,23 @@ struct PieceBox {
     Bounds box;         ///< [m]
 };
 /// The pieces after some steps, by step.
-using PieceCourse = std::map<int, std::vector<PieceBox>>;
+using PieceTrace = std::map<int, std::vector<PieceBox>>;
 
 /// Reads the columns step, volume, pieces, vertices and triangles of a metrics.csv or course.csv.
 /// Throws InputError naming file and line, like readPieces().
-Course readCourse(const std::filesystem::path& file);
+RunTrace readTrace(const std::filesystem::path& file);
 /// The text of a course.csv.
-std::string formatCourse(const Course& course);
+std::string formatTrace(const RunTrace& trace);
 
 /// Reads a pieces.csv, whole or thinned out.
-PieceCourse readPieces(const std::filesystem::path& file);
+PieceTrace readPieces(const std::filesystem::path& file);
 /// The text of a pieces.csv with these steps.
-std::string formatPieces(const PieceCourse& pieces);
+std::string formatPieces(const PieceTrace& pieces);
 /// Some thirty steps of a run, evenly spaced, the last one among them.
-PieceCourse thinnedOut(const PieceCourse& pieces);
+PieceTrace thinnedOut(const PieceTrace& pieces);
 
 /// The last of these steps; -1 for none.
-int lastStepOf(const PieceCourse& pieces);
+int lastStepOf(const PieceTrace& pieces);
 
 /// The box around all pieces.
 Bounds boxAround(const std::vector<PieceBox>& pieces);

@@ -14,10 +14,10 @@
 namespace kerf {
 
 /// The course of a stroke, from the approach of the blade until it has left the body.
-class StrokeCourse {
+class RunningStroke {
   public:
     /// All must outlive the object.
-    StrokeCourse(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output)
+    RunningStroke(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output)
         : body_(body), input_(input), log_(log), output_(output) {}
 
     /// Carries out the blade's commands.
@@ -57,7 +57,7 @@ class StrokeCourse {
 };
 
 /// Anchors the front of an unfinished slit for a step, until release(); with absent walls, as in
-/// the open course, hidden vertices follow the body instead. See findFrontAnchors().
+/// the open cut, hidden vertices follow the body instead. See findFrontAnchors().
 class FrontHold {
   public:
     /// The body must outlive it. `timeStep`: the coming one [s].

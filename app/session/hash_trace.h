@@ -15,11 +15,11 @@ std::string hashesHeader();
 std::string formatHashes(int step, const StateHashes& hashes);
 
 /// The hashes of each step of an earlier run, read from its hashes.csv.
-class HashCourse {
+class HashTrace {
   public:
     /// Reads a file. All columns except `step`, `state_hash` and `topology_hash` are optional;
     /// unknown ones are ignored. Throws InputError naming file and line.
-    static HashCourse read(const std::filesystem::path& file);
+    static HashTrace read(const std::filesystem::path& file);
 
     /// Number of steps in the file.
     int steps() const { return static_cast<int>(rows_.size()); }
@@ -31,7 +31,7 @@ class HashCourse {
     /// `step` is below steps().
     std::vector<std::string> differingParts(int step, const StateHashes& hashes) const;
     /// Compares a step with that of another file.
-    std::vector<std::string> differingParts(int step, const HashCourse& other) const;
+    std::vector<std::string> differingParts(int step, const HashTrace& other) const;
 
   private:
     std::vector<StateHashes> rows_;  ///< by step; missing values are empty

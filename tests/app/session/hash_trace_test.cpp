@@ -1,4 +1,4 @@
-#include "app/session/hash_course.h"
+#include "app/session/hash_trace.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ const std::string kC = "cccccccccccccccc";
 
 class HashCourseTest : public testing::Test {
   protected:
-    HashCourse read(const std::string& text) const {
+    HashTrace read(const std::string& text) const {
         test::writeText(folder_ / "hashes.csv", text);
-        return HashCourse::read(folder_ / "hashes.csv");
+        return HashTrace::read(folder_ / "hashes.csv");
     }
 
     test::TemporaryFolder folder_;
@@ -32,27 +32,27 @@ StateHashes hashesOf(const std::string& state, const std::string& part) {
 }
 
 TEST_F(HashCourseTest, ReadsWhatWasWritten) {
-    const HashCourse course = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)) +
-                                   formatHashes(1, hashesOf(kB, kC)));
-    ASSERT_EQ(course.steps(), 2);
-    EXPECT_EQ(course.stateHash(0), kA);
-    EXPECT_TRUE(course.differingParts(1, hashesOf(kB, kC)).empty());
+    const HashTrace trace = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)) +
+                                 formatHashes(1, hashesOf(kB, kC)));
+    ASSERT_EQ(trace.steps(), 2);
+    EXPECT_EQ(trace.stateHash(0), kA);
+    EXPECT_TRUE(trace.differingParts(1, hashesOf(kB, kC)).empty());
     StateHashes other = hashesOf(kA, kC);
     other.parts[static_cast<std::size_t>(StatePart::velocities)] = kA;
-    EXPECT_EQ(course.differingParts(1, other), std::vector<std::string>{"velocities"});
+    EXPECT_EQ(trace.differingParts(1, other), std::vector<std::string>{"velocities"});
 }
 
 TEST_F(HashCourseTest, NamesWhatAFileDoesNotHoldWhereTheStateAloneDiffers) {
-    const HashCourse course =
+    const HashTrace trace =
         read("step,state_hash,topology_hash,positions_hash\n0," + kA + "," + kB + "," + kB + "\n");
-    EXPECT_EQ(course.differingParts(0, hashesOf(kC, kB)),
+    EXPECT_EQ(trace.differingParts(0, hashesOf(kC, kB)),
               std::vector<std::string>{"velocities or boxes"});
-    EXPECT_TRUE(course.differingParts(0, hashesOf(kA, kB)).empty());
+    EXPECT_TRUE(trace.differingParts(0, hashesOf(kA, kB)).empty());
 }
 
 TEST_F(HashCourseTest, NamesTheStateWhereAFileHoldsAllPartsAndTheyAgree) {
-    const HashCourse course = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)));
-    EXPECT_EQ(course.differingParts(0, hashesOf(kC, kB)), std::vector<std::string>{"the state"});
+    const HashTrace trace = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)));
+    EXPECT_EQ(trace.differingParts(0, hashesOf(kC, kB)), std::vector<std::string>{"the state"});
 }
 
 TEST_F(HashCourseTest, StepsComeInOrderAndHashesHaveSixteenDigits) {

@@ -1,4 +1,4 @@
-#include "app/regression/run_course.h"
+#include "app/regression/run_trace.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace kerf::app {
 namespace {
 
 /// Two pieces before the first step, one after some.
-PieceCourse someCourse() {
+PieceTrace someCourse() {
     return {{0, {{1.5, {Vec3(-1, 0, 2), Vec3(1, 4, 3)}}, {0.5, {Vec3(0, 0, 0), Vec3(1, 1, 1)}}}},
             {7, {{2, {Vec3(-2, -1, 0), Vec3(2, 3, 3)}}}}};
 }
@@ -17,7 +17,7 @@ TEST(RunCourse, PiecesAreReadAsTheyWereWritten) {
     const test::TemporaryFolder folder;
     const std::string text = formatPieces(someCourse());
     test::writeText(folder / "pieces.csv", text);
-    const PieceCourse read = readPieces(folder / "pieces.csv");
+    const PieceTrace read = readPieces(folder / "pieces.csv");
     ASSERT_EQ(read.size(), 2U);
     ASSERT_EQ(read.at(0).size(), 2U);
     EXPECT_EQ(read.at(0)[1].volume, 0.5);
@@ -35,12 +35,12 @@ TEST(RunCourse, TheBoxAroundAllPiecesHoldsEachOfThem) {
 
 TEST(RunCourse, CountsAreReadAsTheyWereWritten) {
     const test::TemporaryFolder folder;
-    const std::string text = formatCourse({{2.25, 1, 10, 16}, {2, 2, 14, 24}});
+    const std::string text = formatTrace({{2.25, 1, 10, 16}, {2, 2, 14, 24}});
     test::writeText(folder / "course.csv", text);
-    const Course read = readCourse(folder / "course.csv");
+    const RunTrace read = readTrace(folder / "course.csv");
     ASSERT_EQ(read.size(), 2U);
     EXPECT_EQ(read[0].triangles, 16);
-    EXPECT_EQ(formatCourse(read), text);
+    EXPECT_EQ(formatTrace(read), text);
 }
 
 }  // namespace

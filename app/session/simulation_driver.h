@@ -19,16 +19,16 @@ struct CheckDifference {
 
 /// Runs a simulation through its steps and a session's events before each, for replays and the
 /// editor.
-class SessionRunner {
+class SimulationDriver {
   public:
-    /// The simulation must outlive the runner.
-    explicit SessionRunner(Simulation& simulation) : simulation_(simulation) {}
+    /// The simulation must outlive the driver.
+    explicit SimulationDriver(Simulation& simulation) : simulation_(simulation) {}
 
     /// Passes the events before the coming step to `host`, in order: `host.perform(command,
     /// number)` for a command with its SessionEvent::number, `host.take(event)` for others.
     template <class Host>
-    void applyActions(const SessionPlayer& player, Host&& host) const {
-        for (const PlayedAction& played : player.actionsAt(simulation_.stepCount())) {
+    void applyActions(const SessionSchedule& schedule, Host&& host) const {
+        for (const PlayedAction& played : schedule.actionsAt(simulation_.stepCount())) {
             const auto apply = [&](const auto& action) {
                 if constexpr (std::is_constructible_v<Command, decltype(action)>) {
                     host.perform(Command(action), played.number);

@@ -22,7 +22,7 @@ struct Mended {
 /// The changes that replaced the whole scene, such as remeshing. The scene before each is kept,
 /// with its cuts and its history, so that undo restores all of it; an undone one is kept until the
 /// scene before it is changed otherwise.
-class SceneSteps {
+class SceneHistory {
   public:
     /// The most scenes that are kept: each holds its body, on the GPU too.
     static constexpr std::size_t kMost = 2;
