@@ -90,7 +90,7 @@ class Run(typing.NamedTuple):
 
 
 class Accuracy(typing.NamedTuple):
-    """How far a bar that comes down was from where it should be."""
+    """The error of a bar that sags."""
     iterations: int
     time_step: float  #: [s]
     error: float  #: the largest, as a share of how far it comes down
@@ -148,14 +148,14 @@ class Specimen:
     # --- Theory -----------------------------------------------------------------------------------
 
     def compliance(self, distance):
-        """How far a force at a distance from the support moves the end, times E [1/m]."""
+        """Displacement of the end by a unit force at a distance from the support, times E [1/m]."""
         width, length, depth = self.loading.size
         if self.loading.theory == "bent":
             return distance**2 * (3 * length - distance) / (6 * depth * width**3 / 12)
         return (3 if self.loading.theory == "sheared" else 1) * distance / (width * depth)
 
     def load_per_gravity(self):
-        """How far the end moves, times E, per unit of gravity [Pa s^2]. Weight lies on the skin."""
+        """Displacement of the end times E per unit of gravity [Pa s^2]. Weight lies on the skin."""
         areas = bodies.areas(self.points, self.triangles)
         middles = sum(bodies.corners(self.points, self.triangles))[:, 1] / 3
         motion = areas @ self.compliance(abs(middles - self.loading.supported_at))
@@ -174,7 +174,7 @@ class Specimen:
         return min(STRAIN * modulus * self.length / self.load_per_gravity(), MOST["gravity"])
 
     def modulus_for(self, way):
-        """The modulus of the solid whose end would go so far [Pa]."""
+        """The modulus of the solid whose end would move as far [Pa]."""
         if self.loading.theory == "pressed":
             mass = DENSITY * bodies.volume(self.points, self.triangles)
             return mass * self.strength / self.hertz_force(way)
@@ -191,7 +191,7 @@ class Specimen:
     # --- Runs -------------------------------------------------------------------------------------
 
     def way_of_end(self):
-        """How far the free end has gone since rest, along the weight [m]."""
+        """Displacement of the free end since rest, along the weight [m]."""
         way = (self.sim.positions - self.rest)[self.free].mean(axis=0)
         return abs(way[0 if self.loading.aside else 1])
 
@@ -209,7 +209,7 @@ class Specimen:
         return False
 
     def motion(self, looks, seconds):
-        """How far the end has gone after each of so many looks [m]."""
+        """Displacement of the end at each of the samples [m]."""
         steps = round(seconds / self.sim.params["time_step"])
         ways = []
         for _ in range(looks):
@@ -228,7 +228,7 @@ def measure(setting):
 
 
 def measure_accuracy(iterations=ORDER_ITERATIONS, time_steps=ORDER_STEPS):
-    """Judges a bar that comes down by one with substeps a quarter as long as the shortest."""
+    """Compares a bar that sags with one with substeps a quarter as long as the shortest."""
     def motion(count, step):
         bar = Specimen(Setting(cells=2, iterations=count, time_step=step))
         return bar.motion(ORDER_LOOKS, ORDER_LOOK)

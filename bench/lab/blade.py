@@ -37,7 +37,7 @@ class Point(typing.NamedTuple):
 
 @dataclasses.dataclass
 class Run:
-    """What a blade felt in one material."""
+    """The forces on a blade in one material."""
     label: str
     params: dict
     points: list
@@ -61,13 +61,13 @@ class Run:
 
     @property
     def found(self):
-        """What of the work is found again at the end, as energy gained, new surface and drag."""
+        """The share of the work found at the end as energy gained, new surface and drag."""
         end = self.points[-1]
         return (end.gained + end.fracture + end.drag) / end.work
 
 
 def measure(label, params, material=None):
-    """Leads a blade down into a block that stands on its pinned bottom."""
+    """Moves a blade down into a block that stands on its pinned bottom."""
     points, triangles = bodies.box([SIZE] * 3, [CELLS] * 3)
     sim = bodies.simulate(points + [0, SIZE / 2, 0], triangles, material=material, params=params)
     low = 0.25 * SIZE / CELLS
@@ -132,7 +132,7 @@ def plot_of(runs):
 
 
 def run(arguments):
-    """Prints the report. Returns what was not found again of the work, as a sentence, or ""."""
+    """Prints the report. Returns a sentence on work that was not found again, or ""."""
     folder = arguments.out / "blade"
     remove(folder, *FILES)
     runs = []

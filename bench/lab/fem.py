@@ -35,7 +35,7 @@ class Surface(typing.NamedTuple):
 
 @dataclasses.dataclass
 class Figures:
-    """What is measured of a body under its load; None of what does not apply to it."""
+    """Measurements of a body under its load; None where one does not apply to it."""
     sag: typing.Optional[float]  #: [m]
     opening: typing.Optional[float]  #: [m]
     volume_ratio: float
@@ -124,7 +124,7 @@ def piece_surface(sim, vertex):
 
 
 def opening_of(surface):
-    """How far the lips of a cut stand apart on the upper side, at z = 0 [m]; 0 without a cut.
+    """Opening between the lips of a cut on the upper side, at z = 0 [m]; 0 without a cut.
 
     Lips are pairs of vertices that were one point before the cut.
     """
@@ -277,7 +277,7 @@ def main_table(results):
 
 
 def count_table(results):
-    """How many hold, for each setting."""
+    """How many cases are within the bars, for each setting."""
     rows = []
     for setting in dict.fromkeys(r.setting for r in results):
         own = [r for r in results if r.setting == setting]
@@ -291,7 +291,7 @@ def count_table(results):
 
 
 def element_table(results):
-    """How far the elements themselves can be trusted, of each case once."""
+    """The accuracy of the elements themselves, once for each case."""
     once = {r.name: [r.body, r.cut, marked(deviation(r.coarse.sag, r.elements.sag)),
                      marked(deviation(r.coarse.opening, r.elements.opening))] for r in results}
     return table(["body", "cut", "sag, %", "opening, %"], once.values())
@@ -339,7 +339,7 @@ def summary_of(results):
 
 
 def run(arguments):
-    """Prints the report. What is beyond a bar is a figure, and no failure: returns ""."""
+    """Prints the report. A value beyond a bar is no failure: returns ""."""
     folder = arguments.out / "fem"
     remove(folder, "summary.json", "report.md")
     results = [result for case in all_cases() for result in run_case(case, folder)]

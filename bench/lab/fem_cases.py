@@ -64,7 +64,7 @@ class Script:
         self.events.append({"step": self.step, "type": kind, **keys})
 
     def cut(self, start, end):
-        """Leads the blade along z from one place (x, y, half its length) to another one."""
+        """Moves the blade along z from one place (x, y, half its length) to another one."""
         for at in (start, end):
             x, y, half = at
             self.add("blade", a=[x, y, -half], b=[x, y, half])

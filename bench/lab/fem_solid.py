@@ -1,4 +1,4 @@
-"""Finite elements: quadratic tetrahedra of a stable neo-Hookean solid, and their rest under load."""
+"""Finite elements: quadratic tetrahedra of a stable neo-Hookean solid, at rest under load."""
 
 import dataclasses
 import itertools
@@ -51,7 +51,7 @@ class SolidMesh:
 
 
 def lines_through(low, middle, high, cells):
-    """Planes of a grid, so many cells before `middle` and behind it as many of nearly that size."""
+    """Planes of a grid, with as many cells before `middle` as, of nearly that size, after it."""
     more = max(1, round(cells * (high - middle) / (middle - low)))
     return np.concatenate([np.linspace(low, middle, cells + 1),
                            np.linspace(middle, high, more + 1)[1:]])

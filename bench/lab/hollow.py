@@ -1,4 +1,4 @@
-"""A session that shows what its cut leaves open."""
+"""A session that shows the opening of its cut."""
 
 import numpy as np
 

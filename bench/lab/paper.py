@@ -36,7 +36,7 @@ FIGURE_2_STEPS = 400
 
 @dataclasses.dataclass
 class Picture:
-    """A picture that a report shows, and what it says below it."""
+    """A picture of a report, with its caption."""
     step: int  #: before which it is taken
     file: str  #: relative to the folder of the run
     caption: str
@@ -44,7 +44,7 @@ class Picture:
 
 @dataclasses.dataclass
 class Moments:
-    """Steps at which the course of an experiment turns."""
+    """Steps at which the phases of an experiment begin."""
     blade: int  #: its first pose
     lift: int  #: the stroke ends
     gravity: int  #: it begins to act
@@ -142,7 +142,7 @@ def fall_pictures(session):
 
 
 def with_pictures(session, pictures, width):
-    """The session with these pictures, so wide, besides its own."""
+    """The session with these pictures of the given width, besides its own."""
     session = copy.deepcopy(session)
     session["events"] += [{"step": p.step, "type": "screenshot", "file": p.file, "width": width,
                            "height": PICTURE_HEIGHT} for p in pictures]
@@ -189,7 +189,7 @@ def run_experiment(name, out, published, runs):
 
 
 def picture_hollow(session, folder):
-    """The body in the middle of the cut, in a run with hands that draw the lips apart."""
+    """The body in the middle of the cut, in a run with hands that pull the lips apart."""
     rest = kerf.Simulation.from_session(session).positions
     hollow = hollow_session(session, rest, HOLLOW_FILE, (CUTTING_WIDTH, PICTURE_HEIGHT))
     if hollow is None:

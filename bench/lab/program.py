@@ -24,14 +24,14 @@ OWN = {"bar": bar.run, "fem": fem.run, "blade": blade.run, "materials": material
 
 
 class Parser(argparse.ArgumentParser):
-    """One whose mistakes are one sentence."""
+    """Reports a mistake as one sentence."""
 
     def error(self, message):
         raise UsageError(message)
 
 
 class UsageError(Exception):
-    """The words can't be understood."""
+    """The arguments are invalid."""
 
 
 def parser():
@@ -62,7 +62,7 @@ def parser():
     made.add_argument("--out", metavar="DIR", type=folder, required=True,
                       help="folder for the results")
     made.add_argument("--published", action="store_true",
-                      help="solve, answer contact and cut as the paper does")
+                      help="use the solver, contact and cut of the paper")
     made.add_argument("--runs", metavar="N", type=repeats,
                       help="runs of each stroke, for the spread of frame rates (5)")
     made.add_argument("--whole", action="store_true",

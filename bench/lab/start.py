@@ -6,7 +6,7 @@ NO_INPUT, INTERRUPTED = 3, 130  # exit codes
 
 
 def lack(error):
-    """What can't be imported, as a sentence."""
+    """A sentence on what can't be imported."""
     module = (error.name or "").split(".", maxsplit=1)[0]
     if not module:  # this is another Python than kerf is for: it says so itself
         return str(error)
