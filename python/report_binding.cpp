@@ -24,7 +24,7 @@ std::optional<py::array_t<double>> felt(const MetricsRow& row) {
 void addReport(py::module_& module) {
     py::class_<MetricsRow> report(
         module, "Report",
-        "The measures of a step: the columns of metrics.csv under the same names.");
+        "The measurements of a step: the columns of metrics.csv under the same names.");
     for (const app::MetricsColumn& column : app::metricsColumns()) {
         if (*column.meaning != '\0') {
             report.def_property_readonly(std::string(column.name).c_str(), column.value,

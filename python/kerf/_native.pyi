@@ -6,24 +6,24 @@ import numpy.typing as npt
 version: str
 
 class Error(Exception):
-    """What Kerf can't do: the sentence is that of the command line."""
+    """Any failure of Kerf, with the message of the command line."""
 
 class InputError(Error):
-    """An input is missing or invalid, or can't happen (exit code 3)."""
+    """An input is missing, invalid or impossible (exit code 3)."""
 
 class CheckFailed(Error):
-    """A check did not hold, or an invariant broke (exit code 1)."""
+    """A check or an invariant failed (exit code 1)."""
 
     summary: Dict[str, Any]
 
 class OpenGLError(Error):
-    """There is no usable OpenGL 4.5 (exit code 4)."""
+    """No usable OpenGL 4.5 (exit code 4)."""
 
 class LimitError(Error):
     """Memory, disk, time or another limit is used up (exit code 5)."""
 
 class Report:
-    """The measures of a step: the columns of metrics.csv under the same names."""
+    """The measurements of a step: the columns of metrics.csv under the same names."""
 
     @property
     def step(self) -> int: ...
@@ -108,10 +108,10 @@ class Report:
     def blade_moment(self) -> Optional[npt.NDArray[np.float64]]:
         """[N m] about the middle of the plate behind its bevel."""
     def as_dict(self) -> Dict[str, Any]:
-        """A row of metrics.csv: its columns, an empty cell being None."""
+        """A row of metrics.csv: its columns; None for an empty cell."""
 
 class Snapshot:
-    """A moment of a simulation, which it can go back to."""
+    """A state of a simulation, which it can return to."""
 
 class SessionSource:
     def __init__(self, file: str, text: str, material: str,

@@ -128,9 +128,9 @@ class Simulation:
 
     @property
     def too_few_iterations(self) -> str:
-        """That steps so far had too few iterations for the stiffness, as a sentence, or "".
+        """A sentence where steps so far had too few iterations for the stiffness; else "".
 
-        The body is softer than its modulus then: the same remark as in summary.json.
+        The body is softer than its modulus then; summary.json has the same remark.
         """
         return self._run.too_few_iterations()
 
