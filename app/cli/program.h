@@ -19,12 +19,12 @@ void setUpProgram();
 std::optional<int> parseWords(CLI::App& parser, int argc, char** argv);
 /// Runs a verb; turns its errors into a sentence and an exit code.
 int runSafely(const std::function<int()>& verb);
-/// What people are told of an error of a verb, and the exit code for it.
+/// The message about an error of a verb, and its exit code.
 struct Complaint {
     std::string sentence;
     int exitCode;
 };
-/// That of the exception that is being handled; one that no verb throws is thrown on.
+/// For the exception being handled; one that no verb throws is rethrown.
 Complaint complaintAboutThrown();
 /// Prints the sentence on standard error; returns the code.
 int complain(const std::string& sentence, int exitCode);

@@ -18,7 +18,7 @@ struct ReplayArguments : ReplayOptions {
     std::filesystem::path session;
     std::filesystem::path out;
     std::string material;             ///< a name or a file; empty for that of the session
-    std::vector<std::string> set;     ///< NAME=VALUE each, behind the material
+    std::vector<std::string> set;     ///< NAME=VALUE each, after the material
     std::filesystem::path reference;  ///< empty for none
     bool update = false;
     std::optional<PictureSize> pictureSize;  ///< of the film, and of each picture of the strip

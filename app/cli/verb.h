@@ -21,14 +21,14 @@ struct Verb {
     int (*takeOver)(char** words) = nullptr;
 };
 
-extern const Verb kCompareVerb;     ///< two pictures: whether they look alike
-extern const Verb kDoctorVerb;      ///< the graphics driver: what is right and what not
-extern const Verb kExperimentVerb;  ///< the laboratory, a program of its own, kerf-lab
-extern const Verb kInspectVerb;     ///< what a model is and whether it can be cut
+extern const Verb kCompareVerb;     ///< compares two pictures
+extern const Verb kDoctorVerb;      ///< checks the graphics driver
+extern const Verb kExperimentVerb;  ///< runs the separate program kerf-lab
+extern const Verb kInspectVerb;     ///< describes a model, and whether it can be cut
 extern const Verb kMaterialsVerb;   ///< the materials that come with Kerf
-extern const Verb kReplayVerb;      ///< a session headless, and what came of it
+extern const Verb kReplayVerb;      ///< runs a session headless, with its results
 extern const Verb kSchemaVerb;      ///< the JSON Schema of sessions or materials
-extern const Verb kSweepVerb;       ///< the runs of a study that are not done yet
+extern const Verb kSweepVerb;       ///< does the open runs of a study
 extern const Verb kTestVerb;        ///< sessions as regression tests
 
 }  // namespace kerf::app

@@ -48,14 +48,14 @@ struct Editor::State {
         lookForMaterials();
     }
 
-    KernelPreparation kernels;  ///< first: its programs outlive what is made of them
+    KernelPreparation kernels;  ///< first: its programs outlive their users
     InputQueue queue;
     Redraw redraw;
     StepClock clock;
     EditorPanels panels;
     EditorPicture picture;
     SceneAtWork scene;          ///< null while nothing is open
-    SceneHistory sceneHistory;  ///< the scenes before and after it
+    SceneHistory sceneHistory;  ///< the previous and the redoable scenes
     EditorView view;
     EditorToast toast;
     NewcomerGuide guide;

@@ -93,7 +93,7 @@ class HeadlessSession {
     const render::Quality quality_;
     const OwnLooks looks_;  ///< of the uncut body
     SkinFollower skin_{looks_};
-    std::unique_ptr<render::Renderer> renderer_;  ///< where pictures are taken
+    std::unique_ptr<render::Renderer> renderer_;  ///< for pictures
     Simulation simulation_;
     std::shared_ptr<const UncutBody> uncut_;  ///< that the pictures tell of
     Bounds restBounds_;                       ///< of it

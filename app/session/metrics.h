@@ -50,7 +50,7 @@ using MetricsValue = std::variant<std::monostate, bool, long, double>;
 struct MetricsColumn {
     std::string_view name;
     MetricsValue (*value)(const MetricsRow& row);
-    const char* meaning = "";  ///< a sentence; of the parts of a vector "", which Python has whole
+    const char* meaning = "";  ///< a sentence; "" for components, which Python has as a vector
 };
 /// The columns in their order (docs/session-format.md).
 std::span<const MetricsColumn> metricsColumns();

@@ -5,9 +5,9 @@
 
 namespace kerf::app {
 
-/// One of the paper's five experiments as the paper (docs/architecture.md, Sources) tells of it.
-/// Its tables 1 to 3 are only known to us as far as its text repeats them. What else it says of
-/// them stands in the report of `kerf experiment` (bench/lab/paper.py).
+/// One of the paper's five experiments as described in the paper (docs/architecture.md, Sources).
+/// Its tables 1 to 3 are known only as far as its text repeats them. The rest of it is in the
+/// report of `kerf experiment` (bench/lab/paper.py).
 struct PaperExperiment {
     const char* name;   ///< of the builtin model and of the session
     const char* label;  ///< as the paper writes it

@@ -8,8 +8,7 @@
 
 namespace kerf::app {
 
-/// Compiles what the open document will need while nobody does anything. Keeps programs from one
-/// document to the next.
+/// Compiles the kernels of the open document while idle. Keeps programs across documents.
 class KernelPreparation {
   public:
     /// Does nothing unless `wanted`.

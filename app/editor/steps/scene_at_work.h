@@ -20,10 +20,9 @@ enum class SceneWork { steps, change };
 /// wait.
 class SceneAtWork {
   public:
-    std::deque<ui::Action> waiting;  ///< for the scene to be done with what it does
+    std::deque<ui::Action> waiting;  ///< until the scene has finished its work
 
-    /// Instead of the one before, of which what is under way and what waits is given up; null
-    /// for none.
+    /// Replaces the previous one, cancelling its work and what waits; null for none.
     void set(std::unique_ptr<EditorScene> scene);
 
     /// Sets a scene and returns the previous one; there must be no work.

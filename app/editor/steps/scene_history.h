@@ -12,7 +12,7 @@
 
 namespace kerf::app {
 
-/// A model that was mended as it was opened.
+/// A model that was repaired on opening.
 struct Mended {
     ModelFault fault;    ///< why
     OpeningOrder order;  ///< how it is opened
@@ -36,7 +36,7 @@ class SceneHistory {
         std::size_t undone = 0;  ///< its changes undone then
     };
 
-    /// An exchange that undo or redo asked for, to be done between two steps.
+    /// An exchange requested by undo or redo, done between two steps.
     enum class Exchange { none, back, forth };
     Exchange wanted = Exchange::none;
     std::optional<Mended> mended;       ///< the model that is open, if it was
@@ -59,7 +59,7 @@ class SceneHistory {
     Kept undo(std::unique_ptr<EditorScene> now, int savedDeeds);
     Kept redo(std::unique_ptr<EditorScene> now, int savedDeeds);
 
-    /// So many rows of the history stand before those of the open scene.
+    /// The number of history rows before those of the open scene.
     std::size_t rowsBefore() const;
     /// Adds the rows of the other scenes around those of `now`.
     void describe(const EditorScene& now, ui::ChangeList& list) const;

@@ -21,8 +21,7 @@ class FileWork {
   public:
     /// Called once the file being saved exists; may be null.
     std::function<void()> onceSaved;
-    /// What comes after the session is saved that the dialog asks a name for, or that is being
-    /// saved; may be null.
+    /// Called once the session being named or saved is saved; may be null.
     std::function<void()> afterSaving;
 
     /// Pictures and plots go into `folder`.

@@ -17,7 +17,7 @@ namespace kerf::app {
 /// offered one after the other.
 class LeftWorkOffers {
   public:
-    bool comingBack = false;  ///< what was taken up is still being played, see Editor::State
+    bool comingBack = false;  ///< recovered work is still being played, see Editor::State
 
     /// Begins to search `folder`; an empty path has nothing.
     explicit LeftWorkOffers(const std::filesystem::path& folder);

@@ -15,7 +15,7 @@
 
 namespace kerf::app {
 
-/// An open question to the person, and the handler of the choice.
+/// An open question to the user, and the handler of the choice.
 struct Asked {
     ui::Question question;
     std::function<void(int choice)> answer;
@@ -31,7 +31,7 @@ struct EditorPanels {
     std::string device;  ///< what draws
     SettingsFile settings;
     ui::Interface interface;
-    ui::PanelModel told;  ///< what the scene told of itself when it last rested
+    ui::PanelModel told;  ///< the scene's report when it last rested
     ui::PanelModel model;
     ExperimentBoard experiments;
     std::optional<Asked> asked;
@@ -44,7 +44,7 @@ struct EditorPanels {
     float scale(int width, int height) const;
     /// Restarts the model with the scene's description and what is known here.
     void describe();
-    /// Does what was to be done with that choice; nothing where nothing is asked.
+    /// Handles that choice; does nothing without a question.
     void answer(int choice);
     /// Lays the panels out with the input of one batch, in a frame of this size [px]. Returns the
     /// user's actions.

@@ -18,7 +18,7 @@ class EditorPicture {
     /// Throws gpu::ShaderError.
     explicit EditorPicture(render::Quality quality) : renderer_(quality) {}
 
-    /// The depth of each point below the skin of uncut bodies, as far as they were met.
+    /// Depths below the skin of the uncut bodies shown so far.
     RestDepths depths;
     /// Shows that body from the next picture on. Throws gpu::OutOfMemory.
     void setBody(const std::shared_ptr<const UncutBody>& body) {
@@ -37,9 +37,9 @@ class EditorPicture {
     bool rests() const;
     /// The frame, over which the panels are drawn.
     const gpu::Framebuffer& target() const { return target_; }
-    /// Reads what sceneMilliseconds() tells, once a picture.
+    /// Updates sceneMilliseconds(), once a picture.
     void measure() { sceneMilliseconds_ = sceneTimer_.takeMilliseconds(); }
-    /// Time that the scene of the last picture took to draw [ms].
+    /// Drawing time of the scene in the last picture [ms].
     double sceneMilliseconds() const { return sceneMilliseconds_; }
 
     /// The range of the colours of the last frame, if they show a quantity.

@@ -20,9 +20,8 @@ namespace kerf::app {
 /// model's.
 void addAppearance(const aiScene& scene, const std::filesystem::path& file, ImportedModel& model);
 
-/// Numbers the materials that triangles name by their numbers in the file anew, in the order in
-/// which these first use them. `add` takes one of the file into the model and returns its number
-/// there; -1 for none.
+/// Renumbers the materials that triangles name by their numbers in the file, in order of first use.
+/// `add` adds one of the file to the model and returns its number there; -1 for none.
 void takeMaterials(ImportedModel& model, const std::function<int(int number)>& add);
 
 /// The roughness for the exponent of a highlight, as Blender converts it.

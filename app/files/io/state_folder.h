@@ -4,8 +4,8 @@
 
 namespace kerf::app {
 
-/// Kerf's folder in one of the XDG base directories: that of `variable`, where it is an absolute
-/// path, else `usual` in the home folder; empty where there is no home.
+/// Kerf's folder in one of the XDG base directories: `variable`, if an absolute path, else `usual`
+/// in the home folder; empty without a home.
 std::filesystem::path baseFolder(const char* variable, const char* usual);
 /// The folder of Kerf's state: $XDG_STATE_HOME/kerf, by default in ~/.local/state; empty without a
 /// home.

@@ -9,9 +9,8 @@
 
 namespace kerf::app {
 
-/// For tests: before each call of the system by which a file is written, on whatever thread,
-/// `fault` says with which errno it fails instead of being made; 0 for none. An empty function lets
-/// all calls happen again.
+/// For tests: before each system call for writing a file, on any thread, `fault` returns the errno
+/// with which it fails; 0 for none. An empty function restores all calls.
 void setFileFault(std::function<int()> fault);
 
 /// A file that is being written. Kerf writes all files through this class.
