@@ -76,7 +76,7 @@ class BladeObstacle final : public Obstacles {
     /// Null where the blade does not push.
     static std::unique_ptr<const Obstacles> of(std::optional<BladeMotion> motion);
 
-    /// The motion in the coming step, with one more frame than substeps.
+    /// The motion in the next step, with one more frame than substeps.
     explicit BladeObstacle(BladeMotion motion) : motion_(std::move(motion)) {}
     std::size_t write(const Bounds& bounds, gpu::Buffer& records) const override;
     TouchDistances distances(const ContactSettings& settings, double edgeLength) const override;

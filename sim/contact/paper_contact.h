@@ -19,13 +19,13 @@ shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, do
 /// Broad phase: boxes of the pieces, then a hash grid over the triangles, in the place of the
 /// paper's octree, which has to be built level after level. Narrow phase: an edge of one triangle
 /// meets the other one (Möller and Trumbore, 1997). Two triangles that approach each other lose
-/// their relative mean velocity, each by half of it. All that meet are pushed apart along the
-/// difference of their normals: pushed against their velocity, as one may read the paper, bodies
-/// deep in each other gained energy and stayed there. No pair asks for more than a
-/// share of an edge. A vertex takes the mean of what its triangles ask for: of the loss in its
-/// velocity and its position, of the push in its position alone. Walls of a slit and arms of one
-/// piece do not meet. Pinned vertices stay. Floats and fixed point agree with the reference in
-/// doubles (tests/support/reference/reference_paper_contact.h) to 1e-6 m and 2e-4 m/s.
+/// their relative mean velocity, each by half of it. All that intersect are pushed apart along the
+/// difference of their normals: pushed against their velocity, as the paper may mean, bodies deep
+/// in each other gained energy and stayed there. No pair is pushed by more than a share of an edge.
+/// A vertex takes the mean over its triangles: of the loss in velocity and position, of the push
+/// only in position. Walls of a slit and limbs of one piece do not collide. Pinned vertices stay.
+/// Floats and fixed point agree with the reference in doubles
+/// (tests/support/reference/reference_paper_contact.h) to 1e-6 m and 2e-4 m/s.
 class PaperContact {
   public:
     PaperContact();

@@ -47,12 +47,12 @@ class Collisions {
     /// The pressing edge in the coming step; none: it does not press. Throws gpu::ShaderError.
     void setEdge(const std::optional<PressingEdge>& edge) { edge_.setEdge(edge); }
     const std::optional<PressingEdge>& edge() const { return edge_.edge(); }
-    /// What it did in the last time step that was measured.
+    /// The load on the edge in the last measured time step.
     const EdgeLoad& edgeLoad() const { return edge_.load(); }
 
     /// Measures from now on the load on the blade's body; changes nothing else.
     void feelBlade(bool wanted) { blade_.measureLoad(wanted); }
-    /// What it did in the last time step that was measured.
+    /// The load on the blade's body in the last measured time step.
     const BladeLoad& bladeLoad() const { return blade_.load(); }
     /// Requests the measured loads of edge and blade in the last time step.
     void askForLoads(gpu::ReadBack& back);

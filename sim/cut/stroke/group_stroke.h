@@ -23,7 +23,7 @@ class OwnPast {
     void start(int firstVertex);
     /// The front has re-entered its own slit: all walls so far, up to `endVertex`, are past.
     void closeUp(int endVertex);
-    /// The first walls were made. They end at these vertices, where the blade was put down.
+    /// Records the first walls, which end at these vertices, where the blade was put down.
     void begin(std::vector<int> startVertices) { start_ = std::move(startVertices); }
     /// The front advances by `way`, as a share of the edge length, making vertices from
     /// `nextVertex` on.
