@@ -81,7 +81,7 @@ struct SlideText {
 /// A change of a value in this update.
 struct SlideEdit {
     bool changed = false;
-    bool continues = false;  ///< the same gesture had changed it before
+    bool continues = false;  ///< part of the previous gesture
 };
 /// Draws a label and, at the right end of the line, the number, which is dragged, or typed after a
 /// double click; below them the slider. All in `width` [px], of which the number leaves `room`
