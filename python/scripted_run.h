@@ -107,7 +107,7 @@ class ScriptedRun {
     std::string cutReport() const;
     /// Sentences about problems in steps, from the start.
     const std::vector<std::string>& messages() const { return messages_; }
-    /// See IterationWatch::sentence(), of all steps that were run.
+    /// IterationWatch::sentence() of all steps so far.
     std::string tooFewIterations() const { return iterations_.sentence(); }
 
     // Files and pictures.
