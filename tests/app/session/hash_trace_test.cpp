@@ -15,7 +15,7 @@ const std::string kA = "aaaaaaaaaaaaaaaa";
 const std::string kB = "bbbbbbbbbbbbbbbb";
 const std::string kC = "cccccccccccccccc";
 
-class HashCourseTest : public testing::Test {
+class HashTraceTest : public testing::Test {
   protected:
     HashTrace read(const std::string& text) const {
         test::writeText(folder_ / "hashes.csv", text);
@@ -31,7 +31,7 @@ StateHashes hashesOf(const std::string& state, const std::string& part) {
     return hashes;
 }
 
-TEST_F(HashCourseTest, ReadsWhatWasWritten) {
+TEST_F(HashTraceTest, ReadsWhatWasWritten) {
     const HashTrace trace = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)) +
                                  formatHashes(1, hashesOf(kB, kC)));
     ASSERT_EQ(trace.steps(), 2);
@@ -42,7 +42,7 @@ TEST_F(HashCourseTest, ReadsWhatWasWritten) {
     EXPECT_EQ(trace.differingParts(1, other), std::vector<std::string>{"velocities"});
 }
 
-TEST_F(HashCourseTest, NamesWhatAFileDoesNotHoldWhereTheStateAloneDiffers) {
+TEST_F(HashTraceTest, NamesWhatAFileDoesNotHoldWhereTheStateAloneDiffers) {
     const HashTrace trace =
         read("step,state_hash,topology_hash,positions_hash\n0," + kA + "," + kB + "," + kB + "\n");
     EXPECT_EQ(trace.differingParts(0, hashesOf(kC, kB)),
@@ -50,12 +50,12 @@ TEST_F(HashCourseTest, NamesWhatAFileDoesNotHoldWhereTheStateAloneDiffers) {
     EXPECT_TRUE(trace.differingParts(0, hashesOf(kA, kB)).empty());
 }
 
-TEST_F(HashCourseTest, NamesTheStateWhereAFileHoldsAllPartsAndTheyAgree) {
+TEST_F(HashTraceTest, NamesTheStateWhereAFileHoldsAllPartsAndTheyAgree) {
     const HashTrace trace = read(hashesHeader() + formatHashes(0, hashesOf(kA, kB)));
     EXPECT_EQ(trace.differingParts(0, hashesOf(kC, kB)), std::vector<std::string>{"the state"});
 }
 
-TEST_F(HashCourseTest, StepsComeInOrderAndHashesHaveSixteenDigits) {
+TEST_F(HashTraceTest, StepsComeInOrderAndHashesHaveSixteenDigits) {
     EXPECT_THROW(read(hashesHeader() + formatHashes(1, hashesOf(kA, kB))), InputError);
     EXPECT_THROW(read(hashesHeader() + formatHashes(0, hashesOf("abc", kB))), InputError);
     EXPECT_THROW(read("step,state_hash\n0," + kA + "\n"), InputError) << "no topology";
