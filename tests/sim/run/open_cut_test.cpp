@@ -31,7 +31,7 @@ Blade bladeAt(double x, int step) {
     return {{x, y, -1}, {x, y, 1}};
 }
 
-class OpenCourseTest : public test::GlTest {
+class OpenCutTest : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -64,7 +64,7 @@ class OpenCourseTest : public test::GlTest {
     std::optional<Simulation> simulation;
 };
 
-TEST_F(OpenCourseTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
+TEST_F(OpenCutTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     sweep(0.03, 0, 15);
     const StepReport& cutting = simulation->report();
     EXPECT_TRUE(cutting.open);
@@ -99,7 +99,7 @@ TEST_F(OpenCourseTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     EXPECT_NEAR(simulation->report().volumeRatio, 1, 0.02);
 }
 
-TEST_F(OpenCourseTest, TheOpenVolumeIsThatOfThePresentTriangles) {
+TEST_F(OpenCutTest, TheOpenVolumeIsThatOfThePresentTriangles) {
     sweep(0.03, 0, 15);
     const PieceMap& map = simulation->pieces();
     ASSERT_EQ(map.pieces.size(), 1u);
@@ -114,7 +114,7 @@ TEST_F(OpenCourseTest, TheOpenVolumeIsThatOfThePresentTriangles) {
     EXPECT_GT(simulation->report().volume, 0.2);
 }
 
-TEST_F(OpenCourseTest, AnIncisionGetsItsWallsAndSaysSo) {
+TEST_F(OpenCutTest, AnIncisionGetsItsWallsAndSaysSo) {
     sweep(0.03, 0, 14);
     lift();
     EXPECT_TRUE(simulation->report().closed);
@@ -124,7 +124,7 @@ TEST_F(OpenCourseTest, AnIncisionGetsItsWallsAndSaysSo) {
     expectSane();
 }
 
-TEST_F(OpenCourseTest, TakesEffectWithTheNextStroke) {
+TEST_F(OpenCutTest, TakesEffectWithTheNextStroke) {
     sweep(0.03, 0, 10);
     ASSERT_EQ(simulation->execute(SetParam{"open_cut", 0.0}), "");
     sweep(0.03, 11, 14);
@@ -136,7 +136,7 @@ TEST_F(OpenCourseTest, TakesEffectWithTheNextStroke) {
     EXPECT_TRUE(simulation->report().closed);
 }
 
-TEST_F(OpenCourseTest, RepeatsBitForBitAndGoesOnFromAMomentInTheMiddle) {
+TEST_F(OpenCutTest, RepeatsBitForBitAndGoesOnFromAMomentInTheMiddle) {
     sweep(0.03, 0, 14);
     const Moment middle = simulation->moment();
     const std::string then = simulation->stateHash();
@@ -158,7 +158,7 @@ TEST_F(OpenCourseTest, RepeatsBitForBitAndGoesOnFromAMomentInTheMiddle) {
     EXPECT_EQ(goOn(), after);
 }
 
-TEST_F(OpenCourseTest, UndoInTheMiddleAndAfterBringsTheWholeBodyBack) {
+TEST_F(OpenCutTest, UndoInTheMiddleAndAfterBringsTheWholeBodyBack) {
     simulation->step();
     for (const int last : {14, kStrokeSteps}) {
         sweep(0.03, 0, last);
