@@ -1,9 +1,9 @@
 // The albedo of the skin. With OWN_COLOURS that of the model itself: its picture under the tint of
 // material and corners, and the look's where it has none.
+#include "render_bindings.h"
 #include "skin.glsl"
 
 #ifdef OWN_COLOURS
-#include "render_bindings.h"
 in vec2 skinUv;  // v runs upwards
 in vec4 skinTint;  // w: 1 for a colour of the model, 0 for that of the look
 

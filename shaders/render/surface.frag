@@ -1,6 +1,7 @@
 // The body: its skin, or with WALLS the walls of a cut. Two programs rather than a branch, since
 // llvmpipe walks through both sides of every branch.
 #include "edge_lines.glsl"
+#include "render_bindings.h"  // once, and here: it must not fall to a condition below
 #include "tone.glsl"
 #ifdef MATCAP
 #include "matcap.glsl"
