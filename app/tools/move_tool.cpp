@@ -11,6 +11,7 @@
 #include "sim/base/placement.h"
 #include "sim/mesh/ray_box.h"
 #include "sim/run/simulation.h"
+#include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"
 
 namespace kerf::app {

@@ -10,6 +10,10 @@
 #include "app/scene/editor_scene.h"
 #include "ui/state/panel_model.h"
 
+namespace kerf {
+class UndoHistory;
+}
+
 namespace kerf::app {
 
 /// A model that was repaired on opening.

@@ -6,6 +6,7 @@
 #include "app/scene/timeline/hooks.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
+#include "sim/run/parts/snapshot.h"
 #include "sim/run/undo/undo_history.h"
 #include "ui/state/panel_model.h"
 

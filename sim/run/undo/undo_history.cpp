@@ -7,6 +7,8 @@
 #include <ranges>
 #include <utility>
 
+#include "sim/run/parts/snapshot.h"
+
 namespace kerf {
 
 namespace {

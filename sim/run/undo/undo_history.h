@@ -1,14 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
-#include "sim/run/parts/snapshot.h"
+#include "sim/run/parts/pins.h"
 
 namespace kerf {
+
+struct Snapshot;
+using SnapshotPointer = std::shared_ptr<const Snapshot>;
 
 /// A gesture that changes the body and may continue in further commands: one undo reverts all.
 enum class BodyGesture { none, placement, hands, pins };
