@@ -100,6 +100,16 @@ TEST_F(InterfaceTest, PanelsOwnThePointerOnlyOverThemselves) {
     }
 }
 
+TEST_F(InterfaceTest, ALongMessageWithAButtonBeginsBelowTheUpperEdge) {
+    for (int line = 0; line < 10; ++line) {
+        model.toast.text += "The skin is coarse.\n";
+    }
+    model.toast.choice = {ActionId::remesh, "Remesh"};
+    update({});
+    const Rect button = interface->itemRects().at("toast.Shift+R");
+    EXPECT_GT(button.y, 10 * button.height / 2);  // a button is less than two lines high
+}
+
 TEST_F(InterfaceTest, DraggingSlidersAnswersWithCommands) {
     const Params before = model.parameters.now;
     for (const char* name : {"time_step", "iterations", "ispc_stiffness", "gravity"}) {

@@ -90,7 +90,7 @@ void beginBanner(const char* name, const Rect& content, const BannerStyle& style
     const float padding = bannerPadding();
     const ImVec2 box{content.width + 2 * padding, content.height + 1.4F * padding};
     ImGui::SetNextWindowPos(
-        {std::floor(content.x - padding), std::floor(content.y - 0.7F * padding)});
+        {std::floor(content.x - padding), std::max(0.0F, std::floor(content.y - 0.7F * padding))});
     ImGui::SetNextWindowSize(box);
     ImGui::SetNextWindowBgAlpha(0.9F * style.opacity);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, style.opacity);
