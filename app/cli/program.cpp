@@ -43,6 +43,12 @@ int checkStandardOutput(int exitCode) {
                            kExitLimit);
 }
 
+/// `what` may end with a full stop.
+int complainOfUse(std::string what) {
+    what.erase(what.find_last_not_of('.') + 1);
+    return complain(what + "; see kerf --help.", kExitUsage);
+}
+
 }  // namespace
 
 void setUpProgram() {
@@ -57,9 +63,8 @@ std::optional<int> parseWords(CLI::App& parser, int argc, char** argv) {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // Help and version go to standard output; a mistake is one sentence.
-        return error.get_exit_code() == 0
-                   ? parser.exit(error, std::cout, std::cerr)
-                   : complain(std::string(error.what()) + "; see kerf --help.", kExitUsage);
+        return error.get_exit_code() == 0 ? parser.exit(error, std::cout, std::cerr)
+                                          : complainOfUse(error.what());
     }
     return std::nullopt;
 }
@@ -68,7 +73,7 @@ int runSafely(const std::function<int()>& verb) {
     try {
         return checkStandardOutput(verb());
     } catch (const UsageError& error) {
-        return complain(error.what() + std::string("; see kerf --help."), kExitUsage);
+        return complainOfUse(error.what());
     } catch (...) {
         const auto [sentence, exitCode] = complaintAboutThrown();
         return complain(sentence, exitCode);

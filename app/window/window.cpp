@@ -220,9 +220,13 @@ void Window::State::open(const std::string& name) {
     glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
     title = name;
-    render::Image icon = windowIcon();
-    const GLFWimage image{icon.width, icon.height, icon.pixels.data()};
-    glfwSetWindowIcon(window, 1, &image);
+    try {
+        render::Image icon = windowIcon();
+        const GLFWimage image{icon.width, icon.height, icon.pixels.data()};
+        glfwSetWindowIcon(window, 1, &image);
+    } catch (const InputError& error) {
+        spdlog::warn("The window has no icon: {}", error.what());
+    }
     for (std::size_t i = 0; i < kShapes.size(); ++i) {
         cursors[i] = glfwCreateStandardCursor(kShapes[i]);
     }
