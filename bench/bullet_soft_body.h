@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// The same nodes and springs as a soft body of Bullet (its position-based solver, one thread,
+/// Nodes and springs of a body as a soft body of Bullet (its position-based solver, one thread,
 /// Gauss-Seidel over links, single precision): a peer for the speed of projecting constraints.
 class BulletSoftBody {
   public:

@@ -40,7 +40,7 @@ class GlThread {
             return std::move(*result);
         }
     }
-    /// The same without waiting for an answer; the work must not throw.
+    /// Runs work there without waiting for an answer; it must not throw.
     void post(std::function<void()> work);
 
     /// Whether the work that runs there now, and asks, should stop soon.

@@ -99,7 +99,7 @@ struct Editor::State {
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file) { open(orderOf(file)); }
-    /// The same, after a question about unsaved work. A material is applied at once.
+    /// Opens a file after a question about unsaved work. A material is applied at once.
     void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, const Mending& mending = {});
     void removeModel(int model);

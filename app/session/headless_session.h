@@ -63,7 +63,7 @@ class HeadlessSession {
     void preparePictures();
     /// Draws the state before the coming step, with sides in pixels.
     void show(const render::Camera& camera, int width, int height);
-    /// The same, as a picture.
+    /// Returns a picture of the state before the coming step, with sides in pixels.
     render::Image draw(const render::Camera& camera, int width, int height);
     /// Writes the files of an export into a folder, with the looks of the model. Throws
     /// OutputError.

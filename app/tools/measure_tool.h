@@ -18,7 +18,7 @@ class MeasureTool : public Tool {
     std::string press(const ToolContext& c) override;
     /// Drops the points of an incomplete measurement.
     void putAway(const ToolContext& /*c*/) override { dropPending(); }
-    /// The same; without such points, selects the first tool.
+    /// Drops the points of an incomplete measurement; without any, selects the first tool.
     bool escape(ui::ToolSettings& settings) override;
     /// Whether there is anything to follow.
     bool any() const { return !rows_.empty() || !pending_.anchors.empty(); }

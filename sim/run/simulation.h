@@ -147,8 +147,8 @@ class Simulation {
     const PieceMap& pieces();
     /// 64-bit FNV-1a over topology, positions, velocities and boxes, as 16 hexadecimal digits.
     std::string stateHash();
-    /// The same, and a hash of each part of the state with parameters and blade (waits for the GPU
-    /// like mesh()).
+    /// stateHash() and a hash of each part of the state, parameters and blade included (waits for
+    /// the GPU like mesh()).
     StateHashes stateHashes();
 
   private:

@@ -28,7 +28,7 @@ struct GroupShape {
 /// often their conditions are evaluated. SolverLoops.* counts them.
 std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group);
 
-/// The same, in one substep of a body of `blocks` blocks of a page each.
+/// The most iterations of these loops in one substep of a body of `blocks` blocks of a page each.
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group);
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities, with

@@ -37,7 +37,7 @@ struct ReplayOptions {
     FilmOptions film;                   ///< if its file is set
     StripOptions strip;                 ///< if its file is set
     SequenceOptions sequence;           ///< where it names steps
-    /// Of the pictures; only the light one looks the same on every driver.
+    /// The tier of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;
 };
 

@@ -30,9 +30,9 @@ namespace kerf::app {
 /// of glTF are moved there; stl rounds to floats.
 std::string encodeMesh(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                        const ExportLooks& looks = {}, const Vec3& from = Vec3::Zero());
-/// The same, with strain, velocity and volume in further formats: ply as `vx vy vz` of a vertex and
-/// `strain` and `piece_volume` of a face, glb and gltf as attributes `_VELOCITY` and `_STRAIN`, and
-/// the volume as an extra of a node.
+/// encodeMesh() with strain, velocity and volume in further formats: ply as `vx vy vz` of a vertex
+/// and `strain` and `piece_volume` of a face, glb and gltf as attributes `_VELOCITY` and `_STRAIN`,
+/// and the volume as an extra of a node.
 std::string encodeMeasured(const SurfaceMesh& mesh, const PieceMap& pieces, MeshFormat format,
                            const ExportLooks& looks = {}, const Vec3& from = Vec3::Zero());
 

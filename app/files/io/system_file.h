@@ -25,7 +25,7 @@ class SystemFile {
     void write(std::string_view bytes);
     /// Waits until all that was written is on the disk.
     void sync();
-    /// The same without metadata that reading does not need, such as times.
+    /// sync() without metadata that reading does not need, such as times.
     void syncContent();
     void close();
     /// Renames a file, replacing what is there.

@@ -45,7 +45,7 @@ std::string lastWords(const ChildOutcome& outcome);
 
 /// The end of a child in one clause: "ended by signal 11", "exit code 3: <its last line>".
 std::string sentenceAbout(const ChildOutcome& outcome);
-/// The same, without the name of the temporary folder that the child worked in.
+/// That clause without the name of the temporary folder that the child worked in.
 std::string sentenceAbout(const ChildOutcome& outcome, const std::filesystem::path& folder);
 
 }  // namespace kerf::app
