@@ -114,6 +114,22 @@ class Material(unittest.TestCase):
             energy = self.solid.elastic_energy(positions)
             self.assertAlmostEqual(self.solid.elastic_energy(positions @ turn.T) / energy, 1)
 
+    def test_obeys_hookes_law_where_strains_are_small(self):
+        """Forces on the faces of a unit cube are its stresses."""
+        strain, nu = 1e-7, 0.45
+
+        def force_on(axis, f):
+            forces = self.solid.forces(self.rest @ f.T, 1)
+            return -forces[self.rest[:, axis] == 0.5].sum(axis=0)
+
+        stretched = np.eye(3) + strain * np.diag([1, -nu, -nu])
+        bound = 1e-5 * MODULUS * strain
+        self.assertAlmostEqual(force_on(0, stretched)[0], MODULUS * strain, delta=bound)
+        self.assertAlmostEqual(force_on(1, stretched)[1], 0, delta=bound)
+        sheared = np.eye(3)
+        sheared[0, 1] = strain
+        self.assertAlmostEqual(force_on(1, sheared)[0], MODULUS / 2.9 * strain, delta=bound)
+
 
 class Rest(unittest.TestCase):
     def test_deforms_evenly_where_the_border_does(self):
