@@ -17,7 +17,6 @@ SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed
                                                      // for the edges at them
 SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
 SHARED_CONST uint kContactBucketsBinding = 9u;       // ContactBucket
-SHARED_CONST uint kContactSharesBinding = 9u;        // uint per vertex: contacts that it is part of
 SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
 SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
 SHARED_CONST uint kContactReachBinding = 11u;        // PieceReach per piece
@@ -29,10 +28,11 @@ SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandid
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
 SHARED_CONST uint kContactHomesBinding = 14u;       // uint per triangle: its bucket
 SHARED_CONST uint kContactStartsBinding = 13u;      // uint per bucket: its first entry in its block
-SHARED_CONST uint kContactStateBinding = 15u;       // ContactState
-SHARED_CONST uint kContactRingsBinding = 10u;       // as kContactIncidenceBinding
-SHARED_CONST uint kContactPiecesBinding = 8u;       // PieceRecord
-SHARED_CONST uint kContactMotionBinding = 9u;       // PieceMotion per piece
+SHARED_CONST uint kContactStateBinding =
+    15u;  // ContactState; behind it a uint per vertex: its share
+SHARED_CONST uint kContactRingsBinding = 10u;  // as kContactIncidenceBinding
+SHARED_CONST uint kContactPiecesBinding = 8u;  // PieceRecord
+SHARED_CONST uint kContactMotionBinding = 9u;  // PieceMotion per piece
 
 // Of the kernels of the paper's contact, besides those of the grid.
 SHARED_CONST uint kPaperRequestsBinding = 3u;   // PaperRequest per triangle

@@ -37,10 +37,11 @@ struct UnfoldGoal {
 
 // Storage and texture units, beside those of the uniforms, X, velocities and the lists of
 // neighbours.
-SHARED_CONST uint kUnfoldRestBinding = 4u;      // texels of rest positions [m]
-SHARED_CONST uint kUnfoldBendsBinding = 5u;     // texels of BendRecord
-SHARED_CONST uint kUnfoldFoldsBinding = 8u;     // float per vertex: the largest fold of its bends
-SHARED_CONST uint kUnfoldFoldSumsBinding = 9u;  // float per vertex: the sum over the goals it is in
-SHARED_CONST uint kUnfoldGoalsBinding = 10u;    // UnfoldGoal per vertex
+SHARED_CONST uint kUnfoldRestBinding = 4u;   // texels of rest positions [m]
+SHARED_CONST uint kUnfoldBendsBinding = 5u;  // texels of BendRecord
+// Float per vertex: the largest fold of its bends; behind them as many: the sums over the goals
+// that they are in.
+SHARED_CONST uint kUnfoldFoldsBinding = 8u;
+SHARED_CONST uint kUnfoldGoalsBinding = 10u;  // UnfoldGoal per vertex
 
 SHARED_END

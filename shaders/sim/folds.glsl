@@ -5,11 +5,13 @@
 // what the springs that unfold press onto the floor, and a wall that has turned over is caught
 // behind them. Those springs are damped themselves. Kernels with UNFOLDS are compiled for steps
 // that unfold; to others nothing is folded.
-#ifdef UNFOLDS
+#if !defined(UNFOLDS)
+float foldAt(uint v) { return 0.0; }
+#elif defined(SMALL_GROUP)
+float foldAt(uint v);  // small_body_state.glsl
+#else
 layout(binding = kFoldsUnit) uniform usamplerBuffer folds;
 float foldAt(uint v) { return uintBitsToFloat(texelFetch(folds, int(v)).x); }
-#else
-float foldAt(uint v) { return 0.0; }
 #endif
 
 float foldAt(uvec4 v) {

@@ -1,14 +1,18 @@
 // Substeps of a small body by one work group: the phases of the other kernels in their order, with
 // their arithmetic, and with sums in their order whatever the size of the group, so the bits are
-// theirs. A substep begins with the prediction and ends with floor and velocities. What else may
-// move vertices in between (contact, boxes) stands between two dispatches, of which the first one
-// leaves its last substep open.
+// theirs. A substep begins with the prediction and ends with floor and velocities; with COLLIDES
+// contact stands before its end, and with UNFOLDS the springs that unfold before its beginning.
+// Else what may move vertices in between (contact, boxes) stands between two dispatches, of which
+// the first one leaves its last substep open.
 // With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor
-// here. Reads links, lists, pulls, pieces, blocks, pages, places. Reads and writes X, velocities,
-// d. Corrections, gradients, parts, block sums and impulses are scratch. One group in all. A
+// here. Reads links, lists, pulls, pieces, blocks, pages, places, with COLLIDES what contact reads.
+// Reads and writes X, velocities, d, the state of contact. Corrections, gradients, parts, block
+// sums, impulses, folds, records and sums are scratch. One group in all. A
 // storage barrier follows.
 #include "constraints.h"
+#include "contact_records.h"
 #include "small_body_bindings.h"
+#include "unfold_records.h"
 const uint kSmallGroup = SMALL_GROUP;
 layout(local_size_x = SMALL_GROUP) in;
 
@@ -39,10 +43,11 @@ KERF_PULLING(DECLARE)
 RECORD_PAIRS(kSmallNeighbourRangesUnit) neighbourRanges;
 RECORD_PAIRS(kSmallNeighboursUnit) neighbours;
 RECORD_WORDS(kSmallPlacesUnit) places;
+STATE_TEXELS(kSmallRestUnit) restPositions;
 layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
 layout(std430, binding = kSmallPagesBinding) readonly buffer Pages { uint pages[]; };
-layout(std430, binding = kSmallPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
+RECORD_QUADS(kSmallPullsUnit) pulls;
 layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
     VolumeImpulse impulses[];
 };
@@ -81,6 +86,16 @@ VolumeSum sumOfBlock(uint block);
 #include "sim/settle.glsl"
 #include "sim/stretch.glsl"
 #include "sim/volume_gradient.glsl"
+#ifdef COLLIDES
+#include "sim/contact/answers.glsl"
+#ifdef UNFOLDS
+#include "sim/unfold/fold_sums.glsl"
+#include "sim/unfold/folded.glsl"
+#include "sim/unfold/goals.glsl"
+#include "sim/unfold/pulls.glsl"
+#include "sim/unfold/raise_folds.glsl"
+#endif
+#endif
 
 // The last part of the sum that volume_gradient has.
 VolumeSum sumOfBlock(uint block) {
@@ -240,15 +255,78 @@ void settle(bool corrects, bool ends) {
     endPhase();
 }
 
+PullRecord pullOf(uvec4 first, uvec4 second) {
+    vec3 target = uintBitsToFloat(first.yzw);
+    vec3 motion = uintBitsToFloat(second.xyz);
+    return PullRecord(first.x, target.x, target.y, target.z, motion.x, motion.y, motion.z,
+                      second.w);
+}
+
 void pullAll() {
     FOR_EACH_OWN(i, uniforms.pull_count) {
-        PullRecord pull = pulls[i];
+        PullRecord pull = pullOf(fetch(pulls, 2u * i), fetch(pulls, 2u * i + 1u));
         vec3 d = pulled(displacementOf(pull.vertex).xyz, positionOf(pull.vertex), pull);
         setDisplacement(pull.vertex, vec4(d, 0.0));
     }
     endPhase();
 }
 
+#if defined(COLLIDES) && defined(UNFOLDS)
+void unfoldAll() {
+    FOR_EACH_OWN(v, uniforms.vertex_count) forgetFold(v);
+    endPhase();
+    FOR_EACH_OWN(i, uniforms.count[kBend]) raiseFolds(fetchBend(bendsRecords, i));
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) setFoldSum(v, sumOfFolds(v, rangeAt(v)));
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
+        for (uint once = floatBitsToUint(foldAt(v)) != 0u ? 1u : 0u; once > 0u; --once) {
+            setGoal(v, goalOf(v, rangeAt(v)));
+        }
+    }
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) unfold(v, rangeAt(v));
+    endPhase();
+}
+#else
+void unfoldAll() {}
+#endif
+
+#ifdef COLLIDES
+void sweepContacts(uint count, bool again) {
+    FOR_EACH_OWN(i, count) respondAt(i, again);
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) applyTo(v, again);
+    endPhase();
+}
+
+void touch() {
+    uint count = state.points;
+    if (count == 0u) return;
+    FOR_EACH_OWN(i, count) {
+        detectPoint(i);
+        detectEdges(i);
+    }
+    endPhase();
+    sweepContacts(count, false);
+    sweepContacts(count, true);
+    if (self == 0u) endContacts();
+}
+
+// Contact comes once everything else has moved d.
+void substep(bool ends) {
+    unfoldAll();
+    stretchAll();
+    KERF_PULLING(SOLVE_IF_ON)
+    if (isActive(kVolumePart)) {
+        sumVolume();
+        settle(true, false);
+    }
+    if (uniforms.pull_count > 0u) pullAll();
+    touch();
+    settle(false, true);
+}
+#else
 void substep(bool ends) {
     bool volume = isActive(kVolumePart);
     stretchAll();
@@ -262,6 +340,7 @@ void substep(bool ends) {
     pullAll();
     if (ends) settle(false, true);
 }
+#endif
 
 void main() {
     loadDisplacements(self);

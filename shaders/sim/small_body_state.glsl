@@ -121,6 +121,72 @@ void storeDisplacements(uint self) {
 }
 #endif
 
+// Records of the contacts, and what unfolds: see sim/contact/answers.glsl, sim/unfold.
+#ifdef UNFOLDS
+layout(std430, binding = kSmallFoldsBinding) coherent buffer Folds { uint storedFolds[]; };
+#ifdef LOAD_IMAGES
+layout(binding = kFoldsUnit, r32ui) coherent readonly uniform uimageBuffer foldTexels;
+float foldOrSum(uint place) { return uintBitsToFloat(imageLoad(foldTexels, int(place)).x); }
+#else
+float foldOrSum(uint place) { return uintBitsToFloat(storedFolds[place]); }
+#endif
+float foldAt(uint v) { return foldOrSum(v); }
+float foldSumOf(uint v) { return foldOrSum(uniforms.vertex_count + v); }
+void forgetFold(uint v) { storedFolds[v] = 0u; }
+void raiseFold(uint v, float fold) { atomicMax(storedFolds[v], floatBitsToUint(fold)); }
+void setFoldSum(uint v, float sum) {
+    storedFolds[uniforms.vertex_count + v] = floatBitsToUint(sum);
+}
+
+// Goals lie where corrections do, which no other phase needs then.
+UnfoldGoal goalAt(uint v) {
+    uint first = 5u * v;
+    return UnfoldGoal(correctionAt(first), correctionAt(first + 1u), correctionAt(first + 2u),
+                      correctionAt(first + 3u), correctionAt(first + 4u));
+}
+void setGoal(uint v, UnfoldGoal goal) {
+    setCorrection(5u * v, goal.rotation);
+    setCorrection(5u * v + 1u, goal.center);
+    setCorrection(5u * v + 2u, goal.rest_center);
+    setCorrection(5u * v + 3u, goal.velocity);
+    setCorrection(5u * v + 4u, goal.spin);
+}
+#endif
+
+#ifdef COLLIDES
+layout(std430, binding = kSmallContactBinding) readonly buffer Contact {
+    ContactUniforms storedContact;
+};
+ContactUniforms contact = storedContact;
+layout(std430, binding = kSmallRecordsBinding) coherent buffer Records { ContactRecord records[]; };
+layout(std430, binding = kSmallSumsBinding) coherent buffer Sums { int sums[]; };
+layout(std430, binding = kSmallStateBinding) coherent buffer State {
+    ContactState state;
+    uint shares[];
+};
+STATE_TEXELS(kSmallNormalsUnit) contactNormals;
+RECORD_QUADS(kSmallTrianglesUnit) contactTriangles;
+RECORD_PAIRS(kSmallCandidatesUnit) contactCandidates;
+RECORD_WORDS(kSmallPointsUnit) contactPoints;
+RECORD_WORDS(kSmallEdgePairsUnit) contactEdgePairs;
+
+vec3 normalOf(uint v) { return fetch(contactNormals, v).xyz; }
+uvec4 triangleAt(uint t) { return fetch(contactTriangles, t); }
+uint pointAt(uint index) { return fetch(contactPoints, index).x; }
+ContactCandidate candidateAt(uint place) {
+    uvec2 words = fetch(contactCandidates, place).xy;
+    return ContactCandidate(words.x, uintBitsToFloat(words.y));
+}
+EdgePair edgePairAt(uint place) {
+    return EdgePair(fetch(contactEdgePairs, 3u * place).x,
+                    fetch(contactEdgePairs, 3u * place + 1u).x,
+                    uintBitsToFloat(fetch(contactEdgePairs, 3u * place + 2u).x));
+}
+void takeShare(uint v, uint share) { atomicAdd(shares[v], share); }
+uint shareTaken(uint v) { return shares[v]; }
+void clearShare(uint v) { shares[v] = 0u; }
+#endif
+
 // What the group wrote can be read by all of it.
 void endPhase() {
     memoryBarrier();

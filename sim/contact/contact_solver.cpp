@@ -98,13 +98,12 @@ ContactSolver::ContactSolver() {
     kernels_.pieceReach = gpu::Program::compute("sim/contact/piece_reach.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
-    kernels_.detectEdges = gpu::Program::compute("sim/contact/detect_edges.comp");
     kernels_.detect = gpu::Program::compute("sim/contact/detect.comp");
     kernels_.respond = gpu::Program::compute("sim/contact/respond.comp");
     kernels_.apply = gpu::Program::compute("sim/contact/apply.comp");
     kernels_.respondAgain =
-        gpu::Program::compute("sim/contact/respond.comp", {{"SWEEP_AGAIN", "1"}});
-    kernels_.applyLast = gpu::Program::compute("sim/contact/apply.comp", {{"LAST_SWEEP", "1"}});
+        gpu::Program::compute("sim/contact/respond.comp", {{"SWEEP_AGAIN", "true"}});
+    kernels_.applyLast = gpu::Program::compute("sim/contact/apply.comp", {{"LAST_SWEEP", "true"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
 }
@@ -144,7 +143,7 @@ void ContactSolver::takeBody() {
     points_.resize(n * sizeof(uint));
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
     records_.resize(2 * n * sizeof(shared::ContactRecord));
-    shares_.resize(n * sizeof(uint));
+    state_.resize(sizeof(shared::ContactState) + n * sizeof(uint));
     sums_.resize(n * 6 * sizeof(int));
     runNormals(*body_.restPositions, restNormals_);
 }
@@ -270,7 +269,6 @@ void ContactSolver::respond() {
     body_.displacement->bindStorage(shared::kContactDisplacementBinding);
     body_.triangles->bindStorage(shared::kContactTrianglesBinding);
     records_.bindStorage(shared::kContactRecordsBinding);
-    shares_.bindStorage(shared::kContactSharesBinding);
     sums_.bindStorage(shared::kContactSumsBinding);
     candidates_.bindStorage(shared::kContactCandidatesBinding);
     points_.bindStorage(shared::kContactPointsBinding);
@@ -278,9 +276,6 @@ void ContactSolver::respond() {
     normals_.bindStorage(shared::kContactNormalsBinding);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
     runIndirect(detect(), offsetof(shared::ContactState, point_groups));
-    if (settings_.edges) {
-        runIndirect(kernels_.detectEdges, offsetof(shared::ContactState, point_groups));
-    }
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
     for (int sweep = 1; sweep < kSweeps; ++sweep) {
         runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));

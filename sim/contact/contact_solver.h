@@ -70,6 +70,12 @@ struct RelativeMotion {
     bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
+/// What the answers of contact in a substep are worked out from and in (shaders/sim/contact).
+struct ContactBuffers {
+    const gpu::Buffer &uniforms, &state, &records, &sums;
+    const gpu::Buffer &normals, &triangles, &candidates, &points, &edgePairs;
+};
+
 /// The state from which the candidates in force were found; a snapshot keeps it.
 struct ContactMemory {
     std::vector<shared::vec4> positions;  ///< X; empty: none were found
@@ -112,6 +118,12 @@ class ContactSolver {
     /// Limits d where it enters another surface, and moves X out of surfaces that it is inside.
     void respond();
 
+    /// For a kernel that does the same in one group; contact must be on, and a step begun.
+    ContactBuffers buffers() const {
+        return {uniformBuffer_,   state_,      records_, sums_,     normals_,
+                *body_.triangles, candidates_, points_,  edgePairs_};
+    }
+
     /// Searches for candidates now, between substeps.
     void search();
     /// X at the last search; of any size if there was none.
@@ -133,8 +145,8 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, pieceMotion, pieceReach, candidates, edgePairs, detect, detectEdges,
-            respond, apply, respondAgain, applyLast;
+        gpu::Program normals, pieceMotion, pieceReach, candidates, edgePairs, detect, respond,
+            apply, respondAgain, applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
@@ -165,7 +177,7 @@ class ContactSolver {
     gpu::Buffer searchedPositions_, searchedVelocities_;
     gpu::Buffer motions_, reaches_;
     gpu::Buffer normals_, restNormals_;
-    gpu::Buffer candidates_, points_, edgePairs_, records_, shares_, sums_;
+    gpu::Buffer candidates_, points_, edgePairs_, records_, sums_;
 };
 
 }  // namespace kerf

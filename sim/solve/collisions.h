@@ -71,6 +71,10 @@ class Collisions {
     void beginStep(const gpu::Buffer* folds);
     /// Whether there may be contacts in this step.
     bool mayTouch() const;
+    /// Whether nothing but the body itself may be touched, with contact on.
+    bool contactsAlone() const {
+        return contacts_.enabled() && !edge_.mayTouch() && !blade_.mayTouch() && !boxes_.mayTouch();
+    }
     bool searchesBefore(std::uint32_t substep) const {
         return contacts_.searchesBefore(static_cast<int>(substep));
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "shaders/shared/contact_records.h"
 #include "shaders/shared/small_body_bindings.h"
 #include "sim/solve/gathered_records.h"
 
@@ -70,6 +71,14 @@ std::size_t loopOver(std::size_t count, const GroupShape& group, std::size_t tur
     return loop(roundedUp(count, group.threads), turnsInside);
 }
 
+std::size_t mostNeighbours(const BodyModel& model) {
+    std::size_t most = 0;
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        most = std::max<std::size_t>(most, valence(model.neighbours, v));
+    }
+    return most;
+}
+
 using gpu::TexelFormat;
 using shared::uint;
 
@@ -92,10 +101,7 @@ std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group) {
 
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group) {
     constexpr std::size_t kMoreLoopsOverVertices = 2;  // settling twice where hands pull, and pulls
-    std::size_t corners = 0;
-    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
-        corners = std::max<std::size_t>(corners, valence(model.neighbours, v));
-    }
+    const std::size_t corners = mostNeighbours(model);
     return turnsOfSweep(model, group) +
            kMoreLoopsOverVertices * loopOver(model.restPositions.size(), group) +
            loop(blocks, loopOver(shared::kPageSize, group, loop(roundedUp(corners, 2)))) +
@@ -103,11 +109,27 @@ std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const Gro
            loopOver(model.pieces.size(), group, 1) + loop(blocks, loop(kSumRows));
 }
 
+std::size_t turnsOfTouch(const BodyModel& model, const GroupShape& group) {
+    constexpr std::size_t kSquarings = 12;  // of best_rotation.glsl
+    const std::size_t vertices = model.restPositions.size();
+    const std::size_t ring = loop(mostNeighbours(model) + 1);
+    const std::size_t contacts =
+        loopOver(vertices, group,
+                 loop(shared::kCandidatesPerPoint) + loop(shared::kEdgePairsPerPoint)) +
+        4 * loopOver(vertices, group);
+    const std::size_t folds =
+        loopOver(vertices, group) + loopOver(model.bends.size(), group, loop(1)) +
+        2 * loopOver(vertices, group, ring) +
+        loopOver(vertices, group, loop(1, 3 * ring + loop(kSquarings) + loop(3)));
+    return contacts + folds;
+}
+
 void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
                               bool asksForSweeps) {
     blocks_ = static_cast<uint>(blocks.size());
     large_ = model.restPositions.size() > shared::kSmallBodyVertices;
     substepTurns_ = 0;
+    touchTurns_ = 0;
     sweepTurns_ = 0;
     if (!large_ || asksForSweeps) {
         setSweeps(model);
@@ -116,7 +138,9 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
         blocks, [](const shared::BlockRecord& block) { return block.page_count == 1; });
     if (!large_ && onePageEach &&
         std::max(blocks.size(), model.pieces.size()) <= shared::kSmallBodyBlocks) {
-        substepTurns_ = kerf::turnsOfSubstep(model, blocks.size(), {groupSize(), groupSize()});
+        const GroupShape group{groupSize(), groupSize()};
+        substepTurns_ = kerf::turnsOfSubstep(model, blocks.size(), group);
+        touchTurns_ = substepTurns_ + turnsOfTouch(model, group);
     }
     parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 * sizeof(float));
 }
@@ -145,16 +169,37 @@ gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const 
 }
 
 void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {
-    std::optional<gpu::Program>& kernel = folds_ != nullptr ? foldedKernel_ : kernel_;
+    this->run(body, {run.begins, run.firstIsOpen ? 1U : 0U, run.leavesOpen ? 1U : 0U, blocks_},
+              nullptr);
+}
+
+void SmallBodySolver::run(const SolverBody& body, uint substeps, const ContactBuffers& contact) {
+    run(body, {substeps, 0, 0, blocks_}, &contact);
+}
+
+void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
+                          const ContactBuffers* contact) {
+    const bool folded = folds_ != nullptr;
+    std::optional<gpu::Program>& kernel = kernels_[contact != nullptr ? 1 : 0][folded ? 1 : 0];
     if (!kernel) {
-        kernel = compile(groupSize(),
-                         folds_ != nullptr ? gpu::Defines{{"UNFOLDS", "1"}} : gpu::Defines{});
+        gpu::Defines defines;
+        if (contact != nullptr) {
+            defines.emplace_back("COLLIDES", "1");
+        }
+        if (folded) {
+            defines.emplace_back("UNFOLDS", "1");
+        }
+        kernel = compile(groupSize(), defines);
     }
     bind(body);
-    if (folds_ != nullptr) {
-        folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
+    if (contact != nullptr) {
+        bind(*contact);
     }
-    kernel->setNumbers({run.begins, run.firstIsOpen ? 1U : 0U, run.leavesOpen ? 1U : 0U, blocks_});
+    if (folded) {
+        folds_->bindStorage(shared::kSmallFoldsBinding);
+        bindRecords(*folds_, shared::kFoldsUnit, TexelFormat::uint32);
+    }
+    kernel->setNumbers(numbers);
     kernel->dispatch(1);
 }
 
@@ -174,7 +219,6 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     body.pieces.pieceBuffer.bindStorage(shared::kSmallPiecesBinding);
     body.pieces.blockBuffer.bindStorage(shared::kSmallBlocksBinding);
     body.pieces.pageBuffer.bindStorage(shared::kSmallPagesBinding);
-    body.pulls.bindStorage(shared::kSmallPullsBinding);
     const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
         if (way_ == gpu::KernelWay::images) {
             buffer.bindImage(unit, format);
@@ -184,9 +228,8 @@ void SmallBodySolver::bind(const SolverBody& body) const {
         buffer.bindStorage(binding);
         bindImage(buffer, binding, format);
     };
-    const auto bindRecords = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
-        buffer.bindTexels(unit, format);
-        bindImage(buffer, unit, format);
+    const auto bindList = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
+        bindRecords(buffer, unit, format);
     };
     bindState(body.state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
     bindState(body.state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
@@ -196,11 +239,32 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     bindState(body.state.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
     bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);
     bindRecords(body.model.links, shared::kSmallLinksUnit, TexelFormat::uint32x4);
-    bindAllConstraints(body.model.constraints, bindRecords);
+    bindAllConstraints(body.model.constraints, bindList);
     bindRecords(body.model.neighbours.ranges, shared::kSmallNeighbourRangesUnit,
                 TexelFormat::uint32x2);
     bindRecords(body.model.neighbours.entries, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
     bindRecords(body.pieces.placeBuffer, shared::kSmallPlacesUnit, TexelFormat::uint32);
+    bindRecords(body.pulls, shared::kSmallPullsUnit, TexelFormat::uint32x4);
+    bindRecords(body.model.restPositions, shared::kSmallRestUnit, TexelFormat::float32x4);
+}
+
+void SmallBodySolver::bind(const ContactBuffers& contact) const {
+    contact.uniforms.bindStorage(shared::kSmallContactBinding);
+    contact.records.bindStorage(shared::kSmallRecordsBinding);
+    contact.sums.bindStorage(shared::kSmallSumsBinding);
+    contact.state.bindStorage(shared::kSmallStateBinding);
+    bindRecords(contact.normals, shared::kSmallNormalsUnit, TexelFormat::float32x4);
+    bindRecords(contact.triangles, shared::kSmallTrianglesUnit, TexelFormat::uint32x4);
+    bindRecords(contact.candidates, shared::kSmallCandidatesUnit, TexelFormat::uint32x2);
+    bindRecords(contact.points, shared::kSmallPointsUnit, TexelFormat::uint32);
+    bindRecords(contact.edgePairs, shared::kSmallEdgePairsUnit, TexelFormat::uint32);
+}
+
+void SmallBodySolver::bindRecords(const gpu::Buffer& buffer, uint unit, TexelFormat format) const {
+    buffer.bindTexels(unit, format);
+    if (way_ == gpu::KernelWay::images) {
+        buffer.bindImage(unit, format);
+    }
 }
 
 }  // namespace kerf

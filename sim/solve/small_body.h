@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
+#include "sim/contact/contact_solver.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {
@@ -30,6 +32,9 @@ std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group);
 
 /// The most iterations of these loops in one substep of a body of `blocks` blocks of a page each.
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group);
+
+/// The most iterations that contact and what unfolds add to that.
+std::size_t turnsOfTouch(const BodyModel& model, const GroupShape& group);
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities, with
 /// collisions in between.
@@ -74,8 +79,14 @@ class SmallBodySolver {
     /// default, if not folded.
     void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
 
+    /// The same where contact comes between, and folds are unfolded before; 0: they can't.
+    std::uint32_t touchingSubstepsAtOnce() const { return atOnce(touchTurns_); }
+
     /// One dispatch. The first compiles the kernel: throws gpu::ShaderError.
     void run(const SolverBody& body, const SubstepRun& run);
+    /// That many whole substeps, with contact before the end of each, and where there are folds
+    /// with what unfolds them (Unfolding) before its beginning.
+    void run(const SolverBody& body, std::uint32_t substeps, const ContactBuffers& contact);
     void run(const SolverBody& body, const SweepRun& run);
 
   private:
@@ -86,17 +97,22 @@ class SmallBodySolver {
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
+    void run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
+             const ContactBuffers* contact);
     void bind(const SolverBody& body) const;
+    void bind(const ContactBuffers& contact) const;
+    void bindRecords(const gpu::Buffer& buffer, std::uint32_t unit, gpu::TexelFormat format) const;
 
     gpu::KernelWay way_;
-    std::optional<gpu::Program> kernel_;
-    std::optional<gpu::Program> foldedKernel_;  ///< shaders/sim/folds.glsl
+    /// By whether contact is among the phases, and whether the skin is folded.
+    std::array<std::array<std::optional<gpu::Program>, 2>, 2> kernels_;
     std::optional<gpu::Program> sweepKernel_;
     std::optional<gpu::Program> largeSweepKernel_;
     const gpu::Buffer* folds_ = nullptr;
     gpu::Buffer parts_;
     std::uint32_t blocks_ = 0;
     std::size_t substepTurns_ = 0;
+    std::size_t touchTurns_ = 0;
     std::size_t sweepTurns_ = 0;
     bool large_ = false;  ///< more than kSmallBodyVertices
 };

@@ -5,6 +5,7 @@
 
 #include "gpu/kernel_way.h"
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/unfold_records.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
 
@@ -19,6 +20,9 @@ void SolverState::makeRoom(const BodyModel& model) {
     forEachType(model, [&](auto row, const auto& constraints) {
         pulls = std::max(pulls, decltype(row)::Gathers::kPulls * constraints.size());
     });
+    // Small bodies keep the goals of what unfolds there, too.
+    pulls = std::max(
+        pulls, sizeof(shared::UnfoldGoal) / sizeof(shared::vec4) * model.restPositions.size());
     corrections.resize(pulls * sizeof(shared::vec4));
 }
 

@@ -47,6 +47,8 @@ void TimeStepper::solve() {
         stepByPhases();
     } else if (!collisions_.mayTouch() && !unfolds_) {
         stepAtOnce();
+    } else if (collisions_.contactsAlone() && smallBody_.touchingSubstepsAtOnce() > 0) {
+        stepTouching();
     } else {
         stepBySubsteps();
     }
@@ -127,6 +129,22 @@ void TimeStepper::stepAtOnce() {
     for (uint done = 0; done < body_.uniforms.substeps; done += smallBody_.substepsAtOnce()) {
         const uint left = body_.uniforms.substeps - done;
         runSmallBody(SubstepRun{std::min(left, smallBody_.substepsAtOnce()), false, false});
+    }
+}
+
+/// Contact within the substeps; it is looked for between two dispatches.
+void TimeStepper::stepTouching() {
+    const uint end = body_.uniforms.substeps;
+    for (uint i = 0; i < end;) {
+        searchBefore(i);
+        const uint first = i++;
+        while (i < end && i - first < smallBody_.touchingSubstepsAtOnce() &&
+               !collisions_.searchesBefore(i)) {
+            ++i;
+        }
+        timed(deformTimer_,
+              [&] { smallBody_.run(body_, i - first, collisions_.contacts().buffers()); });
+        ++body_.dispatches;
     }
 }
 

@@ -26,8 +26,7 @@ Unfolding::Unfolding()
       unfold_(gpu::Program::compute("sim/unfold/unfold.comp")) {}
 
 void Unfolding::resize(std::size_t vertices) {
-    folds_.resize(vertices * sizeof(float));
-    foldSums_.resize(vertices * sizeof(float));
+    folds_.resize(2 * vertices * sizeof(float));
     goals_.resize(vertices * sizeof(shared::UnfoldGoal));
 }
 
@@ -50,7 +49,6 @@ void Unfolding::bind(const SolverBody& body) const {
     body.model.neighbours.ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
     body.model.neighbours.entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
     bindBoth(folds_, shared::kUnfoldFoldsBinding, TexelFormat::uint32);
-    bindBoth(foldSums_, shared::kUnfoldFoldSumsBinding, TexelFormat::uint32);
     bindBoth(goals_, shared::kUnfoldGoalsBinding, TexelFormat::float32x4);
 }
 

@@ -23,14 +23,15 @@ class Unfolding {
     void resize(std::size_t vertices);
     /// Changes velocities.
     void run(const SolverBody& body);
-    /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each.
+    /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each. Behind them
+    /// is what a run needs besides.
     const gpu::Buffer& folds() const { return folds_; }
 
   private:
     void bind(const SolverBody& body) const;
 
     gpu::Program forgetFolds_, findFolds_, sumFolds_, findGoals_, unfold_;
-    gpu::Buffer folds_, foldSums_, goals_;
+    gpu::Buffer folds_, goals_;
 };
 
 }  // namespace kerf

@@ -13,6 +13,6 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count || shares[v] == 0u) return;
     shares[v] = 0u;
-    displacement[v] = vec4(displacement[v].xyz + takeSum(6u * v), 0.0);
-    positions[v] = vec4(positions[v].xyz + takeSum(6u * v + 3u), positions[v].w);
+    displacement[v] = vec4(displacement[v].xyz + takeSum(6u * v, uniforms.unit), 0.0);
+    positions[v] = vec4(positions[v].xyz + takeSum(6u * v + 3u, uniforms.unit), positions[v].w);
 }

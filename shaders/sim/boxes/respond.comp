@@ -28,6 +28,7 @@ void main() {
     for (int k = 0; k < 3; ++k) {
         float gain = b[k] * w[k] / weight;
         if (gain == 0.0) continue;
-        addToSums(t[k], gain * record.impulse.xyz, gain * record.normal.w * record.normal.xyz);
+        addToSums(t[k], uniforms.unit, gain * record.impulse.xyz,
+                  gain * record.normal.w * record.normal.xyz);
     }
 }

@@ -1,3 +1,4 @@
+#pragma once
 // Rotations as quaternions, real part last.
 
 vec3 rotated(vec4 q, vec3 a) {

@@ -6,20 +6,14 @@
 layout(local_size_x = kGroupSize) in;
 layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
-layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
-layout(std430, binding = kUnfoldFoldSumsBinding) writeonly buffer FoldSums { float foldSums[]; };
+layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { float folds[]; };
 
-#include "sim/unfold/members.glsl"
+float foldAt(uint v) { return folds[v]; }
 
-float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
+#include "sim/unfold/fold_sums.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    uvec2 range = fetch(ranges, v).xy;
-    float sum = 0.0;
-    for (uint i = 0u; i < memberCount(range); ++i) {
-        sum += foldAt(memberOf(v, range, i));
-    }
-    foldSums[v] = sum;
+    folds[uniforms.vertex_count + v] = sumOfFolds(v, fetch(ranges, v).xy);
 }

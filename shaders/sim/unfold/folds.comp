@@ -12,24 +12,15 @@ layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
 layout(binding = kUnfoldBendsBinding) uniform usamplerBuffer bends;
 layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { uint folds[]; };
 
+vec4 positionOf(uint v) { return fetch(positions, v); }
+// Positive floats and their bits have the same order.
+void raiseFold(uint v, float fold) { atomicMax(folds[v], floatBitsToUint(fold)); }
+
 #include "sim/unfold/folded.glsl"
+#include "sim/unfold/raise_folds.glsl"
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.count[kBend]) return;
-    BendRecord bend = fetchBend(bends, index);
-    vec4 x0 = fetch(positions, bend.v0);
-    vec4 x1 = fetch(positions, bend.v1);
-    vec4 x2 = fetch(positions, bend.v2);
-    vec4 x3 = fetch(positions, bend.v3);
-    bool free = min(min(x0.w, x1.w), min(x2.w, x3.w)) > 0.0;
-    Wings wings = wingsOf(x1.xyz - x0.xyz, x2.xyz - x0.xyz, x3.xyz - x0.xyz);
-    float fold = free ? foldOf(wings, bend) : 0.0;
-    // Positive floats and their bits have the same order.
-    for (uint once = fold > 0.0 ? 1u : 0u; once > 0u; --once) {
-        atomicMax(folds[bend.v0], floatBitsToUint(fold));
-        atomicMax(folds[bend.v1], floatBitsToUint(fold));
-        atomicMax(folds[bend.v2], floatBitsToUint(fold));
-        atomicMax(folds[bend.v3], floatBitsToUint(fold));
-    }
+    raiseFolds(fetchBend(bends, index));
 }

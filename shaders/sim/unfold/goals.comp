@@ -1,10 +1,5 @@
-// For each vertex at a fold: how it and its neighbours lie at rest, put where that fits best to
-// where they are (shape matching, Mueller et al. 2005), and the rigid motion that has their
-// momentum. A vertex lends its mass to the goals that it is in, in proportion to their folds; then
-// what they do to it changes no momentum. Where one of them has no
-// inverse mass, as at the front of a slit, the goal draws nothing.
-// Reads X, velocities, rest positions, folds, their sums, neighbours. Writes goals. One thread per
-// vertex. A storage barrier follows, then unfold.
+// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, their sums,
+// neighbours. Writes goals. One thread per vertex. A storage barrier follows, then unfold.
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
@@ -15,109 +10,21 @@ layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
 layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
 layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
-layout(binding = kUnfoldFoldSumsBinding) uniform usamplerBuffer foldSums;
 layout(std430, binding = kUnfoldGoalsBinding) writeonly buffer Goals { UnfoldGoal goals[]; };
 
-#include "sim/unfold/best_rotation.glsl"
-#include "sim/unfold/damping.glsl"
-#include "sim/unfold/members.glsl"
-
-struct Member {
-    float mass;  // that it lends, over the fold of the goal
-    vec3 x, rest, velocity;
-};
-
-Member memberAt(uint v) {
-    vec4 x = fetch(positions, v);
-    float sum = uintBitsToFloat(fetch(foldSums, v).x);
-    return Member(x.w > 0.0 ? 1.0 / (x.w * sum) : 0.0, x.xyz, fetch(restPositions, v).xyz,
-                  fetch(velocities, v).xyz);
+vec4 positionOf(uint v) { return fetch(positions, v); }
+vec4 velocityOf(uint v) { return fetch(velocities, v); }
+float foldSumOf(uint v) {
+    return uintBitsToFloat(fetch(folds, uniforms.vertex_count + v).x);
 }
 
-// Relative to another, so that floats keep their digits.
-Member memberFrom(Member origin, uint v) {
-    Member m = memberAt(v);
-    return Member(m.mass, m.x - origin.x, m.rest - origin.rest, m.velocity - origin.velocity);
-}
-
-struct Mean {
-    float perMass;  // one over the mass of all
-    vec3 x, rest, velocity;
-};
-
-Mean meanOf(uint v, uvec2 range, uint count, Member origin) {
-    float mass = 0.0;
-    vec3 x = vec3(0.0);
-    vec3 rest = vec3(0.0);
-    vec3 velocity = vec3(0.0);
-    for (uint i = 0u; i < count; ++i) {
-        Member m = memberFrom(origin, memberOf(v, range, i));
-        mass += m.mass;
-        x += m.mass * m.x;
-        rest += m.mass * m.rest;
-        velocity += m.mass * m.velocity;
-    }
-    float perMass = mass > 0.0 ? 1.0 / mass : 0.0;
-    return Mean(perMass, perMass * x, perMass * rest, perMass * velocity);
-}
-
-// I^-1 L by Cramer's rule, where I = tr(P) 1 - P, P = sum of m x x^T: its diagonal and its yz, zx,
-// xy. w: 0 where there is none.
-vec4 spinOf(vec3 angularMomentum, vec3 squares, vec3 mixed) {
-    vec3 diagonal = squares.yzx + squares.zxy;
-    vec3 first = vec3(diagonal.x, -mixed.z, -mixed.y);
-    vec3 second = vec3(-mixed.z, diagonal.y, -mixed.x);
-    vec3 third = vec3(-mixed.y, -mixed.x, diagonal.z);
-    float determinant = dot(first, cross(second, third));
-    float size = diagonal.x + diagonal.y + diagonal.z;
-    if (!(determinant > 1e-6 * size * size * size)) return vec4(0.0);
-    return vec4(vec3(dot(angularMomentum, cross(second, third)),
-                     dot(first, cross(angularMomentum, third)),
-                     dot(first, cross(second, angularMomentum))) / determinant, 1.0);
-}
-
-UnfoldGoal goalOf(uint v, uvec2 range, uint count) {
-    Member origin = memberAt(v);
-    Mean mean = meanOf(v, range, count, origin);
-    vec3 sx = vec3(0.0);
-    vec3 sy = vec3(0.0);
-    vec3 sz = vec3(0.0);
-    vec3 angularMomentum = vec3(0.0);
-    vec3 squares = vec3(0.0);
-    vec3 mixed = vec3(0.0);
-    for (uint i = 0u; i < count; ++i) {
-        Member m = memberFrom(origin, memberOf(v, range, i));
-        vec3 rest = m.rest - mean.rest;
-        vec3 x = m.x - mean.x;
-        vec3 weighted = (m.mass * mean.perMass) * x;
-        sx += rest.x * weighted;
-        sy += rest.y * weighted;
-        sz += rest.z * weighted;
-        angularMomentum += cross(weighted, m.velocity - mean.velocity);
-        squares += weighted * x;
-        mixed += weighted.yzx * x.zxy;
-    }
-    vec4 spin = spinOf(angularMomentum, squares, mixed);
-    vec4 rotation = bestRotation(sx, sy, sz);
-    float reach = kUnfoldSpeed * unfoldDamping() / kUnfoldRate;
-    float longest = reach;
-    bool free = true;
-    for (uint i = 0u; i < count; ++i) {
-        Member m = memberFrom(origin, memberOf(v, range, i));
-        float way = length(mean.x + rotated(rotation, m.rest - mean.rest) - m.x);
-        longest = max(longest, way);
-        free = free && m.mass > 0.0;
-    }
-    return UnfoldGoal(rotation, vec4(origin.x + mean.x, free ? spin.w : 0.0),
-                      vec4(origin.rest + mean.rest, free ? reach / longest : 0.0),
-                      vec4(origin.velocity + mean.velocity, 0.0), vec4(spin.xyz, 0.0));
-}
+#include "sim/unfold/goals.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     uvec2 range = fetch(ranges, v).xy;
     for (uint once = fetch(folds, v).x != 0u ? 1u : 0u; once > 0u; --once) {
-        goals[v] = goalOf(v, range, memberCount(range));
+        goals[v] = goalOf(v, range);
     }
 }

@@ -1,3 +1,4 @@
+#pragma once
 // The members of the goal of v, whose neighbours lie at `range`: itself, then them. The includer
 // declares `neighbours`, which is read by pairs.
 uint memberOf(uint v, uvec2 range, uint i) {

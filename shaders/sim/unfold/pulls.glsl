@@ -1,0 +1,56 @@
+// Draws a vertex towards the goals that it is in by damped springs, implicit in the end of the
+// substep: its velocity changes by what they do in the mean, each as much as it is folded. A vertex
+// without a fold near it keeps its bits. The includer declares `uniforms`, `restPositions`,
+// `neighbours`, positionOf(v), velocityOf(v), setVelocity(v, u), foldAt(v), foldSumOf(v), goalAt(v).
+#include "best_rotation.glsl"
+#include "damping.glsl"
+#include "members.glsl"
+
+// How a vertex moves against the rigid motion of a goal [m/s].
+vec3 slipOf(UnfoldGoal goal, vec3 toCenter, vec3 velocity) {
+    return goal.center.w * (velocity - goal.velocity.xyz + cross(goal.spin.xyz, toCenter));
+}
+
+// What one goal changes a velocity by [m/s].
+vec3 pullOf(UnfoldGoal goal, vec3 x, vec3 rest, vec3 velocity) {
+    vec3 toCenter = goal.center.xyz - x;
+    vec3 way =
+        goal.rest_center.w * (toCenter + rotated(goal.rotation, rest - goal.rest_center.xyz));
+    vec3 slip = slipOf(goal, toCenter, velocity);
+    float turn = kUnfoldRate * uniforms.substep;
+    return (slip + kUnfoldRate * turn * way) / (1.0 + unfoldDamping() * turn + turn * turn) - slip;
+}
+
+// The same where it is at the goal already: what the damping alone does.
+vec3 slowingOf(UnfoldGoal goal, vec3 x, vec3 velocity) {
+    vec3 slip = slipOf(goal, goal.center.xyz - x, velocity);
+    float turn = kUnfoldRate * uniforms.substep;
+    return slip / (1.0 + unfoldDamping() * turn + turn * turn) - slip;
+}
+
+void unfold(uint v, uvec2 range) {
+    float foldSum = foldSumOf(v);
+    vec4 x = positionOf(v);
+    vec3 velocity = velocityOf(v).xyz;
+    vec3 rest = fetch(restPositions, v).xyz;
+    vec3 change = vec3(0.0);
+    bool trueModulus = (uniforms.active_parts & kTrueModulusPart) != 0u;
+    uint count = foldSum > 0.0 && x.w > 0.0 ? memberCount(range) : 0u;
+    for (uint i = 0u; i < count; ++i) {
+        uint j = memberOf(v, range, i);
+        float fold = foldAt(j);
+        if (fold > 0.0) {
+            // Its share of the mass, and as much of the pull.
+            UnfoldGoal goal = goalAt(j);
+            change += fold / foldSum * fold * pullOf(goal, x.xyz, rest, velocity);
+            if (trueModulus) {
+                // In all as the fold and not as its square: where a load folds what is as soft as
+                // its modulus says, it would swing between folded and not.
+                change += fold / foldSum * (1.0 - fold) * slowingOf(goal, x.xyz, velocity);
+            }
+        }
+    }
+    if (count > 0u) {
+        setVelocity(v, velocity + change);
+    }
+}
