@@ -34,6 +34,13 @@ SHARED_CONST uint kContactRingsBinding = 10u;  // as kContactIncidenceBinding
 SHARED_CONST uint kContactPiecesBinding = 8u;  // PieceRecord
 SHARED_CONST uint kContactMotionBinding = 9u;  // PieceMotion per piece
 
+// Texture and image units of what the answers of a substep fetch (answers.glsl), formats as above.
+SHARED_CONST uint kContactNormalsUnit = 10u;
+SHARED_CONST uint kContactTrianglesUnit = 11u;
+SHARED_CONST uint kContactCandidatesUnit = 12u;
+SHARED_CONST uint kContactPointsUnit = 13u;
+SHARED_CONST uint kContactEdgePairsUnit = 14u;
+
 // Of the kernels of the paper's contact, besides those of the grid.
 SHARED_CONST uint kPaperRequestsBinding = 3u;   // PaperRequest per triangle
 SHARED_CONST uint kPaperPiecesBinding = 4u;     // PieceBounds per piece

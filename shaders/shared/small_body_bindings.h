@@ -25,17 +25,13 @@ SHARED_CONST uint kSmallRecordsBinding = 13u;  // as kContactRecordsBinding
 SHARED_CONST uint kSmallSumsBinding = 14u;     // as kContactSumsBinding
 SHARED_CONST uint kSmallStateBinding = 15u;    // as kContactStateBinding
 
-// Texture units and, on llvmpipe, image units: none of those above; constraints follow them.
+// Texture units and, on llvmpipe, image units: none of those above, nor of contact_bindings.h;
+// constraints follow them.
 SHARED_CONST uint kSmallLinksUnit = 16u;
 SHARED_CONST uint kSmallNeighbourRangesUnit = 17u;
 SHARED_CONST uint kSmallNeighboursUnit = 18u;
 SHARED_CONST uint kSmallPlacesUnit = 19u;
 SHARED_CONST uint kSmallPullsUnit = 8u;
 SHARED_CONST uint kSmallRestUnit = 9u;
-SHARED_CONST uint kSmallNormalsUnit = 10u;  // this and the following as contact_bindings.h has them
-SHARED_CONST uint kSmallTrianglesUnit = 11u;
-SHARED_CONST uint kSmallCandidatesUnit = 12u;
-SHARED_CONST uint kSmallPointsUnit = 13u;
-SHARED_CONST uint kSmallEdgePairsUnit = 14u;
 
 SHARED_END

@@ -3,14 +3,15 @@
 // anything real), per block; behind the blocks, how many contacts there were and how many points
 // had candidates for them; and which vertices have a triangle near the blade. Reads X, velocities,
 // rest positions, neighbours, places, pages, pieces, blocks, the state of contact, the query,
-// constraints. Writes block measures and records of nearby vertices. One group per block; sums in a
-// fixed order (see volume_gradient). The CPU reads the result.
+// constraints. Writes block measures and records of nearby vertices. One group of SUM_GROUP threads
+// per block; sums in a fixed order (see volume_gradient). The CPU reads the result.
 #include "constraints.h"
 #include "contact_records.h"
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
-layout(local_size_x = kGroupSize) in;
+layout(local_size_x = SUM_GROUP) in;
+const uint kSumGroup = SUM_GROUP;
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
 layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
@@ -102,10 +103,8 @@ void lookForNearby(uint v, vec3 p, vec3 u) {
     }
 }
 
-void main() {
-    BlockRecord block = blocks[gl_WorkGroupID.x];
-    uint origin = pieces[block.piece].origin;
-    uint self = gl_LocalInvocationID.x;
+// Of the place `self` of all pages of a block, and of constraints.
+void measurePlace(BlockRecord block, vec3 origin, uint self) {
     vec4 low = vec4(vec3(1e30), 0.0);
     vec4 high = vec4(vec3(-1e30), 0.0);
     vec4 slow = vec4(vec3(1e30), 0.0);
@@ -117,7 +116,7 @@ void main() {
         if (v == kNoVertex) continue;
         vec4 x = fetch(positions, v);
         vec3 p = x.xyz;
-        vec3 arm = p - fetch(positions, origin).xyz;
+        vec3 arm = p - origin;
         low = vec4(min(low.xyz, p),
                    low.w + dot(arm, sixfoldGradient(p, fetch(ranges, v).xy)) / 18.0);
         vec3 u = fetch(velocities, v).xyz;
@@ -134,26 +133,34 @@ void main() {
     highs[self] = high;
     slowest[self] = slow;
     fastest[self] = fast;
+    largestFold = 0.0;
     leastWay[self] = vec4(least, strainEnergy(kGroupSize * gl_WorkGroupID.x + self,
                                               kGroupSize * gl_NumWorkGroups.x));
     mostWay[self] = vec4(most, largestFold);
-    for (uint reach = kGroupSize / 2u; reach > 0u; reach /= 2u) {
+}
+
+void join(uint self, uint other) {
+    lows[self] = vec4(min(lows[self].xyz, lows[other].xyz), lows[self].w + lows[other].w);
+    highs[self] = max(highs[self], highs[other]);
+    slowest[self] =
+        vec4(min(slowest[self].xyz, slowest[other].xyz), slowest[self].w + slowest[other].w);
+    fastest[self] =
+        vec4(max(fastest[self].xyz, fastest[other].xyz), fastest[self].w + fastest[other].w);
+    leastWay[self] =
+        vec4(min(leastWay[self].xyz, leastWay[other].xyz), leastWay[self].w + leastWay[other].w);
+    mostWay[self] = max(mostWay[self], mostWay[other]);
+}
+
+void main() {
+    BlockRecord block = blocks[gl_WorkGroupID.x];
+    vec3 origin = fetch(positions, pieces[block.piece].origin).xyz;
+    uint self = gl_LocalInvocationID.x;
+    for (uint place = self; place < kPageSize; place += kSumGroup) {
+        measurePlace(block, origin, place);
+    }
+    for (uint reach = kPageSize / 2u; reach > 0u; reach /= 2u) {
         barrier();
-        if (self < reach) {
-            vec4 other = lows[self + reach];
-            lows[self] = vec4(min(lows[self].xyz, other.xyz), lows[self].w + other.w);
-            highs[self] = max(highs[self], highs[self + reach]);
-            vec4 slowerOne = slowest[self + reach];
-            vec4 fasterOne = fastest[self + reach];
-            slowest[self] =
-                vec4(min(slowest[self].xyz, slowerOne.xyz), slowest[self].w + slowerOne.w);
-            fastest[self] =
-                vec4(max(fastest[self].xyz, fasterOne.xyz), fastest[self].w + fasterOne.w);
-            vec4 shorterOne = leastWay[self + reach];
-            leastWay[self] =
-                vec4(min(leastWay[self].xyz, shorterOne.xyz), leastWay[self].w + shorterOne.w);
-            mostWay[self] = max(mostWay[self], mostWay[self + reach]);
-        }
+        for (uint i = self; i < reach; i += kSumGroup) join(i, i + reach);
     }
     if (self == 0u && gl_WorkGroupID.x == 0u) {
         vec4 counts = vec4(contacts.last_contacts, contacts.points, 0.0, 0.0);
@@ -162,7 +169,6 @@ void main() {
     }
     if (self == 0u) {
         measures[gl_WorkGroupID.x] =
-            BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], leastWay[0],
-                         mostWay[0]);
+            BlockMeasure(lows[0], highs[0], slowest[0], fastest[0], leastWay[0], mostWay[0]);
     }
 }

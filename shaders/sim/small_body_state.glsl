@@ -164,24 +164,6 @@ layout(std430, binding = kSmallStateBinding) coherent buffer State {
     ContactState state;
     uint shares[];
 };
-STATE_TEXELS(kSmallNormalsUnit) contactNormals;
-RECORD_QUADS(kSmallTrianglesUnit) contactTriangles;
-RECORD_PAIRS(kSmallCandidatesUnit) contactCandidates;
-RECORD_WORDS(kSmallPointsUnit) contactPoints;
-RECORD_WORDS(kSmallEdgePairsUnit) contactEdgePairs;
-
-vec3 normalOf(uint v) { return fetch(contactNormals, v).xyz; }
-uvec4 triangleAt(uint t) { return fetch(contactTriangles, t); }
-uint pointAt(uint index) { return fetch(contactPoints, index).x; }
-ContactCandidate candidateAt(uint place) {
-    uvec2 words = fetch(contactCandidates, place).xy;
-    return ContactCandidate(words.x, uintBitsToFloat(words.y));
-}
-EdgePair edgePairAt(uint place) {
-    return EdgePair(fetch(contactEdgePairs, 3u * place).x,
-                    fetch(contactEdgePairs, 3u * place + 1u).x,
-                    uintBitsToFloat(fetch(contactEdgePairs, 3u * place + 2u).x));
-}
 void takeShare(uint v, uint share) { atomicAdd(shares[v], share); }
 uint shareTaken(uint v) { return shares[v]; }
 void clearShare(uint v) { shares[v] = 0u; }

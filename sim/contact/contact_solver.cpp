@@ -16,6 +16,7 @@ namespace kerf {
 
 namespace {
 
+using gpu::TexelFormat;
 using shared::uint;
 
 static_assert(sizeof(shared::ContactUniforms) == 56);
@@ -35,6 +36,14 @@ constexpr double kFarthest = 2;          // h: no candidate beyond
 constexpr int kSweeps = 2;               // over the contacts of a substep, as in ReferenceContact
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
+
+/// A kernel of what a substep spends its time in: see fetch.glsl for images.
+gpu::Program compileAnswer(const std::string& name, gpu::Defines defines = {}) {
+    if (gpu::kernelWay() == gpu::KernelWay::images) {
+        defines.emplace_back("LOAD_IMAGES", "1");
+    }
+    return gpu::Program::compute("sim/contact/" + name + ".comp", defines);
+}
 
 /// How many times in a time step candidates are looked for, so that in between nothing moves much
 /// farther than an edge.
@@ -98,12 +107,11 @@ ContactSolver::ContactSolver() {
     kernels_.pieceReach = gpu::Program::compute("sim/contact/piece_reach.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
-    kernels_.detect = gpu::Program::compute("sim/contact/detect.comp");
-    kernels_.respond = gpu::Program::compute("sim/contact/respond.comp");
-    kernels_.apply = gpu::Program::compute("sim/contact/apply.comp");
-    kernels_.respondAgain =
-        gpu::Program::compute("sim/contact/respond.comp", {{"SWEEP_AGAIN", "true"}});
-    kernels_.applyLast = gpu::Program::compute("sim/contact/apply.comp", {{"LAST_SWEEP", "true"}});
+    kernels_.detect = compileAnswer("detect");
+    kernels_.respond = compileAnswer("respond");
+    kernels_.apply = compileAnswer("apply");
+    kernels_.respondAgain = compileAnswer("respond", {{"SWEEP_AGAIN", "true"}});
+    kernels_.applyLast = compileAnswer("apply", {{"LAST_SWEEP", "true"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
 }
@@ -111,7 +119,7 @@ ContactSolver::ContactSolver() {
 void ContactSolver::setFolds(const gpu::Buffer* folds) {
     folds_ = folds;
     if (folds_ != nullptr && enabled() && !detectBesideFolds_) {
-        detectBesideFolds_ = gpu::Program::compute("sim/contact/detect.comp", {{"UNFOLDS", "1"}});
+        detectBesideFolds_ = compileAnswer("detect", {{"UNFOLDS", "1"}});
     }
 }
 
@@ -264,17 +272,16 @@ void ContactSolver::respond() {
     if (!mayTouch()) {
         return;
     }
-    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
-    body_.positions->bindStorage(shared::kContactPositionsBinding);
-    body_.displacement->bindStorage(shared::kContactDisplacementBinding);
-    body_.triangles->bindStorage(shared::kContactTrianglesBinding);
-    records_.bindStorage(shared::kContactRecordsBinding);
-    sums_.bindStorage(shared::kContactSumsBinding);
-    candidates_.bindStorage(shared::kContactCandidatesBinding);
-    points_.bindStorage(shared::kContactPointsBinding);
-    state_.bindStorage(shared::kContactStateBinding);
-    normals_.bindStorage(shared::kContactNormalsBinding);
-    edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
+    const gpu::KernelWay way = gpu::kernelWay();
+    bindAnswers({shared::kContactUniformsBinding, shared::kContactRecordsBinding,
+                 shared::kContactSumsBinding, shared::kContactStateBinding},
+                way);
+    for (const auto& [buffer, binding] :
+         {std::pair(body_.positions, shared::kContactPositionsBinding),
+          std::pair(body_.displacement, shared::kContactDisplacementBinding)}) {
+        buffer->bindStorage(binding);
+        bindFetched(*buffer, binding, TexelFormat::float32x4, way);
+    }
     runIndirect(detect(), offsetof(shared::ContactState, point_groups));
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
     for (int sweep = 1; sweep < kSweeps; ++sweep) {
@@ -282,6 +289,18 @@ void ContactSolver::respond() {
         runIndirect(kernels_.respondAgain, offsetof(shared::ContactState, point_groups));
     }
     runIndirect(kernels_.applyLast, offsetof(shared::ContactState, vertex_groups));
+}
+
+void ContactSolver::bindAnswers(const AnswerBindings& to, gpu::KernelWay way) const {
+    uniformBuffer_.bindStorage(to.uniforms);
+    records_.bindStorage(to.records);
+    sums_.bindStorage(to.sums);
+    state_.bindStorage(to.state);
+    bindFetched(normals_, shared::kContactNormalsUnit, TexelFormat::float32x4, way);
+    bindFetched(*body_.triangles, shared::kContactTrianglesUnit, TexelFormat::uint32x4, way);
+    bindFetched(candidates_, shared::kContactCandidatesUnit, TexelFormat::uint32x2, way);
+    bindFetched(points_, shared::kContactPointsUnit, TexelFormat::uint32, way);
+    bindFetched(edgePairs_, shared::kContactEdgePairsUnit, TexelFormat::uint32, way);
 }
 
 void ContactSolver::runIndirect(const gpu::Program& kernel, std::size_t offset) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "shaders/shared/contact_records.h"
 #include "sim/base/params.h"
@@ -70,10 +71,10 @@ struct RelativeMotion {
     bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
-/// What the answers of contact in a substep are worked out from and in (shaders/sim/contact).
-struct ContactBuffers {
-    const gpu::Buffer &uniforms, &state, &records, &sums;
-    const gpu::Buffer &normals, &triangles, &candidates, &points, &edgePairs;
+/// The bindings at which a kernel has what it works the answers of contact out in
+/// (shaders/sim/contact/answers.glsl).
+struct AnswerBindings {
+    std::uint32_t uniforms, records, sums, state;
 };
 
 /// The state from which the candidates in force were found; a snapshot keeps it.
@@ -118,11 +119,9 @@ class ContactSolver {
     /// Limits d where it enters another surface, and moves X out of surfaces that it is inside.
     void respond();
 
-    /// For a kernel that does the same in one group; contact must be on, and a step begun.
-    ContactBuffers buffers() const {
-        return {uniformBuffer_,   state_,      records_, sums_,     normals_,
-                *body_.triangles, candidates_, points_,  edgePairs_};
-    }
+    /// Binds what respond() works with for a kernel that does the same in one group; contact must
+    /// be on, and a step begun.
+    void bindAnswers(const AnswerBindings& to, gpu::KernelWay way) const;
 
     /// Searches for candidates now, between substeps.
     void search();

@@ -53,7 +53,7 @@ double mostLength(const Bounds& box) {
 BodyMeasurer::BodyMeasurer(SolverBody& body, Collisions& collisions)
     : body_(body),
       collisions_(collisions),
-      measure_(gpu::Program::compute("sim/measure.comp")),
+      measure_(gpu::Program::compute("sim/measure.comp", body.groupsOfSums())),
       collect_(gpu::Program::compute("sim/collect.comp")) {}
 
 void BodyMeasurer::start() {

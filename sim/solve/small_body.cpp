@@ -173,12 +173,12 @@ void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {
               nullptr);
 }
 
-void SmallBodySolver::run(const SolverBody& body, uint substeps, const ContactBuffers& contact) {
+void SmallBodySolver::run(const SolverBody& body, uint substeps, const ContactSolver& contact) {
     run(body, {substeps, 0, 0, blocks_}, &contact);
 }
 
 void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
-                          const ContactBuffers* contact) {
+                          const ContactSolver* contact) {
     const bool folded = folds_ != nullptr;
     std::optional<gpu::Program>& kernel = kernels_[contact != nullptr ? 1 : 0][folded ? 1 : 0];
     if (!kernel) {
@@ -193,7 +193,9 @@ void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& nu
     }
     bind(body);
     if (contact != nullptr) {
-        bind(*contact);
+        contact->bindAnswers({shared::kSmallContactBinding, shared::kSmallRecordsBinding,
+                              shared::kSmallSumsBinding, shared::kSmallStateBinding},
+                             way_);
     }
     if (folded) {
         folds_->bindStorage(shared::kSmallFoldsBinding);
@@ -248,23 +250,8 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     bindRecords(body.model.restPositions, shared::kSmallRestUnit, TexelFormat::float32x4);
 }
 
-void SmallBodySolver::bind(const ContactBuffers& contact) const {
-    contact.uniforms.bindStorage(shared::kSmallContactBinding);
-    contact.records.bindStorage(shared::kSmallRecordsBinding);
-    contact.sums.bindStorage(shared::kSmallSumsBinding);
-    contact.state.bindStorage(shared::kSmallStateBinding);
-    bindRecords(contact.normals, shared::kSmallNormalsUnit, TexelFormat::float32x4);
-    bindRecords(contact.triangles, shared::kSmallTrianglesUnit, TexelFormat::uint32x4);
-    bindRecords(contact.candidates, shared::kSmallCandidatesUnit, TexelFormat::uint32x2);
-    bindRecords(contact.points, shared::kSmallPointsUnit, TexelFormat::uint32);
-    bindRecords(contact.edgePairs, shared::kSmallEdgePairsUnit, TexelFormat::uint32);
-}
-
 void SmallBodySolver::bindRecords(const gpu::Buffer& buffer, uint unit, TexelFormat format) const {
-    buffer.bindTexels(unit, format);
-    if (way_ == gpu::KernelWay::images) {
-        buffer.bindImage(unit, format);
-    }
+    gpu::bindFetched(buffer, unit, format, way_);
 }
 
 }  // namespace kerf

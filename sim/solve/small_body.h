@@ -86,7 +86,7 @@ class SmallBodySolver {
     void run(const SolverBody& body, const SubstepRun& run);
     /// That many whole substeps, with contact before the end of each, and where there are folds
     /// with what unfolds them (Unfolding) before its beginning.
-    void run(const SolverBody& body, std::uint32_t substeps, const ContactBuffers& contact);
+    void run(const SolverBody& body, std::uint32_t substeps, const ContactSolver& contact);
     void run(const SolverBody& body, const SweepRun& run);
 
   private:
@@ -98,9 +98,8 @@ class SmallBodySolver {
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
     void run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
-             const ContactBuffers* contact);
+             const ContactSolver* contact);
     void bind(const SolverBody& body) const;
-    void bind(const ContactBuffers& contact) const;
     void bindRecords(const gpu::Buffer& buffer, std::uint32_t unit, gpu::TexelFormat format) const;
 
     gpu::KernelWay way_;

@@ -144,10 +144,8 @@ void SolverBody::bind() const {
 }
 
 void SolverBody::bindFetched(const gpu::Buffer& buffer, uint binding, TexelFormat format) const {
-    buffer.bindTexels(binding, format);
-    if (loadsImages) {
-        buffer.bindImage(binding, format);
-    }
+    gpu::bindFetched(buffer, binding, format,
+                     loadsImages ? gpu::KernelWay::images : gpu::KernelWay::shared);
 }
 
 void SolverBody::run(const gpu::Program& kernel, uint threads) {

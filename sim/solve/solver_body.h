@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -68,6 +69,11 @@ struct SolverBody {
     /// Binds a buffer that kernels fetch: as texels and, where loadsImages, as an image.
     void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
                      gpu::TexelFormat format) const;
+    /// The groups of kernels that sum over blocks: llvmpipe resumes a coroutine at each barrier for
+    /// every eight threads of a group, so that its groups are small.
+    gpu::Defines groupsOfSums() const {
+        return {{"SUM_GROUP", std::to_string(loadsImages ? 8 : shared::kPageSize) + "u"}};
+    }
     /// Runs a kernel with `threads` threads, and counts it.
     void run(const gpu::Program& kernel, std::uint32_t threads);
     /// Runs one group for each block, of the vertices on its pages.

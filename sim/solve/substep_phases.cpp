@@ -54,13 +54,6 @@ ConstraintKernels compileForEach(const SolverBody& body, const std::string& name
     return kernels;
 }
 
-/// llvmpipe resumes a coroutine at each barrier for every eight threads of a group, so that its
-/// groups are small.
-gpu::Defines groupsOfSums(const SolverBody& body) {
-    const uint threads = body.loadsImages ? 8 : shared::kPageSize;
-    return {{"SUM_GROUP", std::to_string(threads) + "u"}};
-}
-
 }  // namespace
 
 SubstepPhases::SubstepPhases(SolverBody& body)
@@ -72,7 +65,7 @@ SubstepPhases::SubstepPhases(SolverBody& body)
              compileForEach(body, "constraint", {{"PLAIN_PBD", "1"}})},
       gather_(compileForEach(body, "gather_corrections")),
       gatherOntoFloor_(compileFor(body, "gather_corrections", kLastType, {{"ONTO_FLOOR", "1"}})),
-      volumeGradient_(compile(body, "volume_gradient", groupsOfSums(body))),
+      volumeGradient_(compile(body, "volume_gradient", body.groupsOfSums())),
       volumeCorrect_(compile(body, "volume_correct")),
       pull_(gpu::Program::compute("sim/pull.comp")),
       floor_(compile(body, "floor")),

@@ -142,8 +142,7 @@ void TimeStepper::stepTouching() {
                !collisions_.searchesBefore(i)) {
             ++i;
         }
-        timed(deformTimer_,
-              [&] { smallBody_.run(body_, i - first, collisions_.contacts().buffers()); });
+        timed(deformTimer_, [&] { smallBody_.run(body_, i - first, collisions_.contacts()); });
         ++body_.dispatches;
     }
 }

@@ -4,15 +4,35 @@
 //
 // The includer declares `contact` (ContactUniforms), `state`, `records`, `sums`, the share of each
 // vertex by takeShare(v, share), shareTaken(v) and clearShare(v), positionOf(v), displacementOf(v),
-// setPosition(v, x), setDisplacement(v, d), normalOf(v), triangleAt(t), pointAt(index),
-// candidateAt(place), edgePairAt(place), with UNFOLDS pieceOf(v).
+// setPosition(v, x), setDisplacement(v, d), with UNFOLDS pieceOf(v).
+#include "contact_bindings.h"
 #include "closest_point.glsl"
 #include "sim/contact_answer.glsl"
+#include "sim/fetch.glsl"
 #include "sim/fixed_sums.glsl"
 #include "sim/folds.glsl"
 #include "sim/lines.glsl"
 #include "sim/mass_shares.glsl"
 #include "sim/plane_weights.glsl"
+
+STATE_TEXELS(kContactNormalsUnit) contactNormals;
+RECORD_QUADS(kContactTrianglesUnit) contactTriangles;
+RECORD_PAIRS(kContactCandidatesUnit) contactCandidates;
+RECORD_WORDS(kContactPointsUnit) contactPoints;
+RECORD_WORDS(kContactEdgePairsUnit) contactEdgePairs;
+
+vec3 normalOf(uint v) { return fetch(contactNormals, v).xyz; }
+uvec4 triangleAt(uint t) { return fetch(contactTriangles, t); }
+uint pointAt(uint index) { return fetch(contactPoints, index).x; }
+ContactCandidate candidateAt(uint place) {
+    uvec2 words = fetch(contactCandidates, place).xy;
+    return ContactCandidate(words.x, uintBitsToFloat(words.y));
+}
+EdgePair edgePairAt(uint place) {
+    return EdgePair(fetch(contactEdgePairs, 3u * place).x,
+                    fetch(contactEdgePairs, 3u * place + 1u).x,
+                    uintBitsToFloat(fetch(contactEdgePairs, 3u * place + 2u).x));
+}
 
 // What each point with candidates touches: the nearest of its triangles, where it comes nearer than
 // it may. Which one is decided at X + d, and the gap is measured at X, before, and by the same

@@ -3,6 +3,7 @@
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
+#include "sim/fetch.glsl"
 
 layout(local_size_x = kGroupSize) in;
 // Copied before anything branches, as those of the solver (sim/uniforms.glsl).
@@ -10,15 +11,21 @@ layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms {
     ContactUniforms storedContact;
 };
 ContactUniforms contact = storedContact;
+#ifdef APPLIES
 layout(std430, binding = kContactPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactDisplacementBinding) buffer Displacement { vec4 displacement[]; };
-layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
-layout(std430, binding = kContactNormalsBinding) readonly buffer Normals { vec4 normals[]; };
-layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates {
-    ContactCandidate candidates[];
-};
-layout(std430, binding = kContactEdgePairsBinding) readonly buffer Pairs { EdgePair pairs[]; };
-layout(std430, binding = kContactPointsBinding) readonly buffer Points { uint points[]; };
+vec4 positionOf(uint v) { return positions[v]; }
+vec4 displacementOf(uint v) { return displacement[v]; }
+void setPosition(uint v, vec4 x) { positions[v] = x; }
+void setDisplacement(uint v, vec4 d) { displacement[v] = d; }
+#else
+STATE_TEXELS(kContactPositionsBinding) positions;
+STATE_TEXELS(kContactDisplacementBinding) displacement;
+vec4 positionOf(uint v) { return fetch(positions, v); }
+vec4 displacementOf(uint v) { return fetch(displacement, v); }
+void setPosition(uint v, vec4 x) {}
+void setDisplacement(uint v, vec4 d) {}
+#endif
 layout(std430, binding = kContactRecordsBinding) buffer Records { ContactRecord records[]; };
 layout(std430, binding = kContactSumsBinding) buffer Sums { int sums[]; };
 layout(std430, binding = kContactStateBinding) buffer State {
@@ -30,15 +37,6 @@ layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLin
 uint pieceOf(uint v) { return links[v].piece; }
 #endif
 
-vec4 positionOf(uint v) { return positions[v]; }
-vec4 displacementOf(uint v) { return displacement[v]; }
-void setPosition(uint v, vec4 x) { positions[v] = x; }
-void setDisplacement(uint v, vec4 d) { displacement[v] = d; }
-vec3 normalOf(uint v) { return normals[v].xyz; }
-uvec4 triangleAt(uint t) { return triangles[t]; }
-uint pointAt(uint index) { return points[index]; }
-ContactCandidate candidateAt(uint place) { return candidates[place]; }
-EdgePair edgePairAt(uint place) { return pairs[place]; }
 void takeShare(uint v, uint share) { atomicAdd(shares[v], share); }
 uint shareTaken(uint v) { return shares[v]; }
 void clearShare(uint v) { shares[v] = 0u; }

@@ -7,7 +7,16 @@
 #define SWEEP_AGAIN false
 #endif
 
+// Loops, which llvmpipe skips where none of eight threads has a contact; it runs all branches.
+void respondIfTouching(uint place, float friction) {
+    for (uint once = records[place].v1 != kNoVertex ? 1u : 0u; once > 0u; --once) {
+        respondOne(place, friction, SWEEP_AGAIN);
+    }
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index < state.points) respondAt(index, SWEEP_AGAIN);
+    if (index >= state.points) return;
+    respondIfTouching(index, contact.friction);
+    respondIfTouching(state.points + index, 0.0);
 }
