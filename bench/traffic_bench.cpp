@@ -2,7 +2,8 @@
 // fast it computes, and are the same on any driver. With GALLIUM_NOOP=1, for which Mesa's drivers
 // do no work, "cpu_ms" is what a step costs the processor beside a GPU; results are nonsense then.
 //
-//   kerf_traffic_bench [TRIANGLES...]     the builtin models, or spheres of about so many triangles
+//   kerf_traffic_bench [MODEL | TRIANGLES]...    all builtin models, or these, or spheres of about
+//                                                so many triangles
 
 #include <algorithm>
 #include <cmath>
@@ -194,6 +195,11 @@ void countAll(int count, char** words) {
         countPieces("sphere768", [] { return app::loadModel(app::builtinModelFile("sphere768")); });
     }
     for (int i = 1; i < count; ++i) {
+        const std::string word = words[i];
+        if (std::ranges::count(app::builtinModels(), word) > 0) {
+            countModel(word, [&] { return app::loadModel(app::builtinModelFile(word)); });
+            continue;
+        }
         const auto side = static_cast<int>(std::lround(std::sqrt(std::atof(words[i]) / 12)));
         const auto sphere = [&] { return test::cubeSphere(std::max(1, side)); };
         countModel("sphere of " + std::to_string(12 * side * side), sphere);

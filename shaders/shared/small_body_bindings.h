@@ -18,7 +18,6 @@ SHARED_CONST uint kSmallSweptBinding = 7u;        // vec4: d after the sweep bef
 SHARED_CONST uint kSmallImpulsesBinding = 8u;
 SHARED_CONST uint kSmallPiecesBinding = 9u;
 SHARED_CONST uint kSmallBlocksBinding = 10u;
-SHARED_CONST uint kSmallPagesBinding = 11u;
 SHARED_CONST uint kSmallFoldsBinding = 12u;    // as kUnfoldFoldsBinding
 SHARED_CONST uint kSmallContactBinding = 7u;   // ContactUniforms, beside substeps
 SHARED_CONST uint kSmallRecordsBinding = 13u;  // as kContactRecordsBinding
@@ -32,6 +31,7 @@ SHARED_CONST uint kSmallNeighbourRangesUnit = 17u;
 SHARED_CONST uint kSmallNeighboursUnit = 18u;
 SHARED_CONST uint kSmallPlacesUnit = 19u;
 SHARED_CONST uint kSmallPullsUnit = 8u;
+SHARED_CONST uint kSmallPagesUnit = 15u;
 SHARED_CONST uint kSmallRestUnit = 9u;
 
 SHARED_END

@@ -46,7 +46,7 @@ RECORD_WORDS(kSmallPlacesUnit) places;
 STATE_TEXELS(kSmallRestUnit) restPositions;
 layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
-layout(std430, binding = kSmallPagesBinding) readonly buffer Pages { uint pages[]; };
+RECORD_WORDS(kSmallPagesUnit) pages;
 RECORD_QUADS(kSmallPullsUnit) pulls;
 layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
     VolumeImpulse impulses[];
@@ -208,7 +208,7 @@ void main() {
 void sumPlaces() {
     for (uint b = 0u; b < blocksInAll; ++b) {
         BlockRecord block = blocks[b];
-        uint firstPlace = kPageSize * pages[block.first_page];
+        uint firstPlace = kPageSize * fetch(pages, block.first_page).x;
         uint origin = pieces[block.piece].origin;
         vec3 originX = positionOf(origin).xyz;
         vec3 originD = displacementOf(origin).xyz;

@@ -109,19 +109,19 @@ std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const Gro
            loopOver(model.pieces.size(), group, 1) + loop(blocks, loop(kSumRows));
 }
 
-std::size_t turnsOfTouch(const BodyModel& model, const GroupShape& group) {
-    constexpr std::size_t kSquarings = 12;  // of best_rotation.glsl
+std::size_t turnsOfContact(const BodyModel& model, const GroupShape& group) {
+    const std::size_t vertices = model.restPositions.size();
+    const std::size_t looks = loop(shared::kCandidatesPerPoint) + loop(shared::kEdgePairsPerPoint);
+    return loopOver(vertices, group, looks) + 4 * loopOver(vertices, group);
+}
+
+std::size_t turnsOfUnfolding(const BodyModel& model, const GroupShape& group) {
+    constexpr std::size_t kRotation = 12 + 1 + 3 + 1;  // loops of best_rotation.glsl
     const std::size_t vertices = model.restPositions.size();
     const std::size_t ring = loop(mostNeighbours(model) + 1);
-    const std::size_t contacts =
-        loopOver(vertices, group,
-                 loop(shared::kCandidatesPerPoint) + loop(shared::kEdgePairsPerPoint)) +
-        4 * loopOver(vertices, group);
-    const std::size_t folds =
-        loopOver(vertices, group) + loopOver(model.bends.size(), group, loop(1)) +
-        2 * loopOver(vertices, group, ring) +
-        loopOver(vertices, group, loop(1, 3 * ring + loop(kSquarings) + loop(3)));
-    return contacts + folds;
+    return loopOver(vertices, group) + loopOver(model.bends.size(), group, loop(1)) +
+           2 * loopOver(vertices, group, ring) +
+           loopOver(vertices, group, loop(1, 3 * ring + kRotation));
 }
 
 void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
@@ -130,6 +130,7 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
     large_ = model.restPositions.size() > shared::kSmallBodyVertices;
     substepTurns_ = 0;
     touchTurns_ = 0;
+    foldedTurns_ = 0;
     sweepTurns_ = 0;
     if (!large_ || asksForSweeps) {
         setSweeps(model);
@@ -140,7 +141,10 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
         std::max(blocks.size(), model.pieces.size()) <= shared::kSmallBodyBlocks) {
         const GroupShape group{groupSize(), groupSize()};
         substepTurns_ = kerf::turnsOfSubstep(model, blocks.size(), group);
-        touchTurns_ = substepTurns_ + turnsOfTouch(model, group);
+        const GroupShape touching{touchingGroupSize(), touchingGroupSize()};
+        touchTurns_ =
+            kerf::turnsOfSubstep(model, blocks.size(), touching) + turnsOfContact(model, touching);
+        foldedTurns_ = touchTurns_ + turnsOfUnfolding(model, touching);
     }
     parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 * sizeof(float));
 }
@@ -189,7 +193,7 @@ void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& nu
         if (folded) {
             defines.emplace_back("UNFOLDS", "1");
         }
-        kernel = compile(groupSize(), defines);
+        kernel = compile(contact != nullptr ? touchingGroupSize() : groupSize(), defines);
     }
     bind(body);
     if (contact != nullptr) {
@@ -220,7 +224,6 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     body.pieces.impulses.bindStorage(shared::kSmallImpulsesBinding);
     body.pieces.pieceBuffer.bindStorage(shared::kSmallPiecesBinding);
     body.pieces.blockBuffer.bindStorage(shared::kSmallBlocksBinding);
-    body.pieces.pageBuffer.bindStorage(shared::kSmallPagesBinding);
     const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
         if (way_ == gpu::KernelWay::images) {
             buffer.bindImage(unit, format);
@@ -246,6 +249,7 @@ void SmallBodySolver::bind(const SolverBody& body) const {
                 TexelFormat::uint32x2);
     bindRecords(body.model.neighbours.entries, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
     bindRecords(body.pieces.placeBuffer, shared::kSmallPlacesUnit, TexelFormat::uint32);
+    bindRecords(body.pieces.pageBuffer, shared::kSmallPagesUnit, TexelFormat::uint32);
     bindRecords(body.pulls, shared::kSmallPullsUnit, TexelFormat::uint32x4);
     bindRecords(body.model.restPositions, shared::kSmallRestUnit, TexelFormat::float32x4);
 }

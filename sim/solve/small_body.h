@@ -33,8 +33,9 @@ std::size_t turnsOfSweep(const BodyModel& model, const GroupShape& group);
 /// The most iterations of these loops in one substep of a body of `blocks` blocks of a page each.
 std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const GroupShape& group);
 
-/// The most iterations that contact and what unfolds add to that.
-std::size_t turnsOfTouch(const BodyModel& model, const GroupShape& group);
+/// The most iterations that contact adds to that, and that what unfolds does.
+std::size_t turnsOfContact(const BodyModel& model, const GroupShape& group);
+std::size_t turnsOfUnfolding(const BodyModel& model, const GroupShape& group);
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities, with
 /// collisions in between.
@@ -71,6 +72,7 @@ class SmallBodySolver {
     /// Turns of loops, at most, in each of those (see turnsOfSubstep()); 0 where there are none.
     std::size_t turnsOfSubstep() const { return substepTurns_; }
     std::size_t turnsOfSweep() const { return sweepTurns_; }
+    std::size_t turnsOfTouching(bool folded) const { return folded ? foldedTurns_ : touchTurns_; }
 
     /// Whether it may be too much for one thread of llvmpipe.
     bool large() const { return large_; }
@@ -80,7 +82,9 @@ class SmallBodySolver {
     void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
 
     /// The same where contact comes between, and folds are unfolded before; 0: they can't.
-    std::uint32_t touchingSubstepsAtOnce() const { return atOnce(touchTurns_); }
+    std::uint32_t touchingSubstepsAtOnce() const {
+        return atOnce(turnsOfTouching(folds_ != nullptr));
+    }
 
     /// One dispatch. The first compiles the kernel: throws gpu::ShaderError.
     void run(const SolverBody& body, const SubstepRun& run);
@@ -94,6 +98,8 @@ class SmallBodySolver {
         return turns == 0 ? 0 : static_cast<std::uint32_t>(kMostTurns / turns);
     }
     std::uint32_t groupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 8; }
+    /// So many that all substeps of most bodies fit into a dispatch.
+    std::uint32_t touchingGroupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 32; }
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
@@ -112,6 +118,7 @@ class SmallBodySolver {
     std::uint32_t blocks_ = 0;
     std::size_t substepTurns_ = 0;
     std::size_t touchTurns_ = 0;
+    std::size_t foldedTurns_ = 0;
     std::size_t sweepTurns_ = 0;
     bool large_ = false;  ///< more than kSmallBodyVertices
 };

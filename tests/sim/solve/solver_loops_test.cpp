@@ -10,6 +10,7 @@
 #include "gpu/data_path.h"
 #include "gpu/shader_source.h"
 #include "sim/body/solver_uniforms.h"
+#include "sim/mesh/invariants.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
@@ -29,7 +30,7 @@ constexpr std::size_t kThreads = 512;
 const std::string kCounter =
     "layout(std430, binding = " + std::to_string(kTurnsBinding) + ") buffer Turns { uint turns[" +
     std::to_string(kThreads / 8) +
-    "]; };\nuint turn() { return turns[gl_LocalInvocationID.x / 8u] += 1u; }\n";
+    "]; };\nuint countTurn() { return turns[gl_LocalInvocationID.x / 8u] += 1u; }\n";
 
 /// The kernel with all that it includes, where each loop counts its turns.
 std::string countingKernel() {
@@ -37,7 +38,7 @@ std::string countingKernel() {
     const std::string text =
         gpu::loadShaderSource(gpu::shaderRoot(), "sim/small_body.comp", {}).text;
     const std::string body = text.substr(text.find('\n') + 1);  // without #version
-    return kCounter + std::regex_replace(body, kLoop, "for ($1; (turn(), $2);");
+    return kCounter + std::regex_replace(body, kLoop, "for ($1; (countTurn(), $2);");
 }
 
 /// Shaders are those of a folder where that kernel is the counting one.
@@ -65,6 +66,8 @@ class SolverLoops : public test::GlTest {
         GpuSolver gpu;
         gpu.stepper().setSmallBodyWay(way);
         gpu.setModel(model, stateOf(mesh));
+        gpu.collisions().setSettings(contactSettings(params));
+        gpu.collisions().expect(meshBounds(mesh), {}, {.folded = folded_});
         shared::SolverUniforms uniforms = solverUniforms(params);
         uniforms.active_parts |= (1u << kConstraintTypes) - 1;
         gpu.setUniforms(uniforms);
@@ -79,8 +82,10 @@ class SolverLoops : public test::GlTest {
         const long before = gpu.dispatches();
         gpu.step();
         EXPECT_EQ(gpu.dispatches() - before, 1);
-        reckoned_ = params.solver == SolverMode::pbd ? gpu.stepper().smallBody().turnsOfSweep()
-                                                     : gpu.stepper().smallBody().turnsOfSubstep();
+        const SmallBodySolver& small = gpu.stepper().smallBody();
+        reckoned_ = params.solver == SolverMode::pbd ? small.turnsOfSweep()
+                    : params.contact != 0            ? small.turnsOfTouching(folded_)
+                                                     : small.turnsOfSubstep();
         return std::ranges::max(turns.read<std::uint32_t>(0, kThreads / 8));
     }
 
@@ -100,7 +105,18 @@ class SolverLoops : public test::GlTest {
         EXPECT_LE(two - 2 * each, kSparedTurns);
     }
 
+    /// The same with contact, where not all turn as often as they might.
+    void expectTouchingReckoned(const SurfaceMesh& mesh, KernelWay way, bool folded) {
+        folded_ = folded;
+        Params params;
+        params.iterations = 4;
+        const std::size_t four = turnsOfStep(mesh, way, params);
+        EXPECT_LE(four, 4 * reckoned_ + kSparedTurns);
+        EXPECT_GE(four, reckoned_);
+    }
+
   private:
+    bool folded_ = false;
     test::TemporaryFolder folder_;
     std::size_t reckoned_ = 0;
 };
@@ -116,6 +132,23 @@ TEST_F(SolverLoops, OfASubstepTurnAsOftenAsReckoned) {
         expectReckoned(mesh, KernelWay::images, SolverMode::smallSteps);
     }
     expectReckoned(test::cubeSphere(8), KernelWay::shared, SolverMode::smallSteps);
+}
+
+/// Every vertex of both has triangles near it that it may touch.
+SurfaceMesh nestedSpheres() {
+    TriangleSoup inner = test::icosphereSoup(2);
+    for (Vec3& p : inner.positions) {
+        p *= 1.001;
+    }
+    return test::meshOf(test::joined(test::icosphereSoup(2), inner, Vec3::Zero()));
+}
+
+TEST_F(SolverLoops, OfATouchingSubstepTurnAsOftenAsReckoned) {
+    for (const KernelWay way : {KernelWay::images, KernelWay::shared}) {
+        for (const bool folded : {false, true}) {
+            expectTouchingReckoned(nestedSpheres(), way, folded);
+        }
+    }
 }
 
 TEST_F(SolverLoops, OfASweepTurnAsOftenAsReckoned) {
