@@ -1,5 +1,5 @@
-// Ends a substep: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their velocity.
-// Reads d. Reads and writes X and velocities. One thread per vertex. A storage barrier follows.
+// Ends a substep on the floor: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their
+// velocity. Reads d, which stays as it was. Reads and writes X and velocities. One thread per vertex. A storage barrier follows.
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
@@ -9,12 +9,14 @@ layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 
 STATE_TEXELS(kDisplacementBinding) displacement;
 
 #include "sim/finish.glsl"
+#include "sim/floor.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
     vec4 x = fetch(before, v);
     vec3 d = fetch(displacement, v).xyz;
+    if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x, foldAt(v));
     if (x.w > 0.0) {
         velocities[v] = vec4(endVelocity(d), 0.0);
     }

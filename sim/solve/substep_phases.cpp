@@ -76,9 +76,10 @@ void SubstepPhases::setFolds(const gpu::Buffer* folds) {
     folds_ = folds;
     if (folds_ != nullptr && !foldedKernels_) {
         const Defines folded{{"UNFOLDS", "1"}};
-        foldedKernels_.emplace(FoldedKernels{
-            compile(body_, "stretch", folded), compile(body_, "floor", folded),
-            compile(body_, "settle", folded), compileForEach(body_, "constraint", folded)});
+        foldedKernels_.emplace(
+            FoldedKernels{compile(body_, "stretch", folded), compile(body_, "floor", folded),
+                          compile(body_, "finish", folded), compile(body_, "settle", folded),
+                          compileForEach(body_, "constraint", folded)});
     }
 }
 
@@ -175,7 +176,7 @@ void SubstepPhases::collideFloor() {
 
 void SubstepPhases::finish() {
     body_.bind();
-    body_.run(finish_, body_.uniforms.vertex_count);
+    body_.run(bindFolds() ? foldedKernels_->finish : finish_, body_.uniforms.vertex_count);
 }
 
 }  // namespace kerf

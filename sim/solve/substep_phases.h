@@ -31,7 +31,9 @@ class SubstepPhases {
     bool mayGatherOntoFloor() const;
     void solveVolume();
     void pull();
+    /// Between two sweeps of plain PBD.
     void collideFloor();
+    /// The floor and the end of the substep.
     void finish();
     /// Volume, floor and finish in one, if nothing comes between them.
     void settle();
@@ -41,7 +43,7 @@ class SubstepPhases {
     using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
     /// Kernels for folded skin: shaders/sim/folds.glsl.
     struct FoldedKernels {
-        gpu::Program stretch, floor, settle;
+        gpu::Program stretch, floor, finish, settle;
         ConstraintKernels solve;
     };
     /// Index of the kernels for the present solver: 1 for plain PBD, else 0.

@@ -109,19 +109,22 @@ void TimeStepper::stepByPhases() {
                   [&] { sweep == 0 ? phases_.predictAndStretch() : phases_.stretchAgain(); });
             timed(deformTimer_, [&] { phases_.solveAll(lifts); });
             if (!(settles && last) && !lifts) {
-                holdVolumeAndCollide(i);
+                holdVolumeAndCollide(i, last);
             }
         }
         timed(deformTimer_, [&] { settles ? phases_.settle() : phases_.finish(); });
     }
 }
 
-void TimeStepper::holdVolumeAndCollide(uint substep) {
+/// The floor comes with the end of the substep in the last sweep.
+void TimeStepper::holdVolumeAndCollide(uint substep, bool last) {
     timed(deformTimer_, [&] { phases_.solveVolume(); });
     timed(collideTimer_, [&] {
         phases_.pull();
         collisions_.respond(substep);
-        phases_.collideFloor();
+        if (!last) {
+            phases_.collideFloor();
+        }
     });
 }
 

@@ -96,7 +96,7 @@ class TimeStepper {
     void stepTouching();
     void stepBySubsteps();
     bool sweepsInOneGroup() const;
-    void holdVolumeAndCollide(std::uint32_t substep);
+    void holdVolumeAndCollide(std::uint32_t substep, bool last);
     void unfoldBefore();
     void searchBefore(std::uint32_t substep);
     template <class Run>
