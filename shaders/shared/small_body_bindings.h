@@ -17,12 +17,13 @@ SHARED_CONST uint kSmallPartsBinding = 6u;        // vec2 per place of each bloc
 SHARED_CONST uint kSmallSweptBinding = 7u;        // vec4: d after the sweep before; images too
 SHARED_CONST uint kSmallImpulsesBinding = 8u;
 SHARED_CONST uint kSmallPiecesBinding = 9u;
-SHARED_CONST uint kSmallBlocksBinding = 10u;
-SHARED_CONST uint kSmallFoldsBinding = 12u;    // as kUnfoldFoldsBinding
-SHARED_CONST uint kSmallContactBinding = 7u;   // ContactUniforms, beside substeps
-SHARED_CONST uint kSmallRecordsBinding = 13u;  // as kContactRecordsBinding
-SHARED_CONST uint kSmallSumsBinding = 14u;     // as kContactSumsBinding
-SHARED_CONST uint kSmallStateBinding = 15u;    // as kContactStateBinding
+SHARED_CONST uint kSmallObstacleBinding = 10u;  // BoxUniforms
+SHARED_CONST uint kSmallTouchesBinding = 11u;   // as kBoxRecordsBinding
+SHARED_CONST uint kSmallFoldsBinding = 12u;     // as kUnfoldFoldsBinding
+SHARED_CONST uint kSmallContactBinding = 7u;    // ContactUniforms, beside substeps
+SHARED_CONST uint kSmallRecordsBinding = 13u;   // as kContactRecordsBinding
+SHARED_CONST uint kSmallSumsBinding = 14u;      // as kContactSumsBinding
+SHARED_CONST uint kSmallStateBinding = 15u;     // as kContactStateBinding
 
 // Texture units and, on llvmpipe, image units: none of those above, nor of contact_bindings.h;
 // constraints follow them.
@@ -32,6 +33,9 @@ SHARED_CONST uint kSmallNeighboursUnit = 18u;
 SHARED_CONST uint kSmallPlacesUnit = 19u;
 SHARED_CONST uint kSmallPullsUnit = 8u;
 SHARED_CONST uint kSmallPagesUnit = 15u;
+SHARED_CONST uint kSmallBlocksUnit = 29u;
+SHARED_CONST uint kSmallBoxesUnit = 30u;        // BoxRecord
+SHARED_CONST uint kSmallPieceBoundsUnit = 31u;  // PieceBounds
 SHARED_CONST uint kSmallRestUnit = 9u;
 
 SHARED_END

@@ -1,3 +1,4 @@
+#pragma once
 // How two surfaces answer to each other in a substep.
 struct ContactAnswer {
     vec3 impulse;  // how d of the one is to change against d of the other [m]

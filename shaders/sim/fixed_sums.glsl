@@ -1,3 +1,4 @@
+#pragma once
 // Sums of displacements as integers, which do not mind the order in which threads come: three words
 // for d, then three for X, of each vertex, in a unit [m]. The includer declares `sums`.
 void addFixed(uint place, float unit, vec3 value) {

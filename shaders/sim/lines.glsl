@@ -1,3 +1,4 @@
+#pragma once
 // How far along two lines, from p along u and from q along v, they come nearest to each other.
 vec2 nearestOnLines(vec3 p, vec3 u, vec3 q, vec3 v) {
     vec3 r = p - q;

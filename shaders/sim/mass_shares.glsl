@@ -1,3 +1,4 @@
+#pragma once
 // How contacts share the mass of a vertex: each in proportion to how much it moves it (its gain),
 // so that a contact takes nothing of a corner that it hardly touches. Summed as integers, which do
 // not mind the order in which threads come.

@@ -1,3 +1,4 @@
+#pragma once
 // Weights of the point of the plane of the triangle abc that lies below or above p; one outside the
 // triangle has a weight below 0.
 vec3 planeWeights(vec3 a, vec3 b, vec3 c, vec3 p) {

@@ -1,7 +1,7 @@
 // Substeps of a small body by one work group: the phases of the other kernels in their order, with
 // their arithmetic, and with sums in their order whatever the size of the group, so the bits are
 // theirs. A substep begins with the prediction and ends with floor and velocities; with COLLIDES
-// contact stands before its end, and with UNFOLDS the springs that unfold before its beginning.
+// contact stands before its end, with MEETS_BOXES that with boxes too, and with UNFOLDS the springs that unfold before its beginning.
 // Else what may move vertices in between (contact, boxes) stands between two dispatches, of which
 // the first one leaves its last substep open.
 // With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor
@@ -9,8 +9,8 @@
 // Reads and writes X, velocities, d, the state of contact. Corrections, gradients, parts, block
 // sums, impulses, folds, records and sums are scratch. One group in all. A
 // storage barrier follows.
+#include "box_records.h"
 #include "constraints.h"
-#include "contact_records.h"
 #include "small_body_bindings.h"
 #include "unfold_records.h"
 const uint kSmallGroup = SMALL_GROUP;
@@ -45,7 +45,7 @@ RECORD_PAIRS(kSmallNeighboursUnit) neighbours;
 RECORD_WORDS(kSmallPlacesUnit) places;
 STATE_TEXELS(kSmallRestUnit) restPositions;
 layout(std430, binding = kSmallPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
-layout(std430, binding = kSmallBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };
+RECORD_WORDS(kSmallBlocksUnit) blocks;
 RECORD_WORDS(kSmallPagesUnit) pages;
 RECORD_QUADS(kSmallPullsUnit) pulls;
 layout(std430, binding = kSmallImpulsesBinding) coherent buffer Impulses {
@@ -88,6 +88,10 @@ VolumeSum sumOfBlock(uint block);
 #include "sim/volume_gradient.glsl"
 #ifdef COLLIDES
 #include "sim/contact/answers.glsl"
+#ifdef MEETS_BOXES
+#include "sim/boxes/keep_out.glsl"
+#include "sim/boxes/touches.glsl"
+#endif
 #ifdef UNFOLDS
 #include "sim/unfold/fold_sums.glsl"
 #include "sim/unfold/folded.glsl"
@@ -204,10 +208,15 @@ void main() {
     storeDisplacements(self);
 }
 #else
+BlockRecord blockAt(uint b) {
+    return BlockRecord(fetch(blocks, 3u * b).x, fetch(blocks, 3u * b + 1u).x,
+                       fetch(blocks, 3u * b + 2u).x);
+}
+
 // A block of a small body is one page.
 void sumPlaces() {
     for (uint b = 0u; b < blocksInAll; ++b) {
-        BlockRecord block = blocks[b];
+        BlockRecord block = blockAt(b);
         uint firstPlace = kPageSize * fetch(pages, block.first_page).x;
         uint origin = pieces[block.piece].origin;
         vec3 originX = positionOf(origin).xyz;
@@ -313,6 +322,23 @@ void touch() {
     if (self == 0u) endContacts();
 }
 
+#ifdef MEETS_BOXES
+void meetBoxes() {
+    FOR_EACH_OWN(i, obstacle.triangle_count) touchTriangle(i);
+    endPhase();
+    FOR_EACH_OWN(i, obstacle.triangle_count) respondTriangle(i);
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) applyTouches(v);
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) {
+        if (positionOf(v).w != 0.0) setDisplacement(v, vec4(outOfBoxes(v), 0.0));
+    }
+    endPhase();
+}
+#else
+void meetBoxes() {}
+#endif
+
 // Contact comes once everything else has moved d.
 void substep(bool ends) {
     unfoldAll();
@@ -324,6 +350,7 @@ void substep(bool ends) {
     }
     if (uniforms.pull_count > 0u) pullAll();
     touch();
+    meetBoxes();
     settle(false, true);
 }
 #else

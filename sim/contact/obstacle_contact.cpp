@@ -29,8 +29,7 @@ Bounds boundsInStep(const BodyReach& reach, const ContactSettings& settings) {
 }
 
 shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBody& body,
-                               const TouchDistances& distances, double floor,
-                               std::size_t boxCount) {
+                               const TouchDistances& distances, double floor, uint boxCount) {
     shared::BoxUniforms u{};
     u.thickness = distances.thickness;
     u.depth = distances.depth;
@@ -42,7 +41,7 @@ shared::BoxUniforms uniformsOf(const ContactSettings& settings, const ContactBod
     u.floor_height = static_cast<float>(floor);
     u.vertex_count = body.vertexCount;
     u.triangle_count = body.triangleCount;
-    u.box_count = static_cast<uint>(boxCount);
+    u.box_count = boxCount;
     return u;
 }
 
@@ -69,10 +68,9 @@ void ObstacleContact::setBody(const ContactBody& body, double edgeLength) {
 
 void ObstacleContact::beginStep(const BodyReach& reach) {
     const Bounds bounds = boundsInStep(reach, settings_);
-    const std::size_t count = obstacles_ ? obstacles_->write(bounds, records_) : 0;
-    reached_ = count > 0;
-    keepsSides_ = reached_ && kind_.keepsSides && obstacles_->mayPierce(bounds, edgeLength_);
-    if (!reached_) {
+    reached_ = obstacles_ ? static_cast<uint>(obstacles_->write(bounds, records_)) : 0;
+    keepsSides_ = mayTouch() && kind_.keepsSides && obstacles_->mayPierce(bounds, edgeLength_);
+    if (!mayTouch()) {
         return;
     }
     if (keepsSides_ && !kernels_->sides) {
@@ -84,7 +82,7 @@ void ObstacleContact::beginStep(const BodyReach& reach) {
         beginLoad();
     }
     const shared::BoxUniforms uniforms = uniformsOf(
-        settings_, body_, obstacles_->distances(settings_, edgeLength_), reach.floor, count);
+        settings_, body_, obstacles_->distances(settings_, edgeLength_), reach.floor, reached_);
     uniforms_.assign(std::span<const shared::BoxUniforms>(&uniforms, 1));
     boundPieces();
 }
@@ -107,7 +105,7 @@ void ObstacleContact::addLoad(int substep) {
 
 void ObstacleContact::askForLoad(gpu::ReadBack& back) {
     place_.reset();
-    if (reached_ && measuresLoad_ && loads_.size() > 0) {
+    if (mayTouch() && measuresLoad_ && loads_.size() > 0) {
         place_ = back.ask(loads_, loads_.size());
     }
 }
@@ -156,7 +154,7 @@ void ObstacleContact::beginSubstep() {
 }
 
 void ObstacleContact::respond(int substep) {
-    if (!reached_) {
+    if (!mayTouch()) {
         return;
     }
     bind();
@@ -181,6 +179,18 @@ void ObstacleContact::respond(int substep) {
         kernels_->planes->dispatch(body_.triangleCount);
         kernels_->sides->dispatch(body_.vertexCount);
     }
+}
+
+std::optional<uint> ObstacleContact::plainBoxes() const {
+    const bool plain = !mayTouch() || (kind_.movesPiecesOut && !keepsSides_);
+    return plain ? std::optional(reached_) : std::nullopt;
+}
+
+void ObstacleContact::bindAnswers(const Bindings& to, gpu::KernelWay way) const {
+    uniforms_.bindStorage(to.uniforms);
+    touches_.bindStorage(to.touches);
+    bindFetched(records_, to.boxes, gpu::TexelFormat::float32x4, way);
+    bindFetched(pieceBounds_, to.pieceBounds, gpu::TexelFormat::uint32, way);
 }
 
 void ObstacleContact::bind() const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "gpu/read_back.h"
 #include "sim/base/math.h"
@@ -28,6 +30,12 @@ struct BodyReach {
 /// that the body cannot reach in a time step cost nothing.
 class ObstacleContact {
   public:
+    /// The bindings and units at which a kernel has what it works contact with boxes out in
+    /// (shaders/sim/boxes), besides the shares and sums of contact.
+    struct Bindings {
+        std::uint32_t uniforms, touches, boxes, pieceBounds;
+    };
+
     explicit ObstacleContact(ObstacleKind kind) : kind_(std::move(kind)) {}
 
     /// All obstacles of the kind; null for none. The first compiles the kernels: throws
@@ -52,7 +60,13 @@ class ObstacleContact {
     /// needs. Throws gpu::ShaderError, gpu::OutOfMemory.
     void beginStep(const BodyReach& reach);
     /// Whether an obstacle is in reach in this step.
-    bool mayTouch() const { return reached_; }
+    bool mayTouch() const { return reached_ > 0; }
+    /// How many are in reach, if their contact in a substep is that of the kernels of all boxes;
+    /// else none: thin ones keep triangles on their sides, a blade moves.
+    std::optional<std::uint32_t> plainBoxes() const;
+    /// Binds what respond() works with for a kernel that does the same in one group.
+    void bindAnswers(const Bindings& to, gpu::KernelWay way) const;
+
     /// Begins a substep, before anything moves X: triangles stay on their present side of thin
     /// obstacles.
     void beginSubstep();
@@ -75,8 +89,8 @@ class ObstacleContact {
     std::optional<Kernels> kernels_;
     ContactBody body_;
     ContactSettings settings_;
-    double edgeLength_ = 0;  ///< [m]
-    bool reached_ = false;   ///< in this step
+    double edgeLength_ = 0;      ///< [m]
+    std::uint32_t reached_ = 0;  ///< how many in this step
     bool keepsSides_ = false;
     bool measuresLoad_ = false;
     gpu::Buffer uniforms_, records_;

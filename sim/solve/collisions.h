@@ -71,9 +71,11 @@ class Collisions {
     void beginStep(const gpu::Buffer* folds);
     /// Whether there may be contacts in this step.
     bool mayTouch() const;
-    /// Whether nothing but the body itself may be touched, with contact on.
-    bool contactsAlone() const {
-        return contacts_.enabled() && !edge_.mayTouch() && !blade_.mayTouch() && !boxes_.mayTouch();
+    /// Whether the group that solves a small body can work out all contact: that of the body with
+    /// itself, which is on, and with boxes.
+    bool answersInOneGroup() const {
+        return contacts_.enabled() && boxes_.plainBoxes() && !edge_.mayTouch() &&
+               !blade_.mayTouch();
     }
     bool searchesBefore(std::uint32_t substep) const {
         return contacts_.searchesBefore(static_cast<int>(substep));
@@ -89,6 +91,7 @@ class Collisions {
     void respondAsThePaper();
 
     const ContactSolver& contacts() const { return contacts_; }
+    const ObstacleContact& boxes() const { return boxes_; }
     ContactReadings readings() const;
     /// The state of contact for a snapshot; restore it after body and settings.
     ContactMemory memory() const;

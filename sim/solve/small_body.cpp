@@ -124,6 +124,15 @@ std::size_t turnsOfUnfolding(const BodyModel& model, const GroupShape& group) {
            loopOver(vertices, group, loop(1, 3 * ring + kRotation));
 }
 
+std::size_t turnsOfBoxes(const BodyModel& model, std::size_t boxes, const GroupShape& group) {
+    const std::size_t triangles = model.triangles.size();
+    const std::size_t vertices = model.restPositions.size();
+    const std::size_t touch = 2 * loop(3) + loop(8, loop(3, loop(3))) + loop(1, loop(3));
+    const std::size_t keepOut = loop(3) + loop(6);
+    return loopOver(triangles, group, loop(boxes, touch)) + loopOver(triangles, group) +
+           loopOver(vertices, group) + loopOver(vertices, group, loop(boxes, keepOut));
+}
+
 void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::BlockRecord> blocks,
                               bool asksForSweeps) {
     blocks_ = static_cast<uint>(blocks.size());
@@ -145,6 +154,8 @@ void SmallBodySolver::setBody(const BodyModel& model, std::span<const shared::Bl
         touchTurns_ =
             kerf::turnsOfSubstep(model, blocks.size(), touching) + turnsOfContact(model, touching);
         foldedTurns_ = touchTurns_ + turnsOfUnfolding(model, touching);
+        turnsBesideBoxes_ = kerf::turnsOfBoxes(model, 0, touching);
+        turnsOfBox_ = kerf::turnsOfBoxes(model, 1, touching) - turnsBesideBoxes_;
     }
     parts_.resize(std::max<std::size_t>(blocks.size(), 1) * shared::kPageSize * 2 * sizeof(float));
 }
@@ -177,29 +188,36 @@ void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {
               nullptr);
 }
 
-void SmallBodySolver::run(const SolverBody& body, uint substeps, const ContactSolver& contact) {
-    run(body, {substeps, 0, 0, blocks_}, &contact);
+void SmallBodySolver::run(const SolverBody& body, uint substeps, const Collisions& collisions) {
+    run(body, {substeps, 0, 0, blocks_}, &collisions);
 }
 
 void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
-                          const ContactSolver* contact) {
+                          const Collisions* collisions) {
     const bool folded = folds_ != nullptr;
-    std::optional<gpu::Program>& kernel = kernels_[contact != nullptr ? 1 : 0][folded ? 1 : 0];
+    const bool boxes = collisions != nullptr && collisions->boxes().mayTouch();
+    const std::size_t touched = boxes ? 2 : (collisions != nullptr ? 1 : 0);
+    std::optional<gpu::Program>& kernel = kernels_[touched][folded ? 1 : 0];
     if (!kernel) {
-        gpu::Defines defines;
-        if (contact != nullptr) {
-            defines.emplace_back("COLLIDES", "1");
+        constexpr std::array<const char*, 2> kTouched{"COLLIDES", "MEETS_BOXES"};
+        gpu::Defines defines = folded ? gpu::Defines{{"UNFOLDS", "1"}} : gpu::Defines{};
+        for (std::size_t i = 0; i < touched; ++i) {
+            defines.emplace_back(kTouched[i], "1");
         }
-        if (folded) {
-            defines.emplace_back("UNFOLDS", "1");
-        }
-        kernel = compile(contact != nullptr ? touchingGroupSize() : groupSize(), defines);
+        kernel = compile(collisions != nullptr ? touchingGroupSize() : groupSize(), defines);
     }
     bind(body);
-    if (contact != nullptr) {
-        contact->bindAnswers({shared::kSmallContactBinding, shared::kSmallRecordsBinding,
-                              shared::kSmallSumsBinding, shared::kSmallStateBinding},
-                             way_);
+    if (collisions != nullptr) {
+        collisions->contacts().bindAnswers(
+            {shared::kSmallContactBinding, shared::kSmallRecordsBinding, shared::kSmallSumsBinding,
+             shared::kSmallStateBinding},
+            way_);
+    }
+    if (boxes) {
+        collisions->boxes().bindAnswers(
+            {shared::kSmallObstacleBinding, shared::kSmallTouchesBinding, shared::kSmallBoxesUnit,
+             shared::kSmallPieceBoundsUnit},
+            way_);
     }
     if (folded) {
         folds_->bindStorage(shared::kSmallFoldsBinding);
@@ -223,7 +241,6 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     body.uniformBuffer.bindStorage(shared::kUniformsBinding);
     body.pieces.impulses.bindStorage(shared::kSmallImpulsesBinding);
     body.pieces.pieceBuffer.bindStorage(shared::kSmallPiecesBinding);
-    body.pieces.blockBuffer.bindStorage(shared::kSmallBlocksBinding);
     const auto bindImage = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
         if (way_ == gpu::KernelWay::images) {
             buffer.bindImage(unit, format);
@@ -249,6 +266,7 @@ void SmallBodySolver::bind(const SolverBody& body) const {
                 TexelFormat::uint32x2);
     bindRecords(body.model.neighbours.entries, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
     bindRecords(body.pieces.placeBuffer, shared::kSmallPlacesUnit, TexelFormat::uint32);
+    bindRecords(body.pieces.blockBuffer, shared::kSmallBlocksUnit, TexelFormat::uint32);
     bindRecords(body.pieces.pageBuffer, shared::kSmallPagesUnit, TexelFormat::uint32);
     bindRecords(body.pulls, shared::kSmallPullsUnit, TexelFormat::uint32x4);
     bindRecords(body.model.restPositions, shared::kSmallRestUnit, TexelFormat::float32x4);

@@ -9,7 +9,7 @@
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "sim/body/body_model.h"
-#include "sim/contact/contact_solver.h"
+#include "sim/solve/collisions.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {
@@ -36,6 +36,8 @@ std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const Gro
 /// The most iterations that contact adds to that, and that what unfolds does.
 std::size_t turnsOfContact(const BodyModel& model, const GroupShape& group);
 std::size_t turnsOfUnfolding(const BodyModel& model, const GroupShape& group);
+/// And contact with so many boxes.
+std::size_t turnsOfBoxes(const BodyModel& model, std::size_t boxes, const GroupShape& group);
 
 /// A run of substeps. A substep begins with the prediction and ends with floor and velocities, with
 /// collisions in between.
@@ -72,7 +74,10 @@ class SmallBodySolver {
     /// Turns of loops, at most, in each of those (see turnsOfSubstep()); 0 where there are none.
     std::size_t turnsOfSubstep() const { return substepTurns_; }
     std::size_t turnsOfSweep() const { return sweepTurns_; }
-    std::size_t turnsOfTouching(bool folded) const { return folded ? foldedTurns_ : touchTurns_; }
+    std::size_t turnsOfTouching(bool folded, std::size_t boxes) const {
+        const std::size_t turns = folded ? foldedTurns_ : touchTurns_;
+        return turns == 0 || boxes == 0 ? turns : turns + turnsBesideBoxes_ + boxes * turnsOfBox_;
+    }
 
     /// Whether it may be too much for one thread of llvmpipe.
     bool large() const { return large_; }
@@ -81,16 +86,17 @@ class SmallBodySolver {
     /// default, if not folded.
     void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
 
-    /// The same where contact comes between, and folds are unfolded before; 0: they can't.
-    std::uint32_t touchingSubstepsAtOnce() const {
-        return atOnce(turnsOfTouching(folds_ != nullptr));
+    /// The same where contact comes between, with so many boxes too, and folds are unfolded before;
+    /// 0: they can't.
+    std::uint32_t touchingSubstepsAtOnce(std::size_t boxes) const {
+        return atOnce(turnsOfTouching(folds_ != nullptr, boxes));
     }
 
     /// One dispatch. The first compiles the kernel: throws gpu::ShaderError.
     void run(const SolverBody& body, const SubstepRun& run);
-    /// That many whole substeps, with contact before the end of each, and where there are folds
-    /// with what unfolds them (Unfolding) before its beginning.
-    void run(const SolverBody& body, std::uint32_t substeps, const ContactSolver& contact);
+    /// That many whole substeps, with contact (Collisions::answersInOneGroup()) before the end of
+    /// each, and where there are folds with what unfolds them (Unfolding) before its beginning.
+    void run(const SolverBody& body, std::uint32_t substeps, const Collisions& collisions);
     void run(const SolverBody& body, const SweepRun& run);
 
   private:
@@ -104,13 +110,13 @@ class SmallBodySolver {
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
     void run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
-             const ContactSolver* contact);
+             const Collisions* collisions);
     void bind(const SolverBody& body) const;
     void bindRecords(const gpu::Buffer& buffer, std::uint32_t unit, gpu::TexelFormat format) const;
 
     gpu::KernelWay way_;
-    /// By whether contact is among the phases, and whether the skin is folded.
-    std::array<std::array<std::optional<gpu::Program>, 2>, 2> kernels_;
+    /// By what contact is among the phases (none, itself, boxes), and whether the skin is folded.
+    std::array<std::array<std::optional<gpu::Program>, 2>, 3> kernels_;
     std::optional<gpu::Program> sweepKernel_;
     std::optional<gpu::Program> largeSweepKernel_;
     const gpu::Buffer* folds_ = nullptr;
@@ -119,6 +125,8 @@ class SmallBodySolver {
     std::size_t substepTurns_ = 0;
     std::size_t touchTurns_ = 0;
     std::size_t foldedTurns_ = 0;
+    std::size_t turnsBesideBoxes_ = 0;
+    std::size_t turnsOfBox_ = 0;
     std::size_t sweepTurns_ = 0;
     bool large_ = false;  ///< more than kSmallBodyVertices
 };

@@ -47,7 +47,7 @@ void TimeStepper::solve() {
         stepByPhases();
     } else if (!collisions_.mayTouch() && !unfolds_) {
         stepAtOnce();
-    } else if (collisions_.contactsAlone() && smallBody_.touchingSubstepsAtOnce() > 0) {
+    } else if (touchingSubstepsAtOnce() > 0) {
         stepTouching();
     } else {
         stepBySubsteps();
@@ -135,17 +135,24 @@ void TimeStepper::stepAtOnce() {
     }
 }
 
-/// Contact within the substeps; it is looked for between two dispatches.
+/// Whole substeps of a small body with all contact that may come, in a dispatch; 0: not so.
+uint TimeStepper::touchingSubstepsAtOnce() const {
+    return collisions_.answersInOneGroup()
+               ? smallBody_.touchingSubstepsAtOnce(*collisions_.boxes().plainBoxes())
+               : 0;
+}
+
+/// Contact is looked for between two dispatches.
 void TimeStepper::stepTouching() {
+    const uint atOnce = touchingSubstepsAtOnce();
     const uint end = body_.uniforms.substeps;
     for (uint i = 0; i < end;) {
         searchBefore(i);
         const uint first = i++;
-        while (i < end && i - first < smallBody_.touchingSubstepsAtOnce() &&
-               !collisions_.searchesBefore(i)) {
+        while (i < end && i - first < atOnce && !collisions_.searchesBefore(i)) {
             ++i;
         }
-        timed(deformTimer_, [&] { smallBody_.run(body_, i - first, collisions_.contacts()); });
+        timed(deformTimer_, [&] { smallBody_.run(body_, i - first, collisions_); });
         ++body_.dispatches;
     }
 }

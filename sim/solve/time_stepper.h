@@ -72,8 +72,8 @@ class TimeStepper {
     /// Selects the kernels of the group that solves a small body; before setBody().
     void setSmallBodyWay(gpu::KernelWay way) { smallBody_ = SmallBodySolver(way); }
     const SmallBodySolver& smallBody() const { return smallBody_; }
-    /// Whether step() uses one group: in one dispatch, or in one for each substep if boxes or a
-    /// pushing blade may be hit; plain PBD only if the floor alone may be hit. Large bodies take
+    /// Whether step() uses one group: in one dispatch, or in one for each substep if thin boxes or
+    /// a pushing blade may be hit; plain PBD only if the floor alone may be hit. Large bodies take
     /// one for each phase, in plain PBD on llvmpipe whichever is faster.
     bool solvesInOneGroup() const;
     /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
@@ -93,6 +93,7 @@ class TimeStepper {
     void stepBySweeps();
     void stepTheFasterWay();
     void stepAtOnce();
+    std::uint32_t touchingSubstepsAtOnce() const;
     void stepTouching();
     void stepBySubsteps();
     bool sweepsInOneGroup() const;

@@ -109,7 +109,7 @@ int faceFor(Faces faces, vec3 before, vec3 after, float deepest) {
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count || positions[v].w == 0.0) return;
+    if (v >= obstacle.vertex_count || positions[v].w == 0.0) return;
     BladeRecord blade = blades[substep];
     vec3 x = positions[v].xyz;
     vec3 at = toBox(blade.box, x - blade.box.center.xyz);
@@ -124,13 +124,13 @@ void main() {
     int face = faceFor(faces, before, after, 2.1 * blade.turn.w);
     if (face == 3) return;
     float lift = max(min(before[face], 0.0) - after[face], 0.0);
-    float friction = wall.w == 0.0 ? uniforms.friction : 0.0;
+    float friction = wall.w == 0.0 ? obstacle.friction : 0.0;
     vec3 along = way;
     along[face] = 0.0;
     vec3 change = along * (slipLeft(length(along), lift, friction) - 1.0);
     change[face] = faces.side[face] * lift;
     displacement[v] = vec4(displacement[v].xyz + fromBox(blade.box, change), 0.0);
     vec3 push = vec3(0.0);
-    push[face] = faces.side[face] * clamp(-(after[face] + lift), 0.0, uniforms.push);
+    push[face] = faces.side[face] * clamp(-(after[face] + lift), 0.0, obstacle.push);
     positions[v] = vec4(x + fromBox(blade.box, push), positions[v].w);
 }

@@ -16,8 +16,8 @@ layout(std430, binding = kBladeLoadsBinding) buffer Loads { VertexLoad loads[]; 
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count || positions[v].w == 0.0) return;
-    float mass = 1.0 / (uniforms.inverse_density * positions[v].w);
+    if (v >= obstacle.vertex_count || positions[v].w == 0.0) return;
+    float mass = 1.0 / (obstacle.inverse_density * positions[v].w);
     vec3 given = mass * (displacement[v].xyz - before[v].xyz);
     vec3 arm = positions[v].xyz - blades[substep].box.center.xyz;
     loads[v].given += vec4(given, 0.0);

@@ -12,7 +12,7 @@ layout(std430, binding = kBoxPiecesBinding) buffer Bounds { PieceBounds bounds[]
 // Most vertices lie inside of what is known already.
 void main() {
     uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count || links[v].piece == kNoPiece) return;
+    if (v >= obstacle.vertex_count || links[v].piece == kNoPiece) return;
     uint p = links[v].piece;
     uint x = orderedWord(positions[v].x);
     uint y = orderedWord(positions[v].y);

@@ -22,16 +22,14 @@ layout(std430, binding = kBoxStartBinding) readonly buffer Start { vec4 start[];
 // Share of a gap that corners may take in a substep, down to a share of the thickness.
 const float kTaken = 0.9;
 const float kLeft = 0.1;
-// Overlaps up to here are touches: shares of the box's least half length and of the depth of
-// touches.
+// Overlaps up to here are touches, as kSkinDeep says: a share of the box's least half length.
 const float kOverlap = 0.5;
-const float kSkinDeep = 0.1;
 
 // How far corners may go towards the box [m].
-float roomAt(Plane plane) { return kTaken * max(plane.gap - kLeft * uniforms.thickness, 0.0); }
+float roomAt(Plane plane) { return kTaken * max(plane.gap - kLeft * obstacle.thickness, 0.0); }
 
 float deepestTouch(vec3 reach) {
-    return min(kOverlap * min(reach.x, min(reach.y, reach.z)), kSkinDeep * uniforms.depth);
+    return min(kOverlap * min(reach.x, min(reach.y, reach.z)), kSkinDeep * obstacle.depth);
 }
 
 // xyz: normal, w: room of what a corner that goes up to `way` far may get to; kNoPlane: of nothing.
@@ -57,7 +55,7 @@ void keep(inout vec4 least[3], vec4 plane) {
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= uniforms.triangle_count) return;
+    if (index >= obstacle.triangle_count) return;
     uvec3 t = triangles[index].xyz;
     vec4 a = start[t.x];
     vec4 b = start[t.y];
@@ -65,7 +63,7 @@ void main() {
     vec3 p[3] = vec3[3](a.xyz, b.xyz, c.xyz);
     float way = max(a.w, max(b.w, c.w));
     vec4 least[3] = vec4[3](vec4(kNoPlane), vec4(kNoPlane), vec4(kNoPlane));
-    for (uint i = 0u; i < uniforms.box_count; ++i) {
+    for (uint i = 0u; i < obstacle.box_count; ++i) {
         keep(least, planeTo(boxes[i], p, way));
     }
     planes[index].first = least[0];

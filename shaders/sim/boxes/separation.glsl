@@ -1,3 +1,4 @@
+#pragma once
 // The plane across which a triangle and a box are farthest apart, in the coordinates of the box: a
 // face of the box, the triangle, or across an edge of each.
 struct Plane {

@@ -62,7 +62,7 @@ float shareOfAll(Way way, IncidenceRange range) {
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count || shares[v] == 0u) return;
+    if (v >= obstacle.vertex_count || shares[v] == 0u) return;
     shares[v] = 0u;
     // Once: where it was read anew behind a branch, llvmpipe gave 0 for its end.
     IncidenceRange range = ranges[v];

@@ -1,8 +1,8 @@
-// Copied before anything branches, as those of the solver (sim/uniforms.glsl).
+// Copied before anything branches, as those of the solver (sim/obstacle.glsl).
 #include "body_records.h"
 #include "box_records.h"
 
 layout(std430, binding = kBoxUniformsBinding) readonly buffer Uniforms {
-    BoxUniforms storedUniforms;
+    BoxUniforms storedObstacle;
 };
-BoxUniforms uniforms = storedUniforms;
+BoxUniforms obstacle = storedObstacle;

@@ -1,10 +1,6 @@
-// Keeps vertices out of boxes: d ends at the face that the way from X to X + d enters through, a
-// thickness away from it. What starts inside comes out, slowly: a piece that the box could hold as
-// a whole through the one face where it has the least way, vertices of others through the nearest.
-// Coulomb friction shortens the tangential way; a piece that leaves as a whole goes straight.
-// Reads X, X at the beginning of the substep, links, boxes of pieces, boxes. Reads and writes d.
-// Writes the way since that beginning. One thread per vertex; boxes in their order. A storage
-// barrier follows.
+// Keeps vertices out of boxes (keep_out.glsl). Reads X, X at the beginning of the substep, links,
+// boxes of pieces, boxes. Reads and writes d. Writes the way since that beginning. One thread per
+// vertex. A storage barrier follows.
 #include "sim/boxes/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
@@ -14,132 +10,18 @@ layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks l
 layout(std430, binding = kBoxPiecesBinding) readonly buffer Bounds { PieceBounds bounds[]; };
 layout(std430, binding = kBoxStartBinding) buffer Start { vec4 start[]; };
 
-#include "boxes.glsl"
-#include "sim/ordered_floats.glsl"
+vec4 positionOf(uint v) { return positions[v]; }
+vec4 displacementOf(uint v) { return displacement[v]; }
+uint pieceOf(uint v) { return links[v].piece; }
+BoxRecord boxAt(uint b) { return boxes[b]; }
+PieceBounds pieceBounds(uint p) { return bounds[p]; }
 
-// Vertices up to here inside a box, as a share of the depth of touches, merely touch it.
-const float kSkinDeep = 0.1;
-
-// A face that stops a vertex; axis 3 for none.
-struct Face {
-    int axis;
-    float side;  // 1 or -1
-    float gap;   // to it at X [m]
-    bool whole;  // a piece leaves through it
-};
-
-// About how far a piece reaches, in the coordinates of a box: as an ellipsoid that fills the box
-// around it in the world.
-struct PieceBox {
-    vec3 middle;
-    vec3 reach;
-    float low;  // in the world [m]
-};
-
-int largest(vec3 v) {
-    return v.x >= v.y && v.x >= v.z ? 0 : (v.y >= v.z ? 1 : 2);
-}
-
-float sideOf(float at) { return at < 0.0 ? -1.0 : 1.0; }
-
-// The last of the three slabs that the way enters is where it meets the box.
-Face entered(vec3 at, vec3 way, vec3 reach) {
-    vec3 outside = abs(at) - reach;
-    vec3 inward = -sign(at) * way;
-    vec3 when = vec3(-1.0);
-    for (int k = 0; k < 3; ++k) {
-        if (outside[k] > 0.0) {
-            if (!(inward[k] > outside[k])) return Face(3, 0.0, 0.0, false);
-            when[k] = outside[k] / inward[k];
-        }
-    }
-    int axis = largest(when);
-    vec3 beside = abs(at + when[axis] * way) - reach;
-    beside[axis] = 0.0;
-    bool meets = all(lessThanEqual(beside, vec3(0.0)));
-    return Face(meets ? axis : 3, sideOf(at[axis]), outside[axis], false);
-}
-
-PieceBox pieceBoxIn(BoxRecord box, uint p) {
-    vec3 low = vec3(orderedFloat(bounds[p].low_x), orderedFloat(bounds[p].low_y),
-                    orderedFloat(bounds[p].low_z));
-    vec3 high = vec3(orderedFloat(bounds[p].high_x), orderedFloat(bounds[p].high_y),
-                     orderedFloat(bounds[p].high_z));
-    vec3 reach = 0.5 * (high - low);
-    return PieceBox(toBox(box, 0.5 * (low + high) - box.center.xyz),
-                    vec3(length(box.x.xyz * reach), length(box.y.xyz * reach),
-                         length(box.z.xyz * reach)),
-                    low.y);
-}
-
-// Whether a piece that leaves so far along an axis, up or down, comes to lie in the floor.
-bool endsInFloor(PieceBox piece, float up, float way) {
-    return piece.low + up * way < uniforms.floor_height - 0.01 * way;
-}
-
-// The face through which a piece has the least way out, the floor permitting.
-Face wayOutOf(BoxRecord box, PieceBox piece) {
-    Face best = Face(3, 0.0, 0.0, true);
-    float least = 1e30;
-    vec3 up = vec3(box.x.y, box.y.y, box.z.y);
-    vec3 far = halfOf(box) + piece.reach;
-    for (int k = 0; k < 6; ++k) {
-        int axis = k % 3;
-        float side = k < 3 ? 1.0 : -1.0;
-        float way = far[axis] - side * piece.middle[axis];
-        if (way < least && !endsInFloor(piece, side * up[axis], way)) {
-            least = way;
-            best = Face(axis, side, 0.0, true);
-        }
-    }
-    return best;
-}
-
-// Whether beside the way out through this face the box is as wide as the piece and around its
-// middle.
-bool holds(BoxRecord box, PieceBox piece, Face face) {
-    vec3 room = halfOf(box) - max(piece.reach, abs(piece.middle));
-    if (face.axis < 3) room[face.axis] = 0.0;
-    return face.axis < 3 && all(greaterThanEqual(room, vec3(0.0)));
-}
-
-Face faceFor(BoxRecord box, uint v, vec3 at, vec3 way) {
-    vec3 reach = halfOf(box) + uniforms.thickness;
-    vec3 outside = abs(at) - reach;
-    int axis = largest(outside);
-    if (outside[axis] > 0.0) return entered(at, way, reach);
-    Face nearest = Face(axis, sideOf(at[axis]), outside[axis], false);
-    bool touches = outside[axis] > -uniforms.thickness - kSkinDeep * uniforms.depth;
-    if (touches || links[v].piece == kNoPiece) return nearest;
-    PieceBox piece = pieceBoxIn(box, links[v].piece);
-    Face leaving = wayOutOf(box, piece);
-    if (!holds(box, piece, leaving)) return nearest;
-    leaving.gap = leaving.side * at[leaving.axis] - reach[leaving.axis];
-    return leaving;
-}
-
-vec3 keptOut(BoxRecord box, uint v, vec3 x, vec3 d) {
-    vec3 way = toBox(box, d);
-    Face face = faceFor(box, v, toBox(box, x - box.center.xyz), way);
-    if (face.axis == 3) return d;
-    float least = min(-face.gap, uniforms.lift);
-    float lift = least - face.side * way[face.axis];
-    if (!(lift > 0.0)) return d;
-    float across = way[face.axis];
-    way[face.axis] = 0.0;
-    way *= face.whole ? 0.0 : slipLeft(length(way), lift, uniforms.friction);
-    way[face.axis] = across + face.side * lift;
-    return fromBox(box, way);
-}
+#include "keep_out.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
-    if (v >= uniforms.vertex_count || positions[v].w == 0.0) return;
-    vec3 x = positions[v].xyz;
-    vec3 d = displacement[v].xyz;
-    for (uint b = 0u; b < uniforms.box_count; ++b) {
-        d = keptOut(boxes[b], v, x, d);
-    }
+    if (v >= obstacle.vertex_count || positions[v].w == 0.0) return;
+    vec3 d = outOfBoxes(v);
     displacement[v] = vec4(d, 0.0);
-    start[v].w = distance(start[v].xyz, x) + length(d);
+    start[v].w = distance(start[v].xyz, positions[v].xyz) + length(d);
 }

@@ -1,3 +1,4 @@
+#pragma once
 // Barycentric weights of the point of the triangle abc closest to p, by the region of the plane
 // (Ericson, Real-Time Collision Detection, 5.1.5). Takes a, b, c relative to p.
 vec3 closestWeights(vec3 a, vec3 b, vec3 c) {

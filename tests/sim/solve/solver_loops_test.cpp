@@ -84,7 +84,7 @@ class SolverLoops : public test::GlTest {
         EXPECT_EQ(gpu.dispatches() - before, 1);
         const SmallBodySolver& small = gpu.stepper().smallBody();
         reckoned_ = params.solver == SolverMode::pbd ? small.turnsOfSweep()
-                    : params.contact != 0            ? small.turnsOfTouching(folded_)
+                    : params.contact != 0            ? small.turnsOfTouching(folded_, 0)
                                                      : small.turnsOfSubstep();
         return std::ranges::max(turns.read<std::uint32_t>(0, kThreads / 8));
     }
