@@ -154,7 +154,7 @@ const std::array kRows = {
              ParamType::integer, 0, 1, false}),
         &Params::sleeps},
     Row{{"wall_coarsening", "Wall coarsening", "",
-         "How much coarser the inside of a cut gets when its stroke ends; 1 keeps it as it is.",
+         "How much longer edges may be inside a new wall than at its rim; 1 makes all alike.",
          ParamType::real, 1, 10, false},
         &Params::wallCoarsening},
     Row{{"debris_volume", "Debris volume", "",

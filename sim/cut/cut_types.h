@@ -132,8 +132,8 @@ struct CutSettings {
     /// Whether to remove the slivers that a cut leaves, behind the front after each step and at the
     /// end.
     bool cleanUp = true;
-    /// After the clean-up of a finished stroke, edges inside its walls grow to this many times the
-    /// local edge length; 1 keeps them. The outline of the wound is unchanged.
+    /// Edges of new walls grow from their rim inwards, up to this many times the local edge length
+    /// (WallGrading); 1: all are as long as those around.
     double wallCoarsening = 1;
     /// When a stroke has ended, pieces that it cut are removed if below this share of the body's
     /// rest volume, except the largest piece; 0 keeps all.

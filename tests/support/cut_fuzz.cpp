@@ -527,6 +527,9 @@ CutSettings cutSettings(FuzzSetting setting, double meanEdge, std::uint64_t seed
     settings.seed = seed;
     settings.cleanUp = std::getenv("KERF_FUZZ_NO_CLEANUP") == nullptr;
     settings.wallEdgeLength = std::getenv("KERF_FUZZ_EVEN_WALLS") == nullptr ? 0 : meanEdge;
+    if (const char* grading = std::getenv("KERF_FUZZ_GRADING")) {
+        settings.wallCoarsening = std::atof(grading);
+    }
     return settings;
 }
 

@@ -8,7 +8,6 @@
 #include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/acceptance.h"
-#include "sim/cut/cleanup/coarsening.h"
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/limits.h"
@@ -255,12 +254,6 @@ CleanupStatistics Cleanup::mend(const std::vector<int>& triangles, CutDelta& del
     const CleanupStatistics statistics = clean(triangles, delta);
     workspace_.exchangeShapes();
     return statistics;
-}
-
-int Cleanup::coarsen(double factor, CutDelta& delta) {
-    const int collapses = coarsenWalls(workspace_, trianglesOfStroke(), factor);
-    workspace_.moveChangesTo(delta);
-    return collapses;
 }
 
 std::vector<int> Cleanup::trianglesOfStroke() const {

@@ -27,9 +27,6 @@ class Cleanup {
     /// Removes short edges at some triangles, without a stroke. Judges by the rest shape, however
     /// crumpled the body is.
     CleanupStatistics mend(const std::vector<int>& triangles, CutDelta& delta);
-    /// Makes the inside of the stroke's walls coarser by `factor` > 1 after atEnd(); see
-    /// coarsenWalls(). Returns the number of collapses.
-    int coarsen(double factor, CutDelta& delta);
 
     /// An upper bound of how far any vertex was moved at rest since the last call [m].
     double takeRestMotion() { return workspace_.takeRestMotion(); }

@@ -46,6 +46,11 @@ constexpr double kMostVolumeChange = 5e-10;
 // has divided of them.
 constexpr double kOpening = 0.1;
 constexpr double kFartherOpening = 0.2;
+// Of the gate, where edges grow: the cut may lag so many times as far behind the blade.
+constexpr double kHighestRow = 2;
+// Of a step, in edges: its row may be one triangle high where edges grow, and the walls beside the
+// front are not past (OwnPast).
+constexpr double kMostWayOfRow = 1.5;
 constexpr int kFirstLevels = 2;  // of the ladder: with the body as it is
 const SlitOpening kNoOpening;
 
@@ -88,7 +93,7 @@ class GroupStep {
             goPastOwnStart();
         }
         std::vector<RungNode> from = group_.rung;
-        const double least = body_.gateLength(gate, group_.edgeLength);
+        const double least = body_.gateLength(gate, group_.edgeLength) * rowGrowth(gate);
         const BladeAdvance motion = reparametrize(to_, body_.h(), from);
         if (goesInParts(from)) {
             return cutAhead(from, least);
@@ -143,6 +148,23 @@ class GroupStep {
                    kAtOwnStart * group_.edgeLength;
         });
         return 2 * near > sizeOf(start);
+    }
+
+    /// How much higher rows may be than where walls are as fine as the skin: a front that is mostly
+    /// far from the rim has longer edges.
+    double rowGrowth(Gate gate) const {
+        if (gate == Gate::flush || body_.settings.wallCoarsening <= 1) {
+            return 1;
+        }
+        double front = 0;
+        for (std::size_t i = 0; i + 1 < group_.rung.size(); ++i) {
+            front += group_.rung[i].attached
+                         ? (group_.rung[i + 1].position - group_.rung[i].position).norm()
+                         : 0.0;
+        }
+        const WallGrading grading{body_.settings.wallCoarsening};
+        const double typical = grading.lengthAt(group_.edgeLength, front / 4);
+        return std::min(kHighestRow, typical / group_.edgeLength);
     }
 
     /// Straight ahead.
@@ -368,6 +390,7 @@ class GroupStep {
             .h = edge,
             .offset = settings.offset * scale,
             .edgeLengths = *body_.edgeLengths,
+            .grading = {settings.wallCoarsening},
             .seed = settings.seed,
             .stroke = stroke_.number,
             .transit = group_.transit,
@@ -416,7 +439,8 @@ class GroupStep {
         if (isInAir(one.part.rung)) {
             group_.past.begin(endsOfSlit(first, next));
         }
-        group_.past.goOn(wayOf(one.part, next), first);
+        const double most = body_.settings.wallCoarsening > 1 ? kMostWayOfRow : 1e300;
+        group_.past.goOn(std::min(most, wayOf(one.part, next)), first);
     }
 
     /// A transit ends: in the air, or in the stroke's own slit.

@@ -140,9 +140,6 @@ CleanupStatistics Stroke::cleanUpAtEnd(CutBody& body, CutDelta& delta) {
     }
     const std::vector<int> before = changedTriangles(delta);
     const CleanupStatistics statistics = cleanup->atEnd(delta);
-    if (const double coarsening = body.settings.wallCoarsening; coarsening > 1) {
-        cleanup->coarsen(coarsening, delta);
-    }
     followCleanUp(body, before, delta, *cleanup);
     cleanup.reset();
     return statistics;

@@ -216,20 +216,16 @@ double EdgeLengthField::localEdgeLength(const Vec3& rest) const {
     return std::lerp(alongY(0), alongY(1), place.part[2]);
 }
 
-std::vector<double> divideByEdgeLength(const EdgeLengthField& field, const Vec3& from,
-                                       const Vec3& to, double length) {
-    const double first = field.localEdgeLength(from);
-    const int looks = field.isEven()
-                          ? 1
-                          : std::clamp(static_cast<int>(std::ceil(kLooksPerEdge * length / first)),
-                                       2, kMostLooks);
+namespace {
+
+std::vector<double> divide(double length, int looks,
+                           const std::function<double(double)>& wantedLengthAt) {
     // How many edges fit into the piece up to each place.
     std::array<double, kMostLooks + 1> edges;
     edges[0] = 0;
-    double before = first;
+    double before = wantedLengthAt(0);
     for (int i = 1; i <= looks; ++i) {
-        const double here =
-            field.localEdgeLength(from + (to - from) * (i / static_cast<double>(looks)));
+        const double here = wantedLengthAt(i / static_cast<double>(looks));
         edges[i] = edges[i - 1] + 0.5 * (1 / before + 1 / here) * length / looks;
         before = here;
     }
@@ -248,6 +244,24 @@ std::vector<double> divideByEdgeLength(const EdgeLengthField& field, const Vec3&
     }
     shares.push_back(1);
     return shares;
+}
+
+int looksFor(double length, double first) {
+    return std::clamp(static_cast<int>(std::ceil(kLooksPerEdge * length / first)), 2, kMostLooks);
+}
+
+}  // namespace
+
+std::vector<double> divideByLength(double length, double least,
+                                   const std::function<double(double)>& wantedLengthAt) {
+    return divide(length, looksFor(length, least), wantedLengthAt);
+}
+
+std::vector<double> divideByEdgeLength(const EdgeLengthField& field, const Vec3& from,
+                                       const Vec3& to, double length) {
+    const int looks = field.isEven() ? 1 : looksFor(length, field.localEdgeLength(from));
+    return divide(length, looks,
+                  [&](double share) { return field.localEdgeLength(from + (to - from) * share); });
 }
 
 }  // namespace kerf::cut

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "sim/mesh/surface_mesh.h"
@@ -39,6 +41,28 @@ class EdgeLengthField {
     std::array<int, 3> nodes_{};   ///< nodes of the grid along each axis
     std::vector<double> lengths_;  ///< x first; none where the field is even
 };
+
+/// How edges of new walls grow from the rim inwards.
+struct WallGrading {
+    double most = 1;  ///< largest ratio to the local edge length; 1: they do not grow
+
+    /// Whether they grow.
+    bool isOn() const { return most > 1; }
+    /// The length of an edge `distance` [m] inside from one of length `edge` [m].
+    double grown(double edge, double distance) const { return edge + kGrowth * distance; }
+    /// The length at `distance` [m] from the rim, where the local edge length is `edge` [m].
+    double lengthAt(double edge, double distance) const {
+        return std::min(most * edge, grown(edge, distance));
+    }
+
+  private:
+    static constexpr double kGrowth = 0.25;
+};
+
+/// The parameters at which a line of `length` [m] is divided, so that each part has about the
+/// length wanted at its parameters, nowhere less than about `least` [m]: ascending, the last is 1.
+std::vector<double> divideByLength(double length, double least,
+                                   const std::function<double(double)>& wantedLengthAt);
 
 /// The parameters at which a line of `length` [m] between two places is divided, so that each part
 /// has about the local edge length: ascending, the last is 1. `from`, `to`: the places at rest.

@@ -1,6 +1,7 @@
 #include "sim/cut/plan/curves/outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -122,15 +123,41 @@ class OutlineOfPiece {
         return node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest;
     }
 
+    /// Where to divide a piece of the new rung, whose rim is where it meets the surface.
+    std::vector<double> divideRung(const CutNode& start, const CutNode& end, double length,
+                                   double sFrom, double sTo) const {
+        const Vec3 from = restOf(start);
+        const Vec3 to = restOf(end);
+        const auto edgeAt = [&](const Vec3& rest) { return in_.edgeLengths.localEdgeLength(rest); };
+        const auto wantedLengthAt = [&](double share) {
+            double wanted =
+                strip_.spacing.at(std::lerp(sFrom, sTo, share), edgeAt(from + (to - from) * share));
+            if (start.kind != NodeKind::wall) {
+                wanted = std::min(wanted, in_.grading.grown(edgeAt(from), length * share));
+            }
+            if (end.kind != NodeKind::wall) {
+                wanted = std::min(wanted, in_.grading.grown(edgeAt(to), length * (1 - share)));
+            }
+            return wanted;
+        };
+        return divideByLength(length, std::min(edgeAt(from), edgeAt(to)), wantedLengthAt);
+    }
+
+    std::vector<double> divide(const CutNode& start, const CutNode& end, double sFrom, double sTo,
+                               bool newRung) const {
+        const double length = (end.position - start.position).norm();
+        return newRung && in_.grading.isOn()
+                   ? divideRung(start, end, length, sFrom, sTo)
+                   : divideByEdgeLength(in_.edgeLengths, restOf(start), restOf(end), length);
+    }
+
     // Samples a free piece at the spacing of the edges around.
     void addFreePiece(int from, int to, double sFrom, double sTo, bool newRung) {
         const CutNode start = at(from);
         const CutNode end = at(to);
-        const double length = (end.position - start.position).norm();
         int previous = from;
         double done = 0;
-        for (const double share :
-             divideByEdgeLength(in_.edgeLengths, restOf(start), restOf(end), length)) {
+        for (const double share : divide(start, end, sFrom, sTo, newRung)) {
             int next = to;
             if (share < 1) {
                 CutNode node;

@@ -52,6 +52,7 @@ struct StepInput {
     double h = 0;                           ///< edge length about the rung [m]
     double offset = 0;                      ///< length of the blade's offset at scale 1, share of h
     const EdgeLengthField& edgeLengths;     ///< edge lengths by rest position
+    WallGrading grading{};                  ///< how they grow inside new walls
     std::uint64_t seed = 0;                 ///< decides the blade's offset
     int stroke = 0;                         ///< number of the stroke, as in wall labels
     int transit = 0;               ///< number of the blade's way from air to air, over all strokes

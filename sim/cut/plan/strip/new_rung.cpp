@@ -10,8 +10,10 @@ namespace kerf::cut {
 
 namespace {
 
-// Shares of h, the first of the edge length there.
+// Of the edge length there, and of what the length wanted is more: nearer nodes go.
 constexpr double kNewRungSpacing = 0.45;
+constexpr double kNewRungSpacingInside = 0.75;
+// Shares of h.
 constexpr double kPinnedDistance = 0.05;
 // A blade that has not gone on by this share tells no plane.
 constexpr double kLeastWay = 0.01;
@@ -86,24 +88,39 @@ void stayAheadOfShortFronts(const StepInput& in, const Strip& strip,
     }
 }
 
+bool isInterior(const Strip& strip, int i) {
+    const StripNode& node = strip.nodes[i];
+    return i > 0 && i + 1 < strip.oldCount && node.attached && strip.attachedBefore(i) &&
+           sizeOf(node.vertices) == 1;
+}
+
+/// Where R1 may have a point for interior node i of the front: ahead of it. Where edges grow,
+/// between it and the next one, so that rows of triangles interlock.
+double parameterAhead(const StepInput& in, const Strip& strip, int i) {
+    const bool between = in.grading.isOn() && isInterior(strip, i + 1);
+    return between ? 0.5 * (strip.nodes[i].s + strip.nodes[i + 1].s) : strip.nodes[i].s;
+}
+
 // R1 has a point above every interior front node, never above a surface entry: for a straight
 // stroke that one would lie exactly in the surface.
 std::vector<double> newRungParameters(const StepInput& in, const Strip& strip,
                                       const std::vector<double>& skipped) {
     std::vector<double> result{in.span.from};
     for (int i = 1; i < strip.oldCount - 1; ++i) {
-        const StripNode& node = strip.nodes[i];
-        const bool interior = node.attached && strip.attachedBefore(i) &&
-                              sizeOf(node.vertices) == 1 &&
-                              std::find(skipped.begin(), skipped.end(), node.s) == skipped.end();
-        if (!interior) {
+        if (!isInterior(strip, i)) {
+            continue;
+        }
+        const double s = parameterAhead(in, strip, i);
+        if (std::find(skipped.begin(), skipped.end(), s) != skipped.end()) {
             continue;
         }
         const double edge =
-            in.edgeLengths.localEdgeLength(in.mesh.restPosition(node.vertices.front()));
-        const double spacing = kNewRungSpacing * edge / lengthOf(in.blade);
-        if (node.s - result.back() > spacing && in.span.to - node.s > spacing) {
-            result.push_back(node.s);
+            in.edgeLengths.localEdgeLength(in.mesh.restPosition(strip.nodes[i].vertices.front()));
+        const double more = strip.spacing.at(s, edge) - edge;
+        const double spacing =
+            (kNewRungSpacing * edge + kNewRungSpacingInside * more) / lengthOf(in.blade);
+        if (s - result.back() > spacing && in.span.to - s > spacing) {
+            result.push_back(s);
         }
     }
     if (result.size() == 1 && in.span.holdsFrom && in.span.holdsTo) {

@@ -5,6 +5,7 @@
 #include "sim/base/math.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
+#include "sim/cut/plan/strip/rung_spacing.h"
 
 namespace kerf::cut {
 
@@ -46,6 +47,7 @@ struct Strip {
     std::vector<StripNode> nodes;  ///< the old rung's first, then the new one's
     int oldCount = 0;              ///< number of nodes of the old rung
     std::vector<int> newRung;      ///< nodes of R1 from A to B; ends may be shared with R0 (pinned)
+    RungSpacing spacing;           ///< lengths wanted along the new rung
     double height = 0;             ///< largest distance of the old rung to the new one's line [m]
     std::vector<Triangle> triangles;      ///< triples of nodes
     std::vector<Triangle> triangleEdges;  ///< edges of each triangle, e from corner e on

@@ -267,6 +267,7 @@ Strip buildStrip(const StepInput& in, PredicatePositions& positions,
     strip.nodes = oldRung(in, positions);
     strip.oldCount = sizeOf(strip.nodes);
     strip.height = heightOf(in.rung, in.blade);
+    strip.spacing = RungSpacing(in, strip.nodes);
     addNewRung(newRung(in, strip, skipped), strip);
     stitchRungs(in.span, strip);
     connectEdges(in, strip);

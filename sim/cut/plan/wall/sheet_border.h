@@ -30,6 +30,8 @@ class BorderedSheet {
     const std::vector<OutlineEdge>& border() const { return edges_; }
     /// The box of the border.
     const Layout2d& bounds() const { return bounds_; }
+    /// The vertex of the triangulation at a node of the border.
+    int vertexOf(int node) const { return vertexOfNode_[node]; }
     /// The node at a vertex of the triangulation, null for an inner one.
     const CutNode* borderNode(int vertex) const;
     /// Inserts a node inside; `at` is the result of locate(layout) just before.

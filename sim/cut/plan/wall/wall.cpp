@@ -202,6 +202,7 @@ class Chords {
 constexpr double kTallSheet = 1.2;
 constexpr double kSteinerToNode = 0.6;
 constexpr double kSteinerToEdge = 0.4;
+constexpr double kSteinerToGradedEdge = 0.6;
 constexpr int kMostSteinerPoints = 200000;
 constexpr double kLattices = 2;  // for each doubling of the edge length
 
@@ -221,9 +222,13 @@ class InnerPoints {
     // Only single big steps make sheets tall enough to need points inside: hexagonal lattices, the
     // coarse ones first, each where its spacing is the edge length.
     void run() {
-        const auto [most, least] = edgeLengthsAtBorder();
+        auto [most, least] = edgeLengthsAtBorder();
         if (sheet_.bounds().high.y() - sheet_.bounds().low.y() <= kTallSheet * least) {
             return;
+        }
+        if (in_.grading.isOn()) {
+            lengthAt_ = lengthsAtBorder();
+            most *= in_.grading.most;
         }
         const int levels = static_cast<int>(std::lround(kLattices * std::log2(most / least)));
         const double widest = levels == 0 && most > least ? std::sqrt(most * least) : most;
@@ -244,11 +249,48 @@ class InnerPoints {
         Range range{0, 1e300};
         for (const OutlineEdge& edge : sheet_.border()) {
             const CutNode& node = nodes_[edge.from];
-            const double length = in_.edgeLengths.localEdgeLength(
-                node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest);
+            const double length = localEdgeLength(node);
             range = {std::max(range.most, length), std::min(range.least, length)};
         }
         return range;
+    }
+
+    double localEdgeLength(const CutNode& node) const {
+        return in_.edgeLengths.localEdgeLength(
+            node.kind == NodeKind::wall ? guess_.at(node.position) : node.rest);
+    }
+
+    /// By vertex of the triangulation: the length of the edges there, that of the skin at the rim.
+    std::vector<double> lengthsAtBorder() const {
+        std::vector<double> lengths;
+        for (const OutlineEdge& edge : sheet_.border()) {
+            const CutNode& from = nodes_[edge.from];
+            const CutNode& to = nodes_[edge.to];
+            const double local = localEdgeLength(from);
+            const double length = edge.kind == OutlineKind::cut
+                                      ? local
+                                      : std::max(local, (to.position - from.position).norm());
+            for (const int node : {edge.from, edge.to}) {
+                const std::size_t vertex = sheet_.vertexOf(node);
+                lengths.resize(std::max(lengths.size(), vertex + 1), 1e300);
+                lengths[vertex] = std::min(lengths[vertex], length);
+            }
+        }
+        return lengths;
+    }
+
+    /// What is wanted at a place of a triangle, where the edges around are `edge` long. Grows from
+    /// the lengths at its corners.
+    double wantedLength(int triangle, const Vec2& p, double edge) const {
+        if (!in_.grading.isOn()) {
+            return edge;
+        }
+        double wanted = in_.grading.most * edge;
+        for (const int corner : plane_.corners(triangle)) {
+            wanted = std::min(
+                wanted, in_.grading.grown(lengthAt_[corner], (plane_.point(corner) - p).norm()));
+        }
+        return wanted;
     }
 
     /// `share`: of the spacing that the edge length of a point may be.
@@ -278,9 +320,11 @@ class InnerPoints {
             return;
         }
         const Vec3 position = places_.at(p);
-        const double edge = in_.edgeLengths.localEdgeLength(guess_.at(position));
+        const double edge =
+            wantedLength(at.triangle, p, in_.edgeLengths.localEdgeLength(guess_.at(position)));
         if (edge < share.most * spacing && edge >= share.least * spacing) {
             sheet_.addInner(p, position, at);
+            lengthAt_.push_back(edge);
         }
     }
 
@@ -292,7 +336,8 @@ class InnerPoints {
                 return true;
             }
             const double distance = std::fabs(cross2(b - a, p - a)) / (b - a).norm();
-            if (plane_.constrained(t, i) && distance < kSteinerToEdge * spacing) {
+            const double least = in_.grading.isOn() ? kSteinerToGradedEdge : kSteinerToEdge;
+            if (plane_.constrained(t, i) && distance < least * spacing) {
                 return true;
             }
         }
@@ -305,6 +350,7 @@ class InnerPoints {
     const std::vector<CutNode>& nodes_;
     BorderedSheet& sheet_;
     Triangulation& plane_;
+    std::vector<double> lengthAt_;  ///< by vertex of the triangulation, where edges grow
 };
 
 }  // namespace
