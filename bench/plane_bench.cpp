@@ -2,7 +2,9 @@
 // walls are meshed at the edge length of the skin: all steps of the blade together, beside CGAL in
 // the same run. CGAL does not remove slivers, so the compared run leaves the clean-up off; the
 // figure with it stands beside. Each row has another number of steps: a slow stroke, a quick one,
-// one swipe. Two numbers, SUBDIVISIONS and STEPS, repeat that stroke alone, for a profiler.
+// one swipe. Two numbers, SUBDIVISIONS and STEPS, repeat that stroke alone, for a profiler. A
+// folder instead gets the spheres as OBJ files, and walls are graded: bench/vtk_plane_cut.py runs
+// VTK on these beside.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -72,14 +75,22 @@ Blade bladeAt(double distance) {
     return {middle - kReach * kRadius * kAlong, middle + kReach * kRadius * kAlong};
 }
 
-Outcome ourCut(const SurfaceMesh& whole, double edge, int steps, bool cleanUp) {
+/// How a cut of ours is made.
+struct How {
+    int steps;
+    bool cleanUp = false;
+    double grading = 1;  ///< CutSettings::wallCoarsening
+};
+
+Outcome ourCut(const SurfaceMesh& whole, double edge, const How& how) {
     SurfaceMesh mesh = whole;
     Outcome out;
     CutSettings settings;
     settings.wallEdgeLength = edge;
     settings.offset = kOffset;
     settings.tolerance = 1e-9;
-    settings.cleanUp = cleanUp;
+    settings.cleanUp = how.cleanUp;
+    settings.wallCoarsening = how.grading;
     const CpuTime time;
     Cutter cutter(mesh, settings);
     out.construction = time.milliseconds();
@@ -89,10 +100,10 @@ Outcome ourCut(const SurfaceMesh& whole, double edge, int steps, bool cleanUp) {
         out.calls.push_back(ofCall.milliseconds());
     };
     timed([&] { cutter.begin(bladeAt(-kReach * kRadius)); });
-    for (int i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= how.steps; ++i) {
         timed([&] {
             cutter.boundMotion(0);
-            const double share = static_cast<double>(i) / steps;
+            const double share = static_cast<double>(i) / how.steps;
             if (cutter.advance(bladeAt((2 * share - 1) * kReach * kRadius))
                     .statistics.refusedPieces > 0) {
                 throw std::runtime_error("a step of the cut was refused");
@@ -181,14 +192,14 @@ void bench(int subdivisions, int repeats) {
         const Outcome their = theirCut(whole);
         theirs.push_back(their.milliseconds);
         for (std::size_t k = 0; k < kSteps.size(); ++k) {
-            const Outcome our = ourCut(whole, edge, kSteps[k], false);
+            const Outcome our = ourCut(whole, edge, {kSteps[k]});
             if (i == 0) {
                 std::fprintf(stderr, "%d triangles, %d steps\n", whole.triangleSlots(), kSteps[k]);
                 requireSameVolumes(our, their);
                 requireComparableWalls(our, their);
             }
             ours[k].add(our);
-            ours[k].cleaned.push_back(ourCut(whole, edge, kSteps[k], true).milliseconds);
+            ours[k].cleaned.push_back(ourCut(whole, edge, {kSteps[k], true}).milliseconds);
         }
     }
     for (std::size_t k = 0; k < kSteps.size(); ++k) {
@@ -204,13 +215,63 @@ void repeatAlone(int subdivisions, int steps) {
     Ours ours;
     const CpuTime time;
     for (int i = 0; i < kLeast || time.milliseconds() < kMilliseconds; ++i) {
-        ours.add(ourCut(whole, edge, steps, false));
+        ours.add(ourCut(whole, edge, {steps}));
     }
     std::printf(
         "%d triangles, %d steps: %.2f ms, of that %.2f to construct; median step %.3f, "
         "longest %.2f\n",
         whole.triangleSlots(), steps, median(ours.milliseconds), median(ours.construction),
         median(ours.medianCall), median(ours.longestCall));
+}
+
+void writeObj(const SurfaceMesh& mesh, const std::string& path) {
+    std::ofstream file(path);
+    file.precision(17);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3& p = mesh.position(v);
+        file << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    }
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        const auto [a, b, c] = mesh.triangle(t);
+        file << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    }
+    if (!file.flush()) {
+        throw std::runtime_error("cannot write " + path);
+    }
+}
+
+/// Fine and graded walls in turn, and the bodies for a peer to cut.
+void benchGraded(int subdivisions, int repeats, const std::string& folder) {
+    constexpr double kGrading = 3;
+    const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
+    const double edge = meanEdge(whole);
+    const std::string path = folder + "/" + std::to_string(whole.triangleSlots()) + ".obj";
+    writeObj(whole, path);
+    for (const int steps : kSteps) {
+        std::vector<double> fine, graded;
+        Outcome coarse, dense;
+        for (int i = 0; i < repeats; ++i) {
+            dense = ourCut(whole, edge, {steps});
+            coarse = ourCut(whole, edge, {steps, false, kGrading});
+            fine.push_back(dense.milliseconds);
+            graded.push_back(coarse.milliseconds);
+        }
+        const nlohmann::ordered_json line = {
+            {"name", "cut/graded/" + std::to_string(whole.triangleSlots()) + "/steps/" +
+                         std::to_string(steps)},
+            {"ours", median(graded)},
+            {"fine", median(fine)},
+            {"unit", "ms"},
+            {"construction", coarse.construction},
+            {"wall_triangles", coarse.wallTriangles},
+            {"fine_wall_triangles", dense.wallTriangles},
+            {"volumes", coarse.volumes},
+            {"body", path},
+            {"point", {kPoint.x(), kPoint.y(), kPoint.z()}},
+            {"normal", {kNormal.x(), kNormal.y(), kNormal.z()}}};
+        std::puts(line.dump().c_str());
+        std::fflush(stdout);
+    }
 }
 
 }  // namespace
@@ -221,6 +282,11 @@ int main(int count, char** arguments) {
     try {
         if (count == 3) {
             kerf::repeatAlone(std::atoi(arguments[1]), std::atoi(arguments[2]));
+            return 0;
+        }
+        if (count == 2) {
+            kerf::benchGraded(5, 5, arguments[1]);
+            kerf::benchGraded(7, 5, arguments[1]);
             return 0;
         }
         kerf::bench(5, 5);
