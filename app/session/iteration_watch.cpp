@@ -36,14 +36,21 @@ std::string IterationWatch::sentence() const {
     if (weakSteps_ == 0) {
         return "";
     }
+    const std::string steps = fmt::format("({} of {} steps have too few)", weakSteps_, steps_);
+    if (worst_.iterations == kAutoIterations) {
+        return fmt::format(
+            "Step {}: even the most iterations are too few for {} at time_step {} and "
+            "iteration_error {}; a smaller time_step helps {}.",
+            worstStep_, stiffnessOf(worst_), worst_.timeStep, worst_.iterationError, steps);
+    }
     const std::optional<int> enough = strength_.enoughIterations(worst_);
     const std::string advice =
         enough ? fmt::format("from {} on it is not", *enough) : "a smaller time_step helps";
     return fmt::format(
         "Step {}: {} too few for {} at time_step {}, so the body is softer than its modulus; {} "
-        "({} of {} steps have too few).",
+        "{}.",
         worstStep_, counted(worst_.iterations, "iteration is", "iterations are"),
-        stiffnessOf(worst_), worst_.timeStep, advice, weakSteps_, steps_);
+        stiffnessOf(worst_), worst_.timeStep, advice, steps);
 }
 
 }  // namespace kerf::app

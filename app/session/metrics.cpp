@@ -152,6 +152,8 @@ constexpr MetricsColumn kColumns[] = {
      "Stored in the spring that holds the edge back [J]."},
     {"blade_lag", reported<&StepReport::heldEdge, &HeldEdge::lag>,
      "Mean lag of the edge behind the commanded blade [m]."},
+    {"iterations", reported<&StepReport::iterations>,
+     "Of the step: the parameter, or as chosen where that is \"auto\"."},
 };
 
 }  // namespace

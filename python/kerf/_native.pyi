@@ -102,6 +102,8 @@ class Report:
     @property
     def blade_lag(self) -> float: ...
     @property
+    def iterations(self) -> int: ...
+    @property
     def blade_force(self) -> Optional[npt.NDArray[np.float64]]:
         """[N] on the blade, x, y and z; None unless forces are measured."""
     @property

@@ -31,15 +31,28 @@ constexpr ParamInfo newer(ParamInfo info) {
     return info;
 }
 
+constexpr std::array<std::string_view, 1> kAuto{"auto"};
+
+constexpr ParamInfo orAuto(ParamInfo info) {
+    info.choices = kAuto;
+    return info;
+}
+
 const std::array kRows = {
     Row{{"time_step", "Time step", "s", "Simulated time per step.", ParamType::real, 0.0005, 0.02,
          true},
         &Params::timeStep},
-    Row{{"iterations", "Iterations", "",
-         "Substeps per time step, each one sweep of the solver (with pbd: sweeps): more is firmer "
-         "and slower.",
-         ParamType::integer, 1, 60, false},
+    Row{orAuto(
+            {"iterations", "Iterations", "",
+             "Substeps per time step, each one sweep of the solver (with pbd: sweeps): more is "
+             "firmer and slower. auto: as many as the error allows, by stiffness, size and speed.",
+             ParamType::integer, 1, 60, false}),
         &Params::iterations},
+    Row{newer({"iteration_error", "Iteration error", "",
+               "With auto iterations, the error that too few of them may add to a motion, as a "
+               "share of it.",
+               ParamType::real, 0.002, 0.05, true}),
+        &Params::iterationError},
     Row{{"ispc_stiffness", "ISPC stiffness", "",
          "How firmly the inside holds the skin apart: 0 is hollow and collapses, 0.5 the material "
          "itself, 1 as firm as the solver gets.",
@@ -252,6 +265,11 @@ struct Setter {
         return setNumber([&](double x) { params.*member = x; });
     }
     std::string operator()(int Params::*member) const {
+        const std::string* word = std::get_if<std::string>(&value);
+        if (word != nullptr && std::ranges::find(info.choices, *word) != info.choices.end()) {
+            params.*member = 0;
+            return "";
+        }
         return setNumber([&](double x) { params.*member = static_cast<int>(x); });
     }
     std::string operator()(std::optional<double> Params::*member) const {
@@ -290,7 +308,8 @@ struct Setter {
         const double* x = std::get_if<double>(&value);
         if (!x) {
             return quoted(info.name) + " takes one number" +
-                   (info.type == ParamType::optionalReal ? ", or none" : "");
+                   (info.type == ParamType::optionalReal ? ", or none" : "") +
+                   (info.choices.empty() ? "" : ", or " + quoted(info.choices.front()));
         }
         std::string problem = checkNumber(info, *x);
         if (problem.empty()) {
@@ -306,7 +325,11 @@ struct Getter {
     const ParamInfo& info;
 
     ParamValue operator()(double Params::*member) const { return params.*member; }
-    ParamValue operator()(int Params::*member) const { return static_cast<double>(params.*member); }
+    ParamValue operator()(int Params::*member) const {
+        const int x = params.*member;
+        return x == 0 && !info.choices.empty() ? ParamValue(std::string(info.choices.front()))
+                                               : ParamValue(static_cast<double>(x));
+    }
     ParamValue operator()(Vec3 Params::*member) const { return params.*member; }
     ParamValue operator()(std::optional<double> Params::*member) const {
         const std::optional<double>& x = params.*member;
@@ -342,6 +365,13 @@ std::string setOwn(Params& params, const OwnParam& own, const ParamValue& value)
 }
 
 }  // namespace
+
+Params ofNewScene(Params params) {
+    params.trueModulus = 1;
+    params.iterations = kAutoIterations;
+    params.sleeps = 1;
+    return params;
+}
 
 std::span<const ParamInfo> paramTable() {
     static const std::vector<ParamInfo> table = [] {

@@ -27,11 +27,16 @@ struct OwnMaterial {
 /// Models that a scene may consist of.
 inline constexpr int kMostModels = 64;
 
+/// Params::iterations: the simulation chooses them before each step; "auto" in text.
+inline constexpr int kAutoIterations = 0;
+
 /// Everything that a person can tune. paramTable() has names, ranges and meanings.
 struct Params {
     SolverMode solver = SolverMode::smallSteps;
-    double timeStep = 0.005;            ///< [s]
-    int iterations = 20;                ///< substeps of one sweep each, or sweeps of pbd
+    double timeStep = 0.005;  ///< [s]
+    /// Substeps of one sweep each, or sweeps of pbd; kAutoIterations: as many as each step needs.
+    int iterations = 20;
+    double iterationError = 0.02;       ///< that auto iterations are to keep to, as a share
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
     int trueModulus = 0;                ///< 1: as stiff as youngsModulus says; 0: plain ISPCs
     Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
@@ -76,16 +81,20 @@ struct ParamInfo {
     std::string_view unit;     ///< "s", "" for none
     std::string_view meaning;  ///< one sentence for the tooltip and the docs
     ParamType type = ParamType::real;
-    double low = 0;                                  ///< smallest allowed value (of each component)
-    double high = 0;                                 ///< largest
-    bool logarithmic = false;                        ///< slider scale
-    std::span<const std::string_view> choices = {};  ///< what a choice may be
-    bool changesStates = true;                       ///< whether it affects later states
-    bool perModel = false;                           ///< a model may override it: see ownName()
+    double low = 0;            ///< smallest allowed value (of each component)
+    double high = 0;           ///< largest
+    bool logarithmic = false;  ///< slider scale
+    /// What a choice may be; of an integer, the word that may stand for it, which is 0 then.
+    std::span<const std::string_view> choices = {};
+    bool changesStates = true;  ///< whether it affects later states
+    bool perModel = false;      ///< a model may override it: see ownName()
     /// Whether it was added after hash files existed: at its default it is not hashed.
     bool isNewer = false;
 };
 
+/// `params` with what a new scene begins with, which has no bits to keep: a true modulus, auto
+/// iterations, sleep at rest. What a session leaves out has the default of Params instead.
+Params ofNewScene(Params params);
 /// All parameters, in the order in which panels and sessions list them.
 std::span<const ParamInfo> paramTable();
 /// The name of a parameter of one model: "density@2" is the density of model 2. Model 0 has the

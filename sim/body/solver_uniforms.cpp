@@ -128,9 +128,10 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
 }
 
 shared::SolverUniforms smallStepUniforms(const Params& params) {
-    const double h = params.timeStep / params.iterations;
+    const int substeps = numberOfIterations(params);
+    const double h = params.timeStep / substeps;
     shared::SolverUniforms u = commonUniforms(params, h);
-    u.substeps = static_cast<uint>(params.iterations);
+    u.substeps = static_cast<uint>(substeps);
     u.sweeps = 1;
     u.damping_ratio = static_cast<float>(params.damping / h);
     for (uint type = 0; type < kConstraintTypes; ++type) {
@@ -146,15 +147,19 @@ shared::SolverUniforms smallStepUniforms(const Params& params) {
 shared::SolverUniforms pbdUniforms(const Params& params) {
     shared::SolverUniforms u = commonUniforms(params, params.timeStep);
     u.substeps = 1;
-    u.sweeps = static_cast<uint>(params.iterations);
+    const int sweeps = numberOfIterations(params);
+    u.sweeps = static_cast<uint>(sweeps);
     for (uint type = 0; type < kConstraintTypes; ++type) {
-        u.share[type] =
-            static_cast<float>(sweepStiffness(stiffnessOf(type, params), params.iterations));
+        u.share[type] = static_cast<float>(sweepStiffness(stiffnessOf(type, params), sweeps));
     }
     return u;
 }
 
 }  // namespace
+
+int numberOfIterations(const Params& params) {
+    return params.iterations == kAutoIterations ? Params{}.iterations : params.iterations;
+}
 
 shared::SolverUniforms solverUniforms(const Params& params) {
     return params.solver == SolverMode::pbd ? pbdUniforms(params) : smallStepUniforms(params);

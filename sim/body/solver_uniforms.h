@@ -39,6 +39,9 @@ bool holdsVolume(const Params& params);
 /// Whether an unloaded piece has its rest shape: edges, bends and ISPCs are all on.
 bool keepsShape(const Params& params);
 
+/// Iterations as a number: auto ones are those of the defaults where there is no body to choose
+/// for.
+int numberOfIterations(const Params& params);
 /// The parameters as the solver reads them; counts are 0. SolverMode::smallSteps: `iterations`
 /// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
 /// with stiffness factors and without a volume constraint.

@@ -102,8 +102,14 @@ void Simulation::State::noteParamsChanged() {
 }
 
 void Simulation::State::applyParameters() {
-    if (std::exchange(input.paramsChanged, false)) {
+    const bool changed = std::exchange(input.paramsChanged, false);
+    if (changed) {
         body.apply(input.params);
+    }
+    const bool hasBoxes = !input.boxes.empty();
+    const int iterations = body.iterationsFor(input.params, hasBoxes);
+    if (std::exchange(input.iterations, iterations) != iterations || changed) {
+        body.applyToSolver(input.solved());
     }
 }
 
@@ -282,6 +288,7 @@ void Simulation::State::publish() {
     ++output.bodyRevision;
     StepReport& report = output.report;
     report.time = output.clock.time;
+    report.iterations = input.iterations;
     report.describe(body.model(), body.memory.measure);
     report.fractureEnergy = input.params.toughness * report.swept.atRest;
     if (input.params.solver != SolverMode::smallSteps) {

@@ -1,11 +1,14 @@
 #include "sim/solve/sweep_strength.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
+#include "sim/cut/wall_edge.h"
 
 namespace kerf {
 
@@ -16,20 +19,53 @@ using shared::uint;
 constexpr int kBinsPerOctave = 4;
 constexpr double kEnoughOfTrue = 0.9;
 constexpr double kEnoughOfPlain = 0.7;
+// What the parts of error() count.
+constexpr double kOfStiffness = 0.4;
+constexpr double kOfBends = 0.25;
+constexpr double kOfWaves = 1.5;
+constexpr double kMostOfEdge = 0.1;  // that something fast moves by in a substep
+constexpr int kSpeedSteps = 5;       // in which iterations rise with the speed
 
-std::array<float, 2> pullsOf(const EdgeConstraint&) {
-    return {1.0f, -1.0f};
+int mostIterations() {
+    return static_cast<int>(findParam("iterations")->high);
 }
-std::array<float, 4> pullsOf(const IspcConstraint& ispc) {
+
+std::array<double, 2> pullsOf(const EdgeConstraint&, const BodyModel&) {
+    return {1, -1};
+}
+std::array<float, 4> pullsOf(const IspcConstraint& ispc, const BodyModel&) {
     return weightsOf(ispc);
 }
+/// Of a flat pair of triangles [1/m].
+std::array<double, 4> pullsOf(const BendConstraint& bend, const BodyModel& model) {
+    const auto at = [&](uint v) -> Vec3 { return model.restPositions[v].cast<double>(); };
+    const Vec3 edge = at(bend.v1) - at(bend.v0);
+    std::array<double, 4> pulls{};
+    for (const int side : {2, 3}) {
+        const Vec3 apex = at(side == 2 ? bend.v2 : bend.v3) - at(bend.v0);
+        const double height = apex.cross(edge).norm() / edge.norm();
+        const double along = apex.dot(edge) / edge.squaredNorm();
+        pulls[0] -= (1 - along) / height;
+        pulls[1] -= along / height;
+        pulls[side] = 1 / height;
+    }
+    return pulls;
+}
 
-/// The sum of n |grad C|^2 over unit mass of the vertices of a constraint [1/m^3].
+/// What a constraint stands for: a volume [m^3], or one bend.
+double weightOf(const auto& constraint, double compliance) {
+    return constraint.rest_length * constraint.rest_length / compliance;
+}
+double weightOf(const BendConstraint&, double) {
+    return 1;
+}
+
+/// The sum of n |grad C|^2 over unit mass of the vertices of a constraint.
 template <class Constraint>
-double movedBy(const Constraint& constraint, const Incidence& incidence,
+double movedBy(const Constraint& constraint, const Incidence& incidence, const BodyModel& model,
                const std::vector<double>& masses) {
     const auto vertices = verticesOf(constraint);
-    const auto pulls = pullsOf(constraint);
+    const auto pulls = pullsOf(constraint, model);
     double sum = 0;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         const double pull = pulls[k];
@@ -48,7 +84,7 @@ bool makeSameConstraints(const Params& a, const Params& b) {
 /// What the strengths of a type are multiplied by to be r, and with a true modulus 4 r / 3 s
 /// [1/m^2].
 double factorOf(uint type, const Params& params) {
-    const double h = params.timeStep / params.iterations;
+    const double h = params.timeStep / numberOfIterations(params);
     const double r = params.density / (params.youngsModulus * modulusFactor(type, params) * h * h);
     return hasTrueModulus(params) ? r / (0.75 * sweepRoom(type)) : r;
 }
@@ -70,9 +106,8 @@ SweepStrength::Constraints SweepStrength::count(const std::vector<Constraint>& l
     for (const Constraint& constraint : list) {
         const double compliance =
             constraint.geometry / model.memberOf(verticesOf(constraint)[0]).modulus;
-        const double strength = compliance / movedBy(constraint, incidence, masses);
-        const double length = constraint.rest_length;
-        const double volume = length * length / compliance;
+        const double strength = compliance / movedBy(constraint, incidence, model, masses);
+        const double volume = weightOf(constraint, compliance);
         if (strength > 0 && std::isfinite(strength) && std::isfinite(volume)) {
             Alike& alike = counted[std::lround(kBinsPerOctave * std::log2(strength))];
             alike.volume += volume;
@@ -94,35 +129,97 @@ void SweepStrength::follow(const BodyModel& model, const Params& params) {
     const std::vector<double> masses = unitMasses(model);
     edges_ = count(model.edges, model.incidences[shared::kStretch], model, masses);
     ispcs_ = count(model.ispcs, model.incidences[shared::kIspc], model, masses);
+    bends_ = count(model.bends, model.incidences[shared::kBend], model, masses);
+    measure(model);
+}
+
+/// What error() and iterationsFor() know of the body's size.
+void SweepStrength::measure(const BodyModel& model) {
+    std::vector<Bounds> boxes(model.members.size());
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
+            boxes[model.pieces[piece].member].add(model.restPositions[v].cast<double>());
+        }
+    }
+    wavesPerSpeed_ = 0;
+    thickness_ = 0;
+    for (std::size_t m = 0; m < boxes.size(); ++m) {
+        const BodyMember& member = model.members[m];
+        const double length = (boxes[m].high - boxes[m].low).maxCoeff();
+        if (length > 0) {
+            const double speed = std::sqrt(member.modulus / member.density);
+            wavesPerSpeed_ = std::max(wavesPerSpeed_, speed / length);
+            thickness_ = std::max(thickness_, member.thickness / length);
+        }
+    }
+    edgeLength_ = wallEdgeFor(model.edgeLength, model.diagonal);
+}
+
+SweepStrength::Sums SweepStrength::sumsOf(uint type, const Constraints& constraints,
+                                          const Params& params) {
+    Sums sums;
+    if (!isAsked(type, params)) {
+        return sums;
+    }
+    const double weight = modulusFactor(type, params);
+    const double factor = factorOf(type, params);
+    for (const auto& [bin, alike] : constraints) {
+        const double r = factor * alike.strength;
+        const double share = hasTrueModulus(params) ? std::min(1.0, r) : r / (1 + r);
+        sums.all += weight * alike.volume;
+        sums.carried += weight * alike.volume * share;
+    }
+    return sums;
 }
 
 double SweepStrength::carried(const Params& params) const {
-    double all = 0;
-    double carried = 0;
-    for (const auto& [type, constraints] :
-         {std::pair(shared::kStretch, &edges_), std::pair(shared::kIspc, &ispcs_)}) {
-        if (!isAsked(type, params)) {
-            continue;
-        }
-        const double weight = modulusFactor(type, params);
-        const double factor = factorOf(type, params);
-        for (const auto& [bin, alike] : *constraints) {
-            const double r = factor * alike.strength;
-            const double share = hasTrueModulus(params) ? std::min(1.0, r) : r / (1 + r);
-            all += weight * alike.volume;
-            carried += weight * alike.volume * share;
-        }
-    }
-    return all > 0 ? carried / all : 1;
+    const Sums edges = sumsOf(shared::kStretch, edges_, params);
+    const Sums ispcs = sumsOf(shared::kIspc, ispcs_, params);
+    const double all = edges.all + ispcs.all;
+    return all > 0 ? (edges.carried + ispcs.carried) / all : 1;
 }
 
 bool SweepStrength::isTooLittle(const Params& params) const {
-    return params.solver == SolverMode::smallSteps &&
-           carried(params) < (hasTrueModulus(params) ? kEnoughOfTrue : kEnoughOfPlain);
+    if (params.solver != SolverMode::smallSteps) {
+        return false;
+    }
+    if (params.iterations == kAutoIterations) {
+        Params most = params;
+        most.iterations = mostIterations();
+        return error(most) > params.iterationError;
+    }
+    return carried(params) < (hasTrueModulus(params) ? kEnoughOfTrue : kEnoughOfPlain);
+}
+
+double SweepStrength::error(const Params& params) const {
+    const Sums bends = sumsOf(shared::kBend, bends_, params);
+    const double ofBends = bends.all > 0 ? 1 - bends.carried / bends.all : 0;
+    const double substep = params.timeStep / numberOfIterations(params);
+    const double waves = wavesPerSpeed_ * std::sqrt(params.youngsModulus / params.density);
+    return kOfStiffness * (1 - carried(params)) + kOfBends * thickness_ * ofBends +
+           kOfWaves * waves * substep;
+}
+
+int SweepStrength::iterationsFor(const Params& params, double speed) const {
+    if (params.solver != SolverMode::smallSteps) {
+        return Params{}.iterations;
+    }
+    const int most = mostIterations();
+    const auto all = std::views::iota(1, most);
+    Params tried = params;
+    const int enough = *std::ranges::partition_point(all, [&](int iterations) {
+        tried.iterations = iterations;
+        return error(tried) > params.iterationError;
+    });
+    const double edges = edgeLength_ > 0 ? speed * params.timeStep / edgeLength_ : 0;
+    const double sound = std::sqrt(params.youngsModulus / params.density);
+    const double deep = Params{}.iterations * std::min(1.0, speed / sound);
+    const double fast = kSpeedSteps * std::ceil(std::max(edges / kMostOfEdge, deep) / kSpeedSteps);
+    return std::max(enough, static_cast<int>(std::min(fast, double(most))));
 }
 
 std::optional<int> SweepStrength::enoughIterations(const Params& params) const {
-    const int most = static_cast<int>(findParam("iterations")->high);
+    const int most = mostIterations();
     Params tried = params;
     for (tried.iterations = 1; tried.iterations <= most; ++tried.iterations) {
         if (!isTooLittle(tried)) {

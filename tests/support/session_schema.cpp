@@ -146,7 +146,10 @@ Json plainParamSchema(const ParamInfo& info) {
         case ParamType::real:
             return numberSchema(info.low, info.high);
         case ParamType::integer:
-            return wholeNumberSchema(info.low, info.high);
+            return info.choices.empty()
+                       ? wholeNumberSchema(info.low, info.high)
+                       : Json{{"anyOf", Json::array({wholeNumberSchema(info.low, info.high),
+                                                     Json{{"enum", info.choices}}})}};
         case ParamType::vector:
             return vectorSchema(info.low, info.high);
         case ParamType::optionalReal: {
@@ -174,7 +177,8 @@ std::string rangeSentence(const ParamInfo& info) {
     if (info.type != ParamType::choice) {
         const std::string unit = info.unit.empty() ? "" : " " + std::string(info.unit);
         range = " From " + number(info.low).dump() + " to " + number(info.high).dump() + unit;
-        range += info.type == ParamType::optionalReal ? ", or null;" : ";";
+        range += info.type == ParamType::optionalReal ? ", or null" : "";
+        range += info.choices.empty() ? ";" : ", or \"" + std::string(info.choices[0]) + "\";";
     }
     return range + " " + defaultOf(info).dump() + " where left out.";
 }

@@ -37,6 +37,19 @@ TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
     }
 }
 
+TEST(RemarkOn, AutoIterationsOfWhichEvenTheMostAreTooFew) {
+    PanelModel model;
+    Params& now = model.parameters.now;
+    now.iterations = kAutoIterations;
+    const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), now);
+    model.parameters.sweeps = &strength;
+    EXPECT_EQ(remarkOn(*findParam("iterations"), model.parameters), "");
+    now.youngsModulus = 1e8;
+    EXPECT_NE(
+        remarkOn(*findParam("iterations"), model.parameters).find("Even the most are too few"),
+        std::string::npos);
+}
+
 TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     const ParamInfo& iterations = *findParam("iterations");
     PanelModel model;

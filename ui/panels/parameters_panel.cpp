@@ -110,15 +110,38 @@ Slide slideOf(const ParamInfo& info, double& value) {
             isLogarithmic(info)};
 }
 
-SlideEdit slideInteger(const ParamInfo& info, double& value) {
+SlideEdit slideInteger(const ParamInfo& info, double& value, const std::string& format) {
     int whole = static_cast<int>(std::lround(value));
     const int low = static_cast<int>(info.low);
     const int high = static_cast<int>(info.high);
-    const SlideEdit edit =
-        slideRow(textOf(info),
-                 {ImGuiDataType_S32, &whole, &low, &high, sliderFormat(info), isLogarithmic(info)},
-                 ImGui::GetContentRegionAvail().x, resetRoom());
+    const SlideEdit edit = slideRow(
+        textOf(info), {ImGuiDataType_S32, &whole, &low, &high, format, isLogarithmic(info)},
+        ImGui::GetContentRegionAvail().x, resetRoom());
     value = whole;
+    return edit;
+}
+
+/// With a switch behind the label that leaves the number to the program: the slider then shows the
+/// one that it has chosen, and whoever moves it takes over.
+SlideEdit slideOrAuto(const ParamInfo& info, ParamValue& value, int chosen) {
+    bool isAuto = std::holds_alternative<std::string>(value);
+    double number = isAuto ? chosen : std::get<double>(value);
+    ImVec2 behind = ImGui::GetCursorPos();
+    behind.x += ImGui::CalcTextSize(info.label.data()).x + ImGui::GetStyle().ItemSpacing.x;
+    SlideEdit edit = slideInteger(info, number, (isAuto ? "auto: " : "") + sliderFormat(info));
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos(behind);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (ImGui::Checkbox("Auto", &isAuto)) {
+        edit = {true, false};
+        value = isAuto ? ParamValue(std::string(info.choices.front())) : ParamValue(number);
+    } else if (edit.changed) {
+        value = number;
+    }
+    ImGui::PopStyleVar();
+    noteItem("auto." + std::string(info.name));
+    itemTooltip(tooltipOf(info));
+    ImGui::SetCursorPos(below);
     return edit;
 }
 
@@ -203,14 +226,17 @@ SlideEdit slideOptional(const ParamInfo& info, ParamValue& value) {
     return {changed, false};
 }
 
-SlideEdit slideValue(const ParamInfo& info, ParamValue& value) {
+SlideEdit slideValue(const ParamInfo& info, ParamValue& value, const ParametersState& parameters) {
+    if (info.type == ParamType::integer && !info.choices.empty()) {
+        return slideOrAuto(info, value, parameters.iterations);
+    }
     switch (info.type) {
         case ParamType::real:
             return slideReal(info, std::get<double>(value));
         case ParamType::integer:
             return isSwitch(info)
                        ? labelledRow(info, [&] { return flipSwitch(std::get<double>(value)); })
-                       : slideInteger(info, std::get<double>(value));
+                       : slideInteger(info, std::get<double>(value), sliderFormat(info));
         case ParamType::vector:
             return slideVector(info, std::get<Vec3>(value));
         case ParamType::optionalReal:
@@ -294,7 +320,7 @@ void drawRow(const ParamInfo& info, const ParametersState& parameters,
         drawVectorLabel(info);
     }
     ParamValue value = getParam(parameters.now, info.name);
-    const SlideEdit edit = slideValue(info, value);
+    const SlideEdit edit = slideValue(info, value, parameters);
     if (edit.changed) {
         actions.emplace_back(SetParam{std::string(info.name), value, edit.continues});
     }
@@ -320,6 +346,9 @@ std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
     if (info.name != "iterations" || parameters.sweeps == nullptr ||
         !parameters.sweeps->isTooLittle(parameters.now)) {
         return "";
+    }
+    if (parameters.now.iterations == kAutoIterations) {
+        return "Even the most are too few for the error asked for. A smaller time step helps.";
     }
     const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
     const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."

@@ -12,6 +12,7 @@ namespace kerf::ui {
 struct ParametersState {
     Params now;
     Params start;                           ///< when opened, for the reset button
+    int iterations = 1;                     ///< of the last step, as given or chosen
     const SweepStrength* sweeps = nullptr;  ///< of the body; null while nothing is open
 };
 

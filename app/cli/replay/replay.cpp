@@ -265,8 +265,10 @@ class Replay {
         }
         if (strip_) {
             const Params& params = session_.params;
+            const bool isAuto = params.iterations == kAutoIterations;
             strip_->finish(fmt::format("{}: time step {} s, {} iterations", summary_.model,
-                                       params.timeStep, params.iterations));
+                                       params.timeStep,
+                                       isAuto ? "auto" : std::to_string(params.iterations)));
         }
     }
 

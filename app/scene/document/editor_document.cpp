@@ -68,8 +68,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     if (const std::string problem = checkRoom(placed); !problem.empty()) {
         throw InputError(file.string() + ": " + problem);
     }
-    session.params = suitedTo(placed.diagonal(), session.params);
-    session.params.sleeps = 1;  // a new scene has no bits to keep
+    session.params = suitedTo(placed.diagonal(), ofNewScene(session.params));
     Document document =
         finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
     document.guess = guess;
@@ -179,7 +178,9 @@ Document openDocument(const std::filesystem::path& file, const ReadOptions& opti
 }
 
 Document openDefaultDocument() {
-    return openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
+    Document document = openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
+    document.session.params = ofNewScene(document.session.params);
+    return document;
 }
 
 }  // namespace kerf::app

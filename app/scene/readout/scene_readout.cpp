@@ -132,6 +132,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.body.size = body_.rest.bounds().diagonal();
     model.body.bounds = simulation.bounds();
     model.parameters.sweeps = &sweeps_;
+    model.parameters.iterations = report.iterations;
     model.transport.playing = timeline_.playing;
     model.transport.step = simulation.stepCount() - timeline_.start().step;
     model.transport.time = timeline_.time();

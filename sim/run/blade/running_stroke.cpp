@@ -103,7 +103,7 @@ BladePush RunningStroke::push() const {
     const Params& params = input_.params;
     return {{params.bladeWidth * body_.diagonal, params.bladeThickness * body_.diagonal},
             body_.wallEdge,
-            contactSettings(params).substeps};
+            contactSettings(input_.solved()).substeps};
 }
 
 std::optional<BladeMotion> RunningStroke::bladeBody() const {

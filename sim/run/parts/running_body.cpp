@@ -133,6 +133,28 @@ void RunningBody::apply(const Params& params) {
     settings.debrisVolume = params.debrisVolume;
     settings.openCut = params.openCut != 0;
     settings.search = params.cutSearch;
+    if (params.iterations == kAutoIterations) {
+        memory.sweeps.follow(model(), params);
+    }
+}
+
+/// At which something may be met in the coming step [m/s]: 0 where nothing is near.
+double RunningBody::speedOfMeeting(const Params& params, bool hasBoxes) const {
+    const BodyMeasure& measure = memory.measure;
+    const double way = 2 * measure.fastest * params.timeStep;
+    const bool nearFloor = params.floor && measure.bounds.low.y() < *params.floor + way;
+    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || hasBoxes || nearFloor;
+    return meets ? measure.fastest : 0;
+}
+
+int RunningBody::iterationsFor(const Params& params, bool hasBoxes) const {
+    return params.iterations == kAutoIterations
+               ? memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes))
+               : params.iterations;
+}
+
+void RunningBody::applyToSolver(const Params& params) {
+    solver.setUniforms(solverUniforms(params));
     solver.collisions().setSettings(contactSettings(params));
 }
 

@@ -35,6 +35,11 @@ struct RunningBody {
     void startAnew(std::shared_ptr<const UncutBody> placed);
     void measureAtRest();
     void apply(const Params& params);
+    /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
+    /// as it needs (SweepStrength::iterationsFor()).
+    int iterationsFor(const Params& params, bool hasBoxes) const;
+    /// Gives the solver parameters with a number of iterations; after apply().
+    void applyToSolver(const Params& params);
 
     /// The present body; never null.
     SnapshotPointer capture();
@@ -106,6 +111,7 @@ struct RunningBody {
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
+    double speedOfMeeting(const Params& params, bool hasBoxes) const;
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;

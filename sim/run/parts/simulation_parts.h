@@ -18,9 +18,17 @@ namespace kerf {
 struct SimulationInput {
     Params params;
     bool paramsChanged = false;  ///< since the body got them
+    int iterations = 0;          ///< of the coming step: those of the parameters, or chosen
     std::vector<StaticBox> boxes;
     LedBlade blade;
     bool timeRuns = true;  ///< see SetTime
+
+    /// The parameters with the number of iterations of the coming step.
+    Params solved() const {
+        Params numbers = params;
+        numbers.iterations = iterations;
+        return numbers;
+    }
 };
 
 /// The time of a simulation.

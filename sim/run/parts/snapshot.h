@@ -14,6 +14,7 @@
 #include "sim/run/parts/stroke_record.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/solve/body_measure.h"
+#include "sim/solve/sweep_strength.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {
@@ -24,7 +25,8 @@ struct BodyMemory {
     Hands hands;
     Pins pins;
     ShapeRecovery recovery;
-    BodyMeasure measure;  ///< after the last step
+    BodyMeasure measure;   ///< after the last step
+    SweepStrength sweeps;  ///< with auto iterations: of what its constraints were made of
     SubdivisionCounts subdivisions{};
     std::vector<StrokeRecord> strokes;  ///< since the body was whole; see Simulation::strokes()
     /// Parameters keep no shape, or were changed while it was folded: inverted parts may stay so.

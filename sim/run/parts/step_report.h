@@ -18,6 +18,7 @@ struct StepReport {
     double time = 0;         ///< simulated time at its end [s]
     double volume = 0;       ///< sum over pieces [m^3]
     double volumeRatio = 1;  ///< against the uncut rest shape
+    int iterations = 0;      ///< as the parameters say, or as chosen where they are auto
     int pieces = 1;
     int vertices = 0;
     int triangles = 0;

@@ -76,6 +76,20 @@ TEST_F(EditorTest, ASliderDragChangesItsParameterAndAResetKeepsIt) {
     EXPECT_EQ(panels().parameters.now.timeStep, chosen);
 }
 
+TEST_F(EditorTest, ASwitchLeavesTheIterationsToTheProgramAndTheSliderTakesThemBack) {
+    click("auto.iterations");
+    EXPECT_EQ(panels().parameters.now.iterations, kAutoIterations);
+    tap(Key::period);
+    frames(1);
+    const int chosen = panels().parameters.iterations;
+    EXPECT_LT(chosen, 20);
+    click("auto.iterations");
+    EXPECT_EQ(panels().parameters.now.iterations, chosen) << "goes on with what was chosen";
+    click("auto.iterations");
+    dragSlider("param.iterations");
+    EXPECT_GT(panels().parameters.now.iterations, chosen);
+}
+
 TEST_F(EditorTest, SpacePlaysAndPausesAndTheDotSteps) {
     tap(Key::space);
     frames(5);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/body/body_updater.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::app {
@@ -50,6 +51,23 @@ TEST(IterationWatch, AsksForASmallerTimeStepWhereNoNumberOfIterationsWouldDo) {
               "Step 0: 1 iteration is too few for youngs_modulus 100000000 times "
               "stretch_stiffness 2 at time_step 0.02, so the body is softer than its modulus; a "
               "smaller time_step helps (1 of 1 steps have too few).");
+}
+
+TEST(IterationWatch, SaysWhereEvenTheMostAutoIterationsLeaveALargerError) {
+    IterationWatch watch;
+    Params params = withModulus(1e6);
+    params.trueModulus = 1;
+    params.iterations = kAutoIterations;
+    BodyUpdater body(test::builtin("sphere768"));
+    body.castIspcs(IspcRays::turned);
+    watch.add(0, body.model(), params);
+    EXPECT_EQ(watch.sentence(), "");
+    params.youngsModulus = 1e8;
+    watch.add(1, body.model(), params);
+    EXPECT_EQ(watch.sentence(),
+              "Step 1: even the most iterations are too few for youngs_modulus 100000000 at "
+              "time_step 0.005 and iteration_error 0.02; a smaller time_step helps (1 of 2 steps "
+              "have too few).");
 }
 
 TEST(IterationWatch, PlainPbdHasNoModulus) {

@@ -94,6 +94,30 @@ TEST(Params, FloorMayBeAbsent) {
     EXPECT_TRUE(std::holds_alternative<std::monostate>(getParam(params, "floor")));
 }
 
+TEST(Params, IterationsMayBeAWord) {
+    Params params;
+    EXPECT_EQ(setParam(params, "iterations", std::string("auto")), "");
+    EXPECT_EQ(params.iterations, kAutoIterations);
+    EXPECT_EQ(getParam(params, "iterations"), ParamValue(std::string("auto")));
+    EXPECT_FALSE(params == Params{});
+    EXPECT_EQ(setParam(params, "iterations", 7.0), "");
+    EXPECT_EQ(getParam(params, "iterations"), ParamValue(7.0));
+    EXPECT_THAT(setParam(params, "iterations", std::string("many")), HasSubstr("or \"auto\""));
+    EXPECT_THAT(setParam(params, "iterations", 0.0), HasSubstr("between 1 and 60"));
+    EXPECT_EQ(params.iterations, 7);
+}
+
+TEST(Params, ANewSceneHasATrueModulusAndAutoIterations) {
+    Params params;
+    params.density = 900;
+    const Params begun = ofNewScene(params);
+    EXPECT_EQ(begun.trueModulus, 1);
+    EXPECT_EQ(begun.iterations, kAutoIterations);
+    EXPECT_EQ(begun.sleeps, 1);
+    EXPECT_EQ(begun.density, 900);
+    EXPECT_EQ(Params{}.iterations, 20) << "what a session leaves out";
+}
+
 struct BadValue {
     const char* name;
     ParamValue value;

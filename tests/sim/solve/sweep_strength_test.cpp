@@ -104,6 +104,47 @@ TEST(SweepStrength, EnoughIterationsAreTheFewest) {
     EXPECT_FALSE(strength.enoughIterations(params));
 }
 
+TEST(SweepStrength, AutoIterationsAreTheFewestThatKeepToTheError) {
+    const Bar bar(4);
+    Params params = trueParams();
+    const SweepStrength strength(bar.model(), params);
+    int before = 0;
+    for (const double modulus : {1e4, 1e5, 1e6}) {
+        params.youngsModulus = modulus;
+        const int chosen = strength.iterationsFor(params, 0);
+        EXPECT_GT(chosen, before);
+        before = chosen;
+        params.iterations = chosen;
+        EXPECT_LE(strength.error(params), params.iterationError);
+        params.iterations = chosen - 1;
+        EXPECT_GT(strength.error(params), params.iterationError);
+    }
+    params.iterationError = 0.05;
+    EXPECT_LT(strength.iterationsFor(params, 0), before);
+    params.timeStep /= 2;
+    params.iterationError = 0.02;
+    EXPECT_LT(strength.iterationsFor(params, 0), 0.7 * before) << "only the substep counts";
+}
+
+TEST(SweepStrength, AutoIterationsFollowTheSpeedInSteps) {
+    const Bar bar(4);
+    const Params params = trueParams();
+    const SweepStrength strength(bar.model(), params);
+    const int slow = strength.iterationsFor(params, 0);
+    EXPECT_EQ(strength.iterationsFor(params, 0.01), slow);
+    EXPECT_GT(strength.iterationsFor(params, 20), slow);
+    EXPECT_EQ(strength.iterationsFor(params, 20), strength.iterationsFor(params, 20.01));
+    EXPECT_EQ(strength.iterationsFor(params, 1e4), 60);
+}
+
+TEST(SweepStrength, WavesOfADenserBodyAreSlowerAndNeedFewer) {
+    Params params = trueParams();
+    const Bar bar(4);
+    const SweepStrength strength(bar.model(), params);
+    params.density = 4000;
+    EXPECT_LT(strength.error(params), strength.error(trueParams()));
+}
+
 TEST(SweepStrength, CountsAnewWhereConstraintsBecomeOthers) {
     Bar small(3);
     Params params = trueParams();
