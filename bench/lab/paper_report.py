@@ -263,7 +263,7 @@ def previous_fps(paper):
 
 def performance(results):
     return ("## Performance (the paper's sections 3.2 and 3.3)\n\n" + figure_nine(results)
-            + rates_table(results) + table_three(results))
+            + rates_table(results) + auto_table(results) + table_three(results))
 
 
 def figure_nine(results):
@@ -287,6 +287,24 @@ def rates_table(results):
 
     return per_model(["while the blade cuts: mean", "smallest", "largest", "whole run",
                       "slowest frame, ms", "paper"], results, cells)
+
+
+def auto_table(results):
+    """Beside the paper's iterations those that Kerf chooses."""
+    def of(summary):
+        volume = summary["volume_ratio"]
+        return [f"{summary['fps']['mean']:.1f}", *(percent(volume[k]) for k in ("min", "final"))]
+
+    def cells(r):
+        return [value_text(r.params["iterations"]), *of(r.summary), r.auto.iterations, *of(r.auto.summary)]
+
+    own = [r for r in results if r.auto]
+    return (per_model(["paper's iterations", "frames/s", "least volume, %", "final", "auto",
+                       "frames/s", "least volume, %", "final"], own, cells)
+            + caption("Auto iterations", (
+                "The whole run with the paper's iterations and, as in a new scene of the editor, "
+                "with `true_modulus` and `iterations` \"auto\", least to most of a step."))
+            if own else "")
 
 
 def table_three(results):

@@ -8,7 +8,7 @@ import sys
 
 import kerf
 
-from . import bar, blade, fem, materials, paper, paper_figures, paper_report
+from . import bar, blade, fem, iterations, materials, paper, paper_figures, paper_report
 from .workshop import progress, remove, write
 
 # As `kerf --help` says.
@@ -20,7 +20,8 @@ MOST_REPEATS = 100
 
 #: Experiments of Kerf's own, which "all" leaves out: each has a folder of its name. They print
 #: their report, or with --json their summary, and return what failed as a sentence, or "".
-OWN = {"bar": bar.run, "fem": fem.run, "blade": blade.run, "materials": materials.run}
+OWN = {"bar": bar.run, "fem": fem.run, "blade": blade.run, "materials": materials.run,
+       "iterations": iterations.run}
 
 
 class Parser(argparse.ArgumentParser):

@@ -49,6 +49,15 @@ class Report(unittest.TestCase):
         self.assertIn("some GPU", report)
         self.assertIn("91.1", report)
 
+    def test_has_the_papers_iterations_beside_those_that_kerf_chooses(self):
+        sphere = result_of("sphere80")
+        self.assertNotIn("Auto iterations", paper_report.report([sphere], None, False))
+        rows = np.array([(5,), (7,), (6,)], [("iterations", float)])
+        sphere.auto = paper.AutoRun({"fps": same(300), "volume_ratio": {"min": 0.998, "final": 1}},
+                                    rows)
+        self.assertIn("| Sphere 80 | 30 | 125.0 | 100.00 | 100.00 | 5 to 7 | 300.0 | 99.80 | "
+                      "100.00 |\n", paper_report.report([sphere], None, False))
+
     def test_derives_the_previous_method_from_the_gains(self):
         for name, rate in (("sphere768", 108.4), ("octopus", 51.7), ("banana", 32.1)):
             self.assertAlmostEqual(paper_report.previous_fps(PAPER[name]), rate, delta=0.05)

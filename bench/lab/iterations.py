@@ -1,0 +1,162 @@
+"""Auto iterations: the error that they leave in motions of the paper's models."""
+
+import typing
+
+import kerf
+import numpy as np
+
+from .workshop import progress, publish, remove, table
+
+TIME_STEP = 0.005  # [s]
+#: Substeps of the motion that counts as true, and the steps that these take one step's time.
+TRUE_ITERATIONS, TRUE_STEPS = 40, 4
+USUAL_ITERATIONS = 20
+GRAVITY, DRAG = 9.81, 1  # [m/s^2], [1/s]
+FALL, FALL_STEPS, IMPACT_STEPS = 0.2, 40, 24  # [m], until the floor, from there on
+SWING_STEPS = {"sphere20": 40, "sphere80": 40, "sphere768": 40, "banana": 24, "octopus": 16}
+PINNED = 0.1  # of the length, at one end
+MOTIONS = ("first swing", "drop")
+MODULI = (1e5, 1e6, 1e7)
+ASKED = 0.02  # the parameter `iteration_error`
+ALL_ASKED, ASKED_OF = (0.05, 0.02, 0.01, 0.005), ("sphere768", 1e6)
+
+
+class Setting(typing.NamedTuple):
+    """A motion of a model."""
+    model: str
+    modulus: float  #: [Pa]
+    motion: str  #: one of MOTIONS
+
+
+class Run(typing.NamedTuple):
+    """A motion with auto iterations, beside the usual number."""
+    setting: Setting
+    asked: float
+    least: int  #: iterations of a step
+    most: int
+    error: float
+    usual_error: float
+    too_few: bool  #: the program says that even the most iterations are too few
+
+    @property
+    def iterations(self):
+        return str(self.most) if self.least == self.most else f"{self.least} to {self.most}"
+
+
+def begin(setting, params):
+    """A model that is about to swing from a pinned end, or to fall on the floor."""
+    rest = kerf.Simulation(setting.model, undo_memory=0).mesh.rest_positions
+    low, high = rest.min(axis=0), rest.max(axis=0)
+    drops = setting.motion == "drop"
+    sim = kerf.Simulation(setting.model, undo_memory=0, params={
+        "true_modulus": 1, "youngs_modulus": setting.modulus, "gravity": [0, -GRAVITY, 0],
+        "air_drag": DRAG, "floor": float(low[1]) - FALL if drops else None, **params})
+    if not drops:
+        along = 1 if setting.model.startswith("sphere") else int(np.argmax(high - low))
+        low[along] = high[along] - PINNED * (high - low)[along]
+        sim.pin(low=low - 1e-3, high=high + 1e-3)
+    return sim
+
+
+def move(setting, iterations, error=ASKED, steps=1):
+    """Positions after each time step, the iterations of each, and whether these were too few."""
+    sim = begin(setting, {"iterations": iterations, "iteration_error": error,
+                          "time_step": TIME_STEP / steps})
+    count = (FALL_STEPS + IMPACT_STEPS if setting.motion == "drop"
+             else SWING_STEPS[setting.model])
+    places, chosen = [], []
+    for _ in range(count):
+        chosen.append(sim.step(steps).iterations)
+        places.append(sim.positions)
+    return np.array(places), chosen, bool(sim.too_few_iterations)
+
+
+def undisturbed(setting, rest):
+    """Where all would be without the floor, or the load."""
+    places = np.repeat(rest[None], FALL_STEPS + IMPACT_STEPS if setting.motion == "drop"
+                       else SWING_STEPS[setting.model], axis=0)
+    if setting.motion == "drop":
+        times = TIME_STEP * np.arange(1, len(places) + 1)
+        fall = GRAVITY * (times / DRAG - (1 - np.exp(-DRAG * times)) / DRAG**2)
+        places[:, :, 1] -= fall[:, None]
+    return places
+
+
+class Truth:
+    """A motion with many substeps, against which others are held."""
+
+    def __init__(self, setting):
+        self.setting = setting
+        self.places = move(setting, TRUE_ITERATIONS, steps=TRUE_STEPS)[0]
+        rest = begin(setting, {}).mesh.rest_positions
+        self.first = FALL_STEPS if setting.motion == "drop" else 0
+        self.way = self.rms(undisturbed(setting, rest))
+
+    def rms(self, places):
+        """How far others are from it, from the impact or the load on [m]."""
+        apart = (places - self.places)[self.first:]
+        return np.sqrt((apart**2).sum(axis=2).mean())
+
+    def error_of(self, places):
+        """As a share of the way that load or floor has moved all by."""
+        return self.rms(places) / self.way
+
+
+def measure(setting, all_asked=(ASKED,)):
+    truth = Truth(setting)
+    usual = truth.error_of(move(setting, USUAL_ITERATIONS)[0])
+    runs = []
+    for asked in all_asked:
+        places, chosen, too_few = move(setting, "auto", asked)
+        runs.append(Run(setting, asked, min(chosen), max(chosen), truth.error_of(places), usual,
+                        too_few))
+    return runs
+
+
+def report_of(runs, by_asked):
+    def cells(r):
+        return [f"{r.iterations}{'*' if r.too_few else ''}", f"{100 * r.error:.2g}",
+                f"{100 * r.usual_error:.2g}"]
+
+    by_setting = {r.setting: r for r in runs}
+    settings = dict.fromkeys(s[:2] for s in by_setting)
+    return (
+        "# Auto iterations\n\n"
+        f"Models with `true_modulus`, steps of {1000 * TIME_STEP:g} ms: the first swing after "
+        "gravity is switched on, one end pinned; and a drop from 0.2 m, from the impact on. "
+        f"Errors are against {TRUE_ITERATIONS * TRUE_STEPS} substeps a step, RMS over vertices "
+        "and steps, in per cent of the way that load or floor has moved all by. Beside a star the "
+        "program says that even the most iterations are too few. "
+        f"`iteration_error` is {ASKED:g}.\n\n"
+        + table(["model", "E, Pa", *(f"{motion}: {what}" for motion in MOTIONS
+                                     for what in ("iterations", "error, %", "with 20, %"))],
+                [[model, f"{modulus:.0e}",
+                  *(cell for motion in MOTIONS
+                    for cell in cells(by_setting[Setting(model, modulus, motion)]))]
+                 for model, modulus in settings])
+        + (f"## Error asked and reached\n\n{ASKED_OF[0]}, {ASKED_OF[1]:.0e} Pa.\n\n"
+           + table(["asked, %", *(f"{motion}: {what}" for motion in MOTIONS
+                                  for what in ("iterations", "reached, %"))],
+                   [[f"{100 * asked:g}", *(cell for r in by_asked if r.asked == asked
+                                           for cell in cells(r)[:2])] for asked in ALL_ASKED])
+           if by_asked else ""))
+
+
+def summary_of(runs):
+    return {"runs": [{**r.setting._asdict(), **r._asdict(), "setting": str(r.setting)}
+                     for r in runs]}
+
+
+def run(arguments):
+    """Prints the report or the summary. Nothing fails."""
+    folder = arguments.out / "iterations"
+    remove(folder, "report.md", "summary.json")
+    runs = []
+    for model in SWING_STEPS:
+        for modulus in MODULI:
+            for motion in MOTIONS:
+                progress(f"{model}, {modulus:.0e} Pa, {motion}")
+                runs += measure(Setting(model, modulus, motion))
+    by_asked = [r for motion in MOTIONS for r in measure(Setting(*ASKED_OF, motion), ALL_ASKED)]
+    publish(arguments, folder, report_of(runs, by_asked), summary_of(runs + by_asked))
+    return ""
