@@ -148,9 +148,13 @@ double RunningBody::speedOfMeeting(const Params& params, bool hasBoxes) const {
 }
 
 int RunningBody::iterationsFor(const Params& params, bool hasBoxes) const {
-    return params.iterations == kAutoIterations
-               ? memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes))
-               : params.iterations;
+    if (params.iterations != kAutoIterations) {
+        return params.iterations;
+    }
+    const int chosen = memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes));
+    // Nobody counts the short edges beside a cut.
+    const bool isCut = std::ranges::any_of(memory.strokes, &StrokeRecord::metBody);
+    return isCut ? std::max(chosen, numberOfIterations(params)) : chosen;
 }
 
 void RunningBody::applyToSolver(const Params& params) {

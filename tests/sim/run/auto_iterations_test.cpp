@@ -152,7 +152,7 @@ TEST_F(AutoIterationsTest, SeekingBackAcrossACutAndOtherMaterialsGivesTheSameBit
     EXPECT_EQ(play(10), later);
 }
 
-TEST_F(AutoIterationsTest, UndoOfACutGoesOnAsWithoutIt) {
+TEST_F(AutoIterationsTest, ACutBodyHasThoseOfTheDefaultsAndUndoGoesOnAsWithoutIt) {
     start(autoParams());
     simulation->setUndoBudget(1 << 28);
     run(10);
@@ -166,6 +166,8 @@ TEST_F(AutoIterationsTest, UndoOfACutGoesOnAsWithoutIt) {
     simulation->execute(LiftBlade{});
     run(3);
     EXPECT_EQ(simulation->report().pieces, 2);
+    EXPECT_LT(without.iterations.front(), Params{}.iterations);
+    EXPECT_EQ(step(), Params{}.iterations);
     simulation->execute(Undo{});
     EXPECT_EQ(simulation->report().pieces, 1);
     EXPECT_EQ(play(1).iterations.front(), without.iterations.front());
