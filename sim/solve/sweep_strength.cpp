@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "sim/body/piece_masses.h"
@@ -205,12 +204,13 @@ int SweepStrength::iterationsFor(const Params& params, double speed) const {
         return Params{}.iterations;
     }
     const int most = mostIterations();
-    const auto all = std::views::iota(1, most);
     Params tried = params;
-    const int enough = *std::ranges::partition_point(all, [&](int iterations) {
-        tried.iterations = iterations;
-        return error(tried) > params.iterationError;
-    });
+    int enough = 1;
+    for (int upTo = most; enough < upTo;) {
+        tried.iterations = (enough + upTo) / 2;
+        const bool tooFew = error(tried) > params.iterationError;
+        (tooFew ? enough : upTo) = tried.iterations + (tooFew ? 1 : 0);
+    }
     const double edges = edgeLength_ > 0 ? speed * params.timeStep / edgeLength_ : 0;
     const double sound = std::sqrt(params.youngsModulus / params.density);
     const double deep = Params{}.iterations * std::min(1.0, speed / sound);
