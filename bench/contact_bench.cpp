@@ -1,7 +1,8 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random, spheres that fall onto bars.
-//   kerf_contact_bench [halves|blocks|octopus|speed|crowd|collision|drops|bars] [--runs N]
-//   [--first I] [--seed S] [--NAME VALUE ...]
+//   kerf_contact_bench [halves|blocks|octopus|speed|crowd|poured|dropped_halves|collision|
+//   drops|bars] [--runs N] [--first I] [--seed S] [--size TRIANGLES] [--seconds S] [--NAME VALUE
+//   ...]
 // where NAME is a parameter of the simulation.
 
 #include <cmath>
@@ -23,6 +24,8 @@ struct Options {
     int runs = 10;
     int first = 0;
     std::uint64_t seed = 1;
+    int size = 20'000;  ///< of `dropped_halves` [triangles]
+    double seconds = 1;
     Params params;
 };
 
@@ -46,6 +49,10 @@ Options readOptions(int count, char** words) {
                 options.runs = static_cast<int>(value);
             } else if (word == "--first") {
                 options.first = static_cast<int>(value);
+            } else if (word == "--size") {
+                options.size = static_cast<int>(value);
+            } else if (word == "--seconds") {
+                options.seconds = value;
             } else if (word == "--seed") {
                 options.seed = static_cast<std::uint64_t>(value);
             } else if (const std::string error =
@@ -150,6 +157,15 @@ void play(const Options& options) {
                         text(throwCrowd(speed, options.params)).c_str());
             std::fflush(stdout);
         }
+    }
+    if (asked("poured")) {
+        std::printf("poured: %s\n", text(pourBalls(options.params, options.seconds)).c_str());
+        std::fflush(stdout);
+    }
+    if (asked("dropped_halves")) {
+        const CostFigures figures = dropHalves(options.size, options.params, options.seconds);
+        std::printf("dropped halves: %s\n", text(figures).c_str());
+        std::fflush(stdout);
     }
     if (asked("collision")) {
         std::printf("collision: %s\n", text(collideSpheres(options.params)).c_str());

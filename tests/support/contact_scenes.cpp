@@ -384,6 +384,84 @@ std::string text(const CrowdFigures& f) {
     return line;
 }
 
+namespace {
+
+/// In layers of 16 that lie askew, each turned another way.
+TriangleSoup pouredSoup() {
+    constexpr int kSide = 4;
+    constexpr int kBalls = 144;
+    constexpr double kApart = 0.23;
+    cut::Jitter random(1);
+    TriangleSoup all;
+    for (int i = 0; i < kBalls; ++i) {
+        TriangleSoup ball = icosphereSoup(2, 0.1);
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(random.uniform(0, 6.28), random.direction()).toRotationMatrix();
+        for (Vec3& p : ball.positions) {
+            p = turn * p;
+        }
+        const Vec3 cell(i % kSide, i / (kSide * kSide), i / kSide % kSide);
+        all = joined(all, ball, kApart * cell + 0.014 * random.direction());
+    }
+    return all;
+}
+
+CostFigures costOf(Simulation& simulation, int steps) {
+    CostFigures figures;
+    figures.steps = steps;
+    double deform = 0;
+    double collide = 0;
+    for (int i = 0; i < steps; ++i) {
+        const StepReport& report = simulation.step();
+        deform += report.deformMs;
+        collide += report.collideMs;
+        figures.deform += report.deformMs;
+        figures.collide += report.collideMs;
+        figures.mostContacts = std::max(figures.mostContacts, report.contacts);
+        if ((i + 1) % std::max(steps / 10, 1) == 0) {
+            figures.worst = std::max(figures.worst, collide / deform);
+            deform = collide = 0;
+        }
+    }
+    figures.triangles = simulation.report().triangles;
+    figures.stateHash = simulation.stateHash();
+    return figures;
+}
+
+}  // namespace
+
+CostFigures pourBalls(const Params& given, double seconds) {
+    Params params = given;
+    params.contact = 1;
+    SurfaceMesh mesh = meshOf(pouredSoup());
+    params.floor = meshBounds(mesh).low.y() - 0.05;
+    Simulation simulation(std::move(mesh), params);
+    return costOf(simulation, stepsOf(seconds, params));
+}
+
+CostFigures dropHalves(int triangles, const Params& given, double seconds) {
+    Params params = given;
+    params.contact = 0;
+    params.gravity.setZero();
+    const int fine = static_cast<int>(std::lround(std::sqrt(triangles / 12.0)));
+    SurfaceMesh body = placed(cubeSphere(fine), Eigen::Matrix3d::Identity(), {0, 0.55, 0});
+    Simulation simulation(std::move(body), params);
+    cutLevel(simulation, 0.55);
+    simulation.execute(SetParam{"gravity", given.gravity});
+    simulation.execute(SetParam{"contact", 1.0});
+    return costOf(simulation, stepsOf(seconds, params));
+}
+
+std::string text(const CostFigures& f) {
+    char line[256];
+    std::snprintf(line, sizeof line,
+                  "%d triangles, %d steps: deform %.1f ms, collide %.1f ms a step, ratio %.2f, in "
+                  "the worst tenth %.2f; most contacts %d; ends as %s",
+                  f.triangles, f.steps, f.deform / f.steps, f.collide / f.steps,
+                  f.collide / f.deform, f.worst, f.mostContacts, f.stateHash.c_str());
+    return line;
+}
+
 CollisionFigures collideSpheres(const Params& given) {
     Params params = given;
     params.gravity.setZero();

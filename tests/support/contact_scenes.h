@@ -54,6 +54,22 @@ struct SpeedFigures {
 SpeedFigures timeDrop(const std::string& model, const Params& params, double seconds = 1);
 std::string text(const SpeedFigures& figures);
 
+/// What contact costs beside the rest of a step, wall time of all steps together.
+struct CostFigures {
+    int triangles = 0;
+    int steps = 0;
+    double deform = 0;   ///< [ms]
+    double collide = 0;  ///< [ms]
+    double worst = 0;    ///< the largest share of `collide` in a tenth of the steps
+    int mostContacts = 0;
+    std::string stateHash;  ///< at the end
+};
+/// 144 balls of 320 triangles poured on the floor.
+CostFigures pourBalls(const Params& params, double seconds = 1);
+/// A ball of about this many triangles, cut level into two halves and dropped.
+CostFigures dropHalves(int triangles, const Params& params, double seconds = 0.5);
+std::string text(const CostFigures& figures);
+
 /// Processor time of a step with 64 pieces of 162 vertices each that lie side by side, and of the
 /// same ones just thrown, each in another direction.
 struct CrowdFigures {
