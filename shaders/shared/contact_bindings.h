@@ -12,27 +12,21 @@ SHARED_CONST uint kContactLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kContactTrianglesBinding = 5u;     // uvec4, see BodyView
 SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.comp
 SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape
-SHARED_CONST uint kContactBoxesBinding = 8u;         // ContactBox per triangle
+SHARED_CONST uint kContactBoxesBinding = 8u;         // two uvec4 per triangle, see tree.glsl
 SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed point, then as many
                                                      // for the edges at them
 SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
-SHARED_CONST uint kContactBucketsBinding = 9u;       // ContactBucket
-SHARED_CONST uint kContactBlocksBinding = 10u;       // uint per block of buckets: its first entry
+SHARED_CONST uint kContactNodesBinding = 9u;         // four uvec4 per node, see tree.glsl
 SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
-SHARED_CONST uint kContactReachBinding = 11u;        // PieceReach per piece
-SHARED_CONST uint kContactCountsBinding = 11u;       // uint per bucket: triangles left to enter
-SHARED_CONST uint kContactEntriesBinding = 12u;      // uint: triangles, bucket by bucket
 SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
 SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
 SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandidatesPerPoint a point
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
-SHARED_CONST uint kContactHomesBinding = 14u;       // uint per triangle: its bucket
-SHARED_CONST uint kContactStartsBinding = 13u;      // uint per bucket: its first entry in its block
-SHARED_CONST uint kContactStateBinding =
-    15u;  // ContactState; behind it a uint per vertex: its share
-SHARED_CONST uint kContactRingsBinding = 10u;  // as kContactIncidenceBinding
-SHARED_CONST uint kContactPiecesBinding = 8u;  // PieceRecord
-SHARED_CONST uint kContactMotionBinding = 9u;  // PieceMotion per piece
+// ContactState; behind it a uint per vertex: what contacts take of it
+SHARED_CONST uint kContactStateBinding = 15u;
+SHARED_CONST uint kContactRingsBinding = 10u;   // as kContactIncidenceBinding
+SHARED_CONST uint kContactPiecesBinding = 11u;  // PieceRecord
+SHARED_CONST uint kContactOrderBinding = 10u;   // uint: triangles or vertices, neighbours together
 
 // Texture and image units of what the answers of a substep fetch (answers.glsl), formats as above.
 SHARED_CONST uint kContactNormalsUnit = 10u;

@@ -5,8 +5,13 @@ SHARED_BEGIN
 
 // Triangles that a point is compared with in every substep: the nearest ones.
 SHARED_CONST uint kCandidatesPerPoint = 8u;
-// Sizes of cells of the grid, each twice the one before.
-SHARED_CONST uint kGridLevels = 16u;
+// Children of a node of the tree of boxes; triangles of a lowest one.
+SHARED_CONST uint kTreeFan = 8u;
+// Vertices that search the tree together.
+SHARED_CONST uint kSearchGroup = 32u;
+
+// Candidates are kept up to this motion of what is near against each other, times h.
+SHARED_CONST float kKept = 0.25f;
 
 // A vertex and a triangle touch only where their normals oppose each other by more than this.
 SHARED_CONST float kOpposed = -0.1f;
@@ -48,7 +53,6 @@ struct ContactUniforms {
     float reach;            // pairs this near are candidates whatever their speed [m]
     float interval;         // time until candidates are looked for anew [s]
     float margin;           // no pair is a candidate beyond this [m]
-    float cell;             // of the finest grid [m]; piece_reach writes it where that runs
     float thickness;        // distance kept from what was never one material [m]
     float substep;          // [s]
     float lift_speed;       // at which penetrations are taken back [m/s]
@@ -57,48 +61,15 @@ struct ContactUniforms {
     float unit;             // of fixed-point displacements [m]
     uint vertex_count;
     uint triangle_count;
-    uint bucket_count;  // a power of two, at least kGroupSize
 };
 
-// The box around a triangle.
-struct ContactBox {
-    vec4 low;   // w: as uint, kFirstBin + the bin of its normal, see directions.glsl
-    vec4 high;  // w: as uint, kFirstBin + its piece
-};
-
-// Added to a bin: a word with these bits is an ordinary number as a float.
-SHARED_CONST uint kFirstBin = 0x3f800000u;
-SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area
-
-// A bucket of the grid: what a search asks before it looks at its triangles.
-struct ContactBucket {
-    uint directions;            // bins of the normals of its triangles; 0: it holds none
-    uint first;                 // of its entries
-    uint end;                   // after the last of them
-    uint first_piece;           // the lowest number of their pieces
-    uint last_piece;            // the highest
-    float low_x, low_y, low_z;  // the box around theirs [m]
-    float high_x, high_y, high_z;
-};
+SHARED_CONST uint kNoBin = 24u;  // of a triangle without an area, or of a chip
 
 // The box around the vertices of a piece, as words in the order of the floats, see
 // ordered_floats.glsl.
 struct PieceBounds {
     uint low_x, low_y, low_z;
     uint high_x, high_y, high_z;
-};
-
-// How the vertices of a piece lie and move when candidates are looked for. The lows hold the
-// complements of words, so that each number is a maximum that begins with 0.
-struct PieceMotion {
-    PieceBounds place;     // of X [m]
-    PieceBounds velocity;  // [m/s]
-};
-
-// Up to where vertices of a piece look for triangles [m].
-struct PieceReach {
-    float own;     // of their piece; below 0: they look for none
-    float others;  // of other pieces; 0: none comes near
 };
 
 // A triangle that a point may touch.
@@ -133,11 +104,9 @@ struct ContactState {
     uint vertex_groups;  // over all vertices: none where there are no candidates
     uint vertex_groups_y;
     uint vertex_groups_z;
-    uint points;                // with candidates
-    uint levels;                // bits of the grid's sizes in use
-    uint contacts;              // so far in this substep
-    uint last_contacts;         // in the last substep
-    uint largest[kGridLevels];  // as bits of a float: longest side of the boxes of a size [m]
+    uint points;         // with candidates
+    uint contacts;       // so far in this substep
+    uint last_contacts;  // in the last substep
 };
 
 // In the paper's contact: normals face the same way where their difference, squared, is below this.

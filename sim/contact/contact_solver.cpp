@@ -19,15 +19,11 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-static_assert(sizeof(shared::ContactUniforms) == 56);
-static_assert(sizeof(shared::ContactBox) == 32);
-static_assert(sizeof(shared::ContactBucket) == 44);
-static_assert(sizeof(shared::PieceMotion) == 48);
-static_assert(sizeof(shared::PieceReach) == 8);
+static_assert(sizeof(shared::ContactUniforms) == 48);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
-static_assert(sizeof(shared::ContactState) == 104);
+static_assert(sizeof(shared::ContactState) == 36);
 
 constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
@@ -91,7 +87,6 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
     u.reach = static_cast<float>(reach);
     u.interval = static_cast<float>(interval);
     u.margin = static_cast<float>(std::max(margin, reach));
-    u.cell = 2 * u.margin;
     u.thickness = static_cast<float>(thickness);
     u.substep = static_cast<float>(settings.substep);
     u.lift_speed = static_cast<float>(settings.liftSpeed);
@@ -103,8 +98,6 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
 
 ContactSolver::ContactSolver() {
     kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
-    kernels_.pieceMotion = gpu::Program::compute("sim/contact/piece_motion.comp");
-    kernels_.pieceReach = gpu::Program::compute("sim/contact/piece_reach.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
     kernels_.detect = compileAnswer("detect");
@@ -137,6 +130,9 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
     edgeLength_ = edgeLength;
     bodyIsNew_ = true;
     hasCandidates_ = false;
+    if (body.isNew) {
+        tree_.forget();
+    }
 }
 
 // Not before contact is on: the buffers are larger than the body's own.
@@ -144,9 +140,7 @@ void ContactSolver::takeBody() {
     const std::size_t n = body_.vertexCount;
     normals_.resize(n * sizeof(shared::vec4));
     restNormals_.resize(n * sizeof(shared::vec4));
-    motions_.resize(std::max(body_.pieceCount, 1u) * sizeof(shared::PieceMotion));
-    reaches_.resize(std::max(body_.pieceCount, 1u) * sizeof(shared::PieceReach));
-    grid_.resize(body_.triangleCount);
+    tree_.take(body_);
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
@@ -159,7 +153,6 @@ void ContactSolver::takeBody() {
 void ContactSolver::uploadUniforms() {
     uniforms_.vertex_count = body_.vertexCount;
     uniforms_.triangle_count = body_.triangleCount;
-    uniforms_.bucket_count = TriangleGrid::bucketsFor(body_.triangleCount);
     uniformBuffer_.assign(std::span<const shared::ContactUniforms>(&uniforms_, 1));
 }
 
@@ -193,8 +186,7 @@ void ContactSolver::search() {
 
 void ContactSolver::findFromSearched() {
     runNormals(searchedPositions_, normals_);
-    findReaches();
-    grid_.fill(searchedPositions_);
+    tree_.fit(body_, searchedPositions_, searchedVelocities_);
     findCandidates();
     ++searches_;
     hasCandidates_ = true;
@@ -236,32 +228,20 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
     kernels_.normals.dispatch(body_.vertexCount);
 }
 
-// Before the grid, whose cells are as wide as they ask for.
-void ContactSolver::findReaches() {
-    motions_.clear();
-    searchedPositions_.bindStorage(shared::kContactPositionsBinding);
-    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
-    body_.links->bindStorage(shared::kContactLinksBinding);
-    body_.pieces->bindStorage(shared::kContactPiecesBinding);
-    motions_.bindStorage(shared::kContactMotionBinding);
-    reaches_.bindStorage(shared::kContactReachBinding);
-    kernels_.pieceMotion.dispatch(body_.vertexCount);
-    kernels_.pieceReach.setNumbers({body_.pieceCount});
-    kernels_.pieceReach.dispatch(1);
-}
-
 void ContactSolver::findCandidates() {
-    searchedVelocities_.bindStorage(shared::kContactVelocitiesBinding);
-    body_.restPositions->bindStorage(shared::kContactRestBinding);
+    using gpu::TexelFormat;
+    tree_.bind();
+    tree_.vertices().bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
+    body_.restPositions->bindTexels(shared::kContactRestBinding, TexelFormat::float32x4);
+    normals_.bindTexels(shared::kContactNormalsBinding, TexelFormat::float32x4);
+    restNormals_.bindTexels(shared::kContactRestNormalsBinding, TexelFormat::float32x4);
     body_.links->bindStorage(shared::kContactLinksBinding);
-    reaches_.bindStorage(shared::kContactReachBinding);
-    normals_.bindStorage(shared::kContactNormalsBinding);
-    restNormals_.bindStorage(shared::kContactRestNormalsBinding);
     candidates_.bindStorage(shared::kContactCandidatesBinding);
     points_.bindStorage(shared::kContactPointsBinding);
-    kernels_.candidates.dispatch(body_.vertexCount);
-    body_.incidenceRanges->bindStorage(shared::kContactRangesBinding);
-    body_.incidence->bindStorage(shared::kContactRingsBinding);
+    kernels_.candidates.setNumbers({tree_.roots(), tree_.leaves()});
+    kernels_.candidates.dispatch(tree_.vertexPlaces());
+    body_.incidenceRanges->bindTexels(shared::kContactRangesBinding, TexelFormat::uint32x2);
+    body_.incidence->bindTexels(shared::kContactRingsBinding, TexelFormat::uint32);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
     if (settings_.edges) {
         runIndirect(kernels_.edgePairs, offsetof(shared::ContactState, point_groups));

@@ -10,7 +10,7 @@
 #include "shaders/shared/contact_records.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
-#include "sim/contact/triangle_grid.h"
+#include "sim/contact/contact_tree.h"
 
 namespace kerf {
 
@@ -28,6 +28,7 @@ struct ContactBody {
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t pieceCount = 0;
+    bool isNew = true;  ///< not the one before with changes
 };
 
 /// How surfaces respond to contact.
@@ -88,7 +89,7 @@ struct ContactMemory {
 
 /// Contact of a body with itself, on the GPU: pieces, both walls of a slit, limbs. Vertices against
 /// triangles and edges against edges, with the same bits for any number of threads. Candidates are
-/// found in a hash grid and reused while little moves, else searched once or a few times a time
+/// found in a tree of boxes and reused while little moves, else searched once or a few times a time
 /// step; in each substep a vertex collides with its nearest one. Without any, a substep dispatches
 /// no work.
 class ContactSolver {
@@ -144,20 +145,19 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, pieceMotion, pieceReach, candidates, edgePairs, detect, respond,
-            apply, respondAgain, applyLast;
+        gpu::Program normals, candidates, edgePairs, detect, respond, apply, respondAgain,
+            applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
     void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
-    void findReaches();
     void findCandidates();
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
     Kernels kernels_;
-    TriangleGrid grid_;
+    ContactTree tree_;
     std::optional<gpu::Program> detectBesideFolds_;  ///< compiled when first needed
     const gpu::Buffer* folds_ = nullptr;
     ContactBody body_;
@@ -174,7 +174,6 @@ class ContactSolver {
 
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer searchedPositions_, searchedVelocities_;
-    gpu::Buffer motions_, reaches_;
     gpu::Buffer normals_, restNormals_;
     gpu::Buffer candidates_, points_, edgePairs_, records_, sums_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shaders/shared/box_records.h"
@@ -27,7 +28,6 @@ shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, do
     shared::ContactUniforms u{};
     u.h = static_cast<float>(edgeLength);
     u.interval = static_cast<float>(timeStep);
-    u.cell = static_cast<float>(edgeLength);
     u.reach = static_cast<float>(kFarthestWay * edgeLength);
     u.margin = static_cast<float>(std::min(lift, kFarthestPush * edgeLength));
     u.unit = static_cast<float>(kFarthestWay * edgeLength / kStepsOfAWay);
@@ -41,6 +41,10 @@ PaperContact::PaperContact() {
 void PaperContact::setBody(const ContactBody& body, double edgeLength) {
     body_ = body;
     edgeLength_ = edgeLength;
+    bodyIsNew_ = true;
+    if (kernels_ && body.isNew) {
+        kernels_->tree.forget();
+    }
 }
 
 void PaperContact::respond(uint pieces) {
@@ -52,13 +56,15 @@ void PaperContact::respond(uint pieces) {
         kernels_.emplace(Kernels{gpu::Program::compute("sim/paper_contact/pieces.comp"),
                                  gpu::Program::compute("sim/paper_contact/meet.comp"),
                                  gpu::Program::compute("sim/paper_contact/answer.comp"),
-                                 TriangleGrid()});
+                                 ContactTree()});
     }
     makeRoom(pieces);
     bind();
     kernels_->pieces.dispatch(body_.triangleCount);
-    kernels_->grid.fill(*body_.positions);
-    kernels_->meet.setNumbers({pieces});
+    const ContactTree& tree = kernels_->tree;
+    tree.fit(body_, *body_.positions, *body_.velocities);
+    tree.bind();
+    kernels_->meet.setNumbers({pieces, tree.roots(), tree.leaves()});
     kernels_->meet.dispatch(body_.triangleCount);
     kernels_->answer.dispatch(body_.vertexCount);
 }
@@ -66,14 +72,15 @@ void PaperContact::respond(uint pieces) {
 /// Pieces begin with empty boxes.
 void PaperContact::makeRoom(uint pieces) {
     constexpr uint kMost = ~0u;
-    kernels_->grid.resize(body_.triangleCount);
+    if (std::exchange(bodyIsNew_, false)) {
+        kernels_->tree.take(body_);
+    }
     asked_.resize(std::max(body_.triangleCount, 1u) * sizeof(shared::PaperRequest));
     asked_.clear();
     pieceBounds_.assign(std::vector<shared::PieceBounds>(pieces, {kMost, kMost, kMost, 0, 0, 0}));
     shared::ContactUniforms uniforms = paperContactUniforms(settings_, edgeLength_);
     uniforms.vertex_count = body_.vertexCount;
     uniforms.triangle_count = body_.triangleCount;
-    uniforms.bucket_count = TriangleGrid::bucketsFor(body_.triangleCount);
     uniforms_.assign(std::span<const shared::ContactUniforms>(&uniforms, 1));
 }
 

@@ -6,7 +6,7 @@
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/contact/triangle_grid.h"
+#include "sim/contact/contact_tree.h"
 
 namespace kerf {
 
@@ -16,8 +16,8 @@ shared::ContactUniforms paperContactUniforms(const ContactSettings& settings, do
 /// The paper's response to contact between pieces, on the GPU, for comparison with ContactSolver:
 /// once a time step, with the same bits for any number of threads.
 ///
-/// Broad phase: boxes of the pieces, then a hash grid over the triangles, in the place of the
-/// paper's octree, which has to be built level after level. Narrow phase: an edge of one triangle
+/// Broad phase: boxes of the pieces, then a tree of boxes over the triangles, in the place of the
+/// paper's octree, which has to be built anew. Narrow phase: an edge of one triangle
 /// meets the other one (Möller and Trumbore, 1997). Two triangles that approach each other lose
 /// their relative mean velocity, each by half of it. All that intersect are pushed apart along the
 /// difference of their normals: pushed against their velocity, as the paper may mean, bodies deep
@@ -46,13 +46,14 @@ class PaperContact {
   private:
     struct Kernels {
         gpu::Program pieces, meet, answer;
-        TriangleGrid grid;
+        ContactTree tree;
     };
     void makeRoom(std::uint32_t pieces);
     void bind() const;
 
     std::optional<Kernels> kernels_;
     ContactBody body_;
+    bool bodyIsNew_ = false;  ///< since the last response
     ContactSettings settings_;
     double edgeLength_ = 0;  ///< [m]
     gpu::Buffer uniforms_, state_;

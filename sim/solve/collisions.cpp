@@ -13,8 +13,9 @@ void Collisions::forEachKind(F&& f) {
     f(edge_);
 }
 
-void Collisions::setBody(const BodyModel& model) {
-    const ContactBody body = contactBodyOf(body_);
+void Collisions::setBody(const BodyModel& model, bool isNew) {
+    ContactBody body = contactBodyOf(body_);
+    body.isNew = isNew;
     forEachKind([&](auto& kind) { kind.setBody(body, contactEdgeLength(model)); });
 }
 

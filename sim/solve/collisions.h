@@ -29,8 +29,8 @@ class Collisions {
     /// The body must outlive it. Compiles kernels: throws gpu::ShaderError.
     explicit Collisions(SolverBody& body) : body_(body) {}
 
-    /// A new body, or one with changed triangles or rest shape. Throws gpu::OutOfMemory.
-    void setBody(const BodyModel& model);
+    /// A new body, or the one before with changed triangles or rest shape. Throws gpu::OutOfMemory.
+    void setBody(const BodyModel& model, bool isNew);
     /// Settings of self-contact, off until then, or the paper's contact of pieces, and of contact
     /// with boxes.
     void setSettings(const ContactSettings& settings);

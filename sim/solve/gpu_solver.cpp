@@ -68,7 +68,7 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
             return body_.setCountsOf(model);
         case 6:
             setState(state);
-            return collisions_.setBody(model);
+            return collisions_.setBody(model, true);
         default:
             assert(false && "portions end with kModelPortions");
     }
@@ -92,7 +92,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     stepper_.setBody(model, false);
     body_.setCountsOf(model);
     masses_.invalidate();
-    collisions_.setBody(model);
+    collisions_.setBody(model, false);
 }
 
 void GpuSolver::takeMaterials(const BodyModel& model) {

@@ -8,30 +8,25 @@ uint binOf(vec3 d) {
     return 4u * face + (d[(axis + 1) % 3] < 0.0 ? 1u : 0u) + (d[(axis + 2) % 3] < 0.0 ? 2u : 0u);
 }
 
-vec3 middleOf(uint bin) {
-    int axis = int(bin / 8u);
-    vec3 d;
-    d[axis] = (bin & 4u) != 0u ? -1.0 : 1.0;
-    d[(axis + 1) % 3] = (bin & 1u) != 0u ? -0.38 : 0.38;
-    d[(axis + 2) % 3] = (bin & 2u) != 0u ? -0.38 : 0.38;
-    return d / sqrt(1.0 + 2.0 * 0.38 * 0.38);
+// Every direction of a bin lies within 31.4 degrees of its middle, (1, 0.38, 0.38) on some axes,
+// and opposes a normal by kOpposed or more only where that is 95.7 degrees away: so one whose
+// middle is nearer than 64.3 degrees never does, and this is above the product of the two then.
+const float kMostAlong = 0.4931;
+
+// The bins of the axis along which a normal goes by `along`, those of the next ones by `others`.
+uint binsOfAxis(float along, vec2 others, float most) {
+    vec4 sums = 0.38 * vec4(others.x + others.y, others.y - others.x, others.x - others.y,
+                            -others.x - others.y);
+    uvec4 bins = uvec4(lessThan(vec4(along) + sums, vec4(most))) +
+        16u * uvec4(lessThan(sums - vec4(along), vec4(most)));
+    return bins.x | bins.y << 1 | bins.z << 2 | bins.w << 3;
 }
 
-// Every direction of a bin lies within this of its middle.
-const float kBinCosine = 0.854;
-const float kBinSine = 0.5203;
-
-// The bins that hold a direction opposed to a vertex normal, which is no longer than 1.
+// The bins that may hold a direction opposed to a vertex normal, which is no longer than 1.
 uint opposedBins(vec3 normal) {
     float size = length(normal);
-    uint bins = 0u;
-    for (uint bin = 0u; bin < 24u; ++bin) {
-        float along = dot(normal, middleOf(bin));
-        float across = sqrt(max(size * size - along * along, 0.0));
-        // The least that a direction within the cone gives, or -size where the cone holds that.
-        bool holdsOpposite = along <= -kBinCosine * size;
-        float least = holdsOpposite ? -size : along * kBinCosine - across * kBinSine;
-        if (least < kOpposed + 1e-5) bins |= 1u << bin;
-    }
-    return bins;
+    float most = kMostAlong * size;
+    uint bins = binsOfAxis(normal.x, normal.yz, most) |
+        binsOfAxis(normal.y, normal.zx, most) << 8 | binsOfAxis(normal.z, normal.xy, most) << 16;
+    return size > -kOpposed ? bins : 0u;
 }

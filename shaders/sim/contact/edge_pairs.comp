@@ -6,12 +6,13 @@
 // Reads X, the rest shape, triangles, what touches each vertex, candidates. Writes pairs. One
 // thread per listed point. A storage barrier follows.
 #include "sim/contact/uniforms.glsl"
+#include "sim/fetch.glsl"
 layout(local_size_x = kGroupSize) in;
-layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
-layout(std430, binding = kContactRestBinding) readonly buffer Rest { vec4 restPositions[]; };
-layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
-layout(std430, binding = kContactRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
-layout(std430, binding = kContactRingsBinding) readonly buffer Rings { uint rings[]; };
+layout(binding = kContactPositionsBinding) uniform samplerBuffer positions;
+layout(binding = kContactRestBinding) uniform samplerBuffer restPositions;
+layout(binding = kContactTrianglesBinding) uniform usamplerBuffer triangles;
+layout(binding = kContactRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kContactRingsBinding) uniform usamplerBuffer rings;
 layout(std430, binding = kContactCandidatesBinding) readonly buffer Candidates {
     ContactCandidate candidates[];
 };
@@ -53,7 +54,7 @@ void keep(EdgePair pair, float key) {
 // order.
 bool isKept(uint other, uint from, uint to) {
     for (uint i = 0u; i < found; ++i) {
-        uvec4 t = triangles[best[i].edge >> 2];
+        uvec4 t = fetch(triangles, best[i].edge >> 2);
         uint corner = best[i].edge & 3u;
         if (best[i].other == other && t[corner] == to && t[(corner + 1u) % 3u] == from) return true;
     }
@@ -68,23 +69,24 @@ float distanceOf(vec3 p, vec3 u, vec3 q, vec3 v) {
 
 // Of the edges themselves: ends of edges that were one may lie apart.
 float thicknessInRest(uint v, uint other, uint from, uint to) {
-    vec3 p = restPositions[v].xyz;
-    vec3 q = restPositions[from].xyz;
-    float apart = distanceOf(p, restPositions[other].xyz - p, q, restPositions[to].xyz - q);
+    vec3 p = fetch(restPositions, v).xyz;
+    vec3 q = fetch(restPositions, from).xyz;
+    float apart = distanceOf(p, fetch(restPositions, other).xyz - p, q,
+                             fetch(restPositions, to).xyz - q);
     return kEdgeThickness * uniforms.thickness * clamp(apart / uniforms.h - 0.5, 0.0, 1.0);
 }
 
 void consider(uint v, uint other, ContactCandidate candidate) {
-    uvec4 t = triangles[candidate.triangle];
+    uvec4 t = fetch(triangles, candidate.triangle);
     if (other == t.x || other == t.y || other == t.z) return;
-    vec3 p = positions[v].xyz;
-    vec3 u = positions[other].xyz - p;
+    vec3 p = fetch(positions, v).xyz;
+    vec3 u = fetch(positions, other).xyz - p;
     for (uint i = 0u; i < 3u; ++i) {
         uint from = t[i];
         uint to = t[(i + 1u) % 3u];
-        vec3 edge = positions[to].xyz - positions[from].xyz;
+        vec3 edge = fetch(positions, to).xyz - fetch(positions, from).xyz;
         if (length(cross(u, edge)) < 0.05 * length(u) * length(edge)) continue;
-        float away = distanceOf(p, u, positions[from].xyz, edge);
+        float away = distanceOf(p, u, fetch(positions, from).xyz, edge);
         if (!(away <= uniforms.reach) || isFull(away)) continue;
         float thickness = thicknessInRest(v, other, from, to);
         if (thickness > 0.0 && !isKept(other, from, to)) {
@@ -101,9 +103,10 @@ void main() {
         ContactCandidate candidate = candidates[kCandidatesPerPoint * v + k];
         if (candidate.triangle == kNoVertex) break;
         if (!(candidate.thickness > 0.0)) continue;
-        for (uint r = ranges[v].first; r < ranges[v].end; ++r) {
-            uint corner = rings[r] & 3u;
-            consider(v, triangles[rings[r] >> 2][(corner + 1u) % 3u], candidate);
+        uvec2 range = fetch(ranges, v).xy;
+        for (uint r = range.x; r < range.y; ++r) {
+            uint ring = fetch(rings, r).x;
+            consider(v, fetch(triangles, ring >> 2)[((ring & 3u) + 1u) % 3u], candidate);
         }
     }
     uint first = kEdgePairsPerPoint * v;

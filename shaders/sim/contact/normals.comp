@@ -20,12 +20,8 @@ void startAnew() {
     state.vertex_groups_y = 1u;
     state.vertex_groups_z = 1u;
     state.points = 0u;
-    state.levels = 0u;
     state.contacts = 0u;
     state.last_contacts = 0u;
-    for (uint level = 0u; level < kGridLevels; ++level) {
-        state.largest[level] = 0u;
-    }
 }
 
 void main() {

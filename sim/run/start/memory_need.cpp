@@ -9,7 +9,6 @@
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/body/ispc_builder.h"
-#include "sim/contact/triangle_grid.h"
 #include "sim/mesh/box_tree.h"
 
 namespace kerf {
@@ -124,9 +123,10 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
         buffers.push_back({shared::kCandidatesPerPoint * sizeof(shared::ContactCandidate), 0});
         buffers.push_back({shared::kEdgePairsPerPoint * sizeof(shared::EdgePair), 0});
         buffers.push_back({2 * sizeof(shared::ContactRecord), 0});
-        buffers.push_back({8 * sizeof(uint), 0});  // points, shares and sums
-        buffers.push_back({0, sizeof(shared::ContactBox)});
-        buffers.push_back({0, 2 * sizeof(uint)});
+        buffers.push_back({8 * sizeof(uint), 0});                 // points, shares and sums
+        buffers.push_back({0, 2 * sizeof(vec4)});                 // boxes of triangles
+        buffers.push_back({0, 0.6 * sizeof(vec4)});               // and of nodes
+        buffers.push_back({2 * sizeof(uint), 2 * sizeof(uint)});  // their order
     }
     if (settings.obstacles) {
         buffers.push_back({0, sizeof(shared::BoxTouch)});
@@ -147,11 +147,6 @@ PerElement readBuffers(int ispcsOfEach) {
     return vertices + PerElement{0, 4 * kWord} + sizeof(shared::BendRecord) * kEdges +
            2 * kWord * entries.triangles + sizeof(shared::Spoke) * entries.edges +
            kWord * entries.bends + sizeof(shared::ConstraintShare) * entries.ispcs;
-}
-
-double bytesOfBuckets(const BodySize& size) {
-    const auto buckets = TriangleGrid::bucketsFor(static_cast<uint>(size.triangles));
-    return static_cast<double>(buckets) * (2 * sizeof(uint) + sizeof(shared::ContactBucket));
 }
 
 std::uint64_t bytes(double count) {
@@ -184,7 +179,7 @@ std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
     for (const PerElement& buffer : writtenBuffers(settings)) {
         all += buffer.of(size.vertices, size.triangles);
     }
-    return bytes(all + (settings.contact ? bytesOfBuckets(size) : 0));
+    return bytes(all);
 }
 
 MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {

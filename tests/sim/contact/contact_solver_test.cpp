@@ -5,9 +5,12 @@
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
+#include "sim/cut/cut_change.h"
+#include "sim/cut/stroke/cutter.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
+#include "tests/support/cut_strokes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
 #include "tests/support/reference/reference_contact.h"
@@ -140,6 +143,53 @@ TEST_F(ContactSolverTest, FindsThemInACrowd) {
                                         test::cubeSphereSoup(32, 0.4), {0.05, 0.7, 0.02})),
               0.5);
     EXPECT_GT(expectCandidatesOfTheReference(pair), 10000);
+}
+
+std::vector<std::vector<std::uint32_t>> candidatesOf(GpuSolver& solver) {
+    searchAnew(solver.collisions());
+    std::vector<std::vector<std::uint32_t>> out;
+    for (const auto& found : solver.collisions().contacts().readCandidates()) {
+        out.emplace_back();
+        for (const shared::ContactCandidate& candidate : found) {
+            out.back().push_back(candidate.triangle);
+        }
+    }
+    return out;
+}
+
+// The order in which triangles are looked through is kept while a body is cut.
+TEST_F(ContactSolverTest, FindsTheSameWhileItIsCutAsInTheModelWhole) {
+    SurfaceMesh mesh = test::icosphere(3);
+    BodyUpdater body(mesh);
+    const Params params = withoutWeight();
+    GpuSolver followed;
+    followed.setModel(body.model(), stateOf(mesh));
+    Cutter cutter(mesh, test::exactSettings());
+    const test::Stroke stroke = test::straightStroke(
+        Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(), -Vec3::UnitY(), 3, 2, 12);
+    cutter.begin(stroke.front());
+    std::size_t found = 0;
+    for (std::size_t i = 1; i <= stroke.size(); ++i) {
+        const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+        if (result.delta.empty()) {
+            continue;
+        }
+        const BodyChange change = body.update(result.delta);
+        const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+        followed.update(body.model(), change, written, stateOf(mesh, written));
+        GpuSolver fresh;
+        fresh.setModel(body.model(), stateOf(mesh));
+        for (GpuSolver* solver : {&followed, &fresh}) {
+            solver->setUniforms(solverUniforms(params, body.model()));
+            solver->collisions().setSettings(contactSettings(params));
+        }
+        const auto ours = candidatesOf(followed);
+        EXPECT_EQ(ours, candidatesOf(fresh)) << "pose " << i;
+        for (const auto& triangles : ours) {
+            found += triangles.size();
+        }
+    }
+    EXPECT_GT(found, 500U);
 }
 
 /// Whether the directions from the middles of their spheres to a vertex and to a triangle oppose

@@ -1,0 +1,176 @@
+#include "sim/contact/contact_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include "shaders/shared/body_records.h"
+#include "shaders/shared/contact_bindings.h"
+#include "shaders/shared/contact_records.h"
+#include "sim/contact/contact_solver.h"
+
+namespace kerf {
+
+namespace {
+
+using gpu::TexelFormat;
+using shared::kTreeFan;
+using shared::uint;
+
+constexpr uint kMostUnordered = 4;  // one in as many
+
+uint roundedUp(std::size_t count, uint step) {
+    return static_cast<uint>((std::max<std::size_t>(count, 1) + step - 1) / step * step);
+}
+
+/// How many nodes each level has, the lowest first.
+std::vector<uint> levelsOver(std::size_t places) {
+    std::vector<uint> levels{static_cast<uint>(places / kTreeFan)};
+    while (levels.back() > kTreeFan) {
+        levels.push_back(roundedUp(levels.back() / kTreeFan, kTreeFan));
+    }
+    return levels;
+}
+
+/// Every third bit of a number of ten.
+uint spread(uint bits) {
+    bits = (bits | bits << 16) & 0x030000FFu;
+    bits = (bits | bits << 8) & 0x0300F00Fu;
+    bits = (bits | bits << 4) & 0x030C30C3u;
+    return (bits | bits << 2) & 0x09249249u;
+}
+
+/// Along a curve through the cube of this side about `low`: neighbours on it are near.
+uint placeOnCurve(const shared::vec4& p, const shared::vec4& low, float side) {
+    const auto cell = [&](float at, float from) {
+        return spread(static_cast<uint>(std::clamp((at - from) / side, 0.0F, 1.0F) * 1023));
+    };
+    return cell(p.x, low.x) | cell(p.y, low.y) << 1 | cell(p.z, low.z) << 2;
+}
+
+/// Triangles piece by piece, within a piece so that neighbours come together.
+std::vector<uint> orderOf(const std::vector<std::array<uint, 4>>& triangles,
+                          const std::vector<shared::vec4>& rest) {
+    constexpr float kFar = 1e30F;
+    shared::vec4 low{kFar, kFar, kFar, 0};
+    float side = 1e-30F;
+    for (const shared::vec4& p : rest) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z), 0};
+    }
+    for (const shared::vec4& p : rest) {
+        side = std::max({side, p.x - low.x, p.y - low.y, p.z - low.z});
+    }
+    std::vector<std::pair<std::uint64_t, uint>> keys;
+    keys.reserve(triangles.size());
+    for (const std::array<uint, 4>& t : triangles) {
+        const std::uint64_t piece = t[3] >> 8;
+        keys.emplace_back(piece << 32 | placeOnCurve(rest[t[0]], low, side),
+                          static_cast<uint>(keys.size()));
+    }
+    std::ranges::sort(keys);
+    std::vector<uint> order;
+    order.reserve(keys.size());
+    for (const auto& [key, t] : keys) {
+        order.push_back(t);
+    }
+    return order;
+}
+
+/// As the triangles that touch them, then those that none touches.
+std::vector<uint> verticesAlong(const std::vector<uint>& order,
+                                const std::vector<std::array<uint, 4>>& triangles, uint count) {
+    std::vector<uint> vertices;
+    std::vector<bool> seen(count, false);
+    const auto add = [&](uint v) {
+        if (!seen[v]) {
+            seen[v] = true;
+            vertices.push_back(v);
+        }
+    };
+    for (const uint t : order) {
+        std::for_each_n(triangles[t].begin(), 3, add);
+    }
+    for (uint v = 0; v < count; ++v) {
+        add(v);
+    }
+    return vertices;
+}
+
+/// Adds the numbers up to `end` that are not there yet, and fills up to a multiple of `step`.
+void extend(std::vector<uint>& order, uint end, uint step) {
+    std::erase(order, shared::kNoVertex);
+    for (uint next = static_cast<uint>(order.size()); next < end; ++next) {
+        order.push_back(next);
+    }
+    order.resize(roundedUp(order.size(), step), shared::kNoVertex);
+}
+
+}  // namespace
+
+ContactTree::ContactTree()
+    : fitLeaves_(gpu::Program::compute("sim/contact/tree_leaves.comp")),
+      fitNodes_(gpu::Program::compute("sim/contact/tree_nodes.comp")) {}
+
+void ContactTree::take(const ContactBody& body) {
+    const bool isMuchTheSame =
+        body.pieceCount == pieces_ && body.triangleCount < ordered_ + ordered_ / kMostUnordered;
+    if (!isMuchTheSame) {
+        orderAnew(body);
+    }
+    // What comes later lies together too: where it was cut.
+    extend(triangles_, body.triangleCount, kTreeFan * kTreeFan);
+    extend(vertices_, body.vertexCount, shared::kSearchGroup);
+    const std::vector<uint> levels = levelsOver(triangles_.size());
+    triangleOrder_.assign(triangles_);
+    vertexOrder_.assign(vertices_);
+    boxes_.resize(triangles_.size() * 2 * sizeof(std::array<uint, 4>));
+    nodes_.resize(std::reduce(levels.begin(), levels.end()) * 4 * sizeof(std::array<uint, 4>));
+}
+
+void ContactTree::orderAnew(const ContactBody& body) {
+    const auto triangles = body.triangles->read<std::array<uint, 4>>(0, body.triangleCount);
+    const auto rest = body.restPositions->read<shared::vec4>(0, body.vertexCount);
+    triangles_ = orderOf(triangles, rest);
+    vertices_ = verticesAlong(triangles_, triangles, body.vertexCount);
+    ordered_ = body.triangleCount;
+    pieces_ = body.pieceCount;
+}
+
+void ContactTree::fit(const ContactBody& body, const gpu::Buffer& positions,
+                      const gpu::Buffer& velocities) const {
+    positions.bindTexels(shared::kContactPositionsBinding, TexelFormat::float32x4);
+    velocities.bindTexels(shared::kContactVelocitiesBinding, TexelFormat::float32x4);
+    body.triangles->bindTexels(shared::kContactTrianglesBinding, TexelFormat::uint32x4);
+    triangleOrder_.bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
+    body.pieces->bindStorage(shared::kContactPiecesBinding);
+    boxes_.bindStorage(shared::kContactBoxesBinding);
+    nodes_.bindStorage(shared::kContactNodesBinding);
+    const std::vector<uint> levels = levelsOver(triangles_.size());
+    fitLeaves_.setNumbers({levels.front()});
+    fitLeaves_.dispatch(levels.front());
+    uint below = 0;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const uint first = below + levels[i - 1];
+        fitNodes_.setNumbers({first, levels[i], below});
+        fitNodes_.dispatch(levels[i]);
+        below = first;
+    }
+}
+
+void ContactTree::bind() const {
+    boxes_.bindTexels(shared::kContactBoxesBinding, TexelFormat::uint32x4);
+    nodes_.bindTexels(shared::kContactNodesBinding, TexelFormat::uint32x4);
+}
+
+uint ContactTree::roots() const {
+    const std::vector<uint> levels = levelsOver(triangles_.size());
+    return std::reduce(levels.begin(), levels.end() - 1);
+}
+
+uint ContactTree::leaves() const {
+    return levelsOver(triangles_.size()).front();
+}
+
+}  // namespace kerf
