@@ -4,7 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include "gpu/buffer.h"
 #include "gpu/context.h"
 
 namespace kerf::gpu {
@@ -37,13 +36,6 @@ const char* problemWithKernelWay() {
                ? nullptr
                : "The variable KERF_KERNELS names no way that kernels can take; set it to images "
                  "or shared, or unset it.";
-}
-
-void bindFetched(const Buffer& buffer, std::uint32_t unit, TexelFormat format, KernelWay way) {
-    buffer.bindTexels(unit, format);
-    if (way == KernelWay::images) {
-        buffer.bindImage(unit, format);
-    }
 }
 
 }  // namespace kerf::gpu

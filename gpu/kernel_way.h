@@ -4,9 +4,6 @@
 
 namespace kerf::gpu {
 
-class Buffer;
-enum class TexelFormat;
-
 /// How kernels read what others write, and how many threads share sums. Both give the same bits.
 enum class KernelWay : std::uint8_t {
     images,  ///< as images, in groups of eight: fast where the driver computes on the processor
@@ -16,9 +13,6 @@ enum class KernelWay : std::uint8_t {
 /// The way set by the variable KERF_KERNELS, or else the best one for the driver of the current
 /// context.
 KernelWay kernelWay();
-/// Binds a buffer that kernels compiled for `way` read by fetch() (shaders/sim/fetch.glsl). Throws
-/// OutOfMemory if the driver's texture buffers are too small.
-void bindFetched(const Buffer& buffer, std::uint32_t unit, TexelFormat format, KernelWay way);
 /// The problem with KERF_KERNELS, in a sentence; null for none.
 const char* problemWithKernelWay();
 

@@ -1,5 +1,5 @@
-// Ends a substep on the floor: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their
-// velocity. Reads d, which stays as it was. Reads and writes X and velocities. One thread per
+// Ends a substep on the floor: v = d / h exp(-c h), X += d. Vertices without inverse mass keep
+// their velocity. Reads d, which stays as it was. Reads and writes X and velocities. One thread per
 // vertex. A storage barrier follows.
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"

@@ -1,14 +1,13 @@
 // Substeps of a small body by one work group: the phases of the other kernels in their order, with
 // their arithmetic, and with sums in their order whatever the size of the group, so the bits are
 // theirs. A substep begins with the prediction and ends with floor and velocities; with COLLIDES
-// contact stands before its end, with MEETS_BOXES that with boxes too, and with UNFOLDS the springs that unfold before its beginning.
-// Else what may move vertices in between (contact, boxes) stands between two dispatches, of which
-// the first one leaves its last substep open.
+// contact stands before its end, with MEETS_BOXES that with boxes too, and with UNFOLDS the springs
+// that unfold before its beginning. Else what may move vertices in between (contact, boxes) stands
+// between two dispatches, of which the first one leaves its last substep open.
 // With PLAIN_PBD it is some of the sweeps of plain PBD instead, which meets nothing but the floor
 // here. Reads links, lists, pulls, pieces, blocks, pages, places, with COLLIDES what contact reads.
 // Reads and writes X, velocities, d, the state of contact. Corrections, gradients, parts, block
-// sums, impulses, folds, records and sums are scratch. One group in all. A
-// storage barrier follows.
+// sums, impulses, folds, records and sums are scratch. One group in all. A storage barrier follows.
 #include "box_records.h"
 #include "constraints.h"
 #include "small_body_bindings.h"

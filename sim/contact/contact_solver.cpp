@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
@@ -102,9 +103,9 @@ ContactSolver::ContactSolver() {
     kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
     kernels_.detect = compileAnswer("detect");
     kernels_.respond = compileAnswer("respond");
-    kernels_.apply = compileAnswer("apply");
+    kernels_.apply = compileAnswer("apply", {{"APPLIES", "1"}});
     kernels_.respondAgain = compileAnswer("respond", {{"SWEEP_AGAIN", "true"}});
-    kernels_.applyLast = compileAnswer("apply", {{"LAST_SWEEP", "true"}});
+    kernels_.applyLast = compileAnswer("apply", {{"APPLIES", "1"}, {"LAST_SWEEP", "true"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
 }
@@ -130,9 +131,6 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
     edgeLength_ = edgeLength;
     bodyIsNew_ = true;
     hasCandidates_ = false;
-    if (body.isNew) {
-        tree_.forget();
-    }
 }
 
 // Not before contact is on: the buffers are larger than the body's own.

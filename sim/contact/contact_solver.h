@@ -28,7 +28,7 @@ struct ContactBody {
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t pieceCount = 0;
-    bool isNew = true;  ///< not the one before with changes
+    const ContactOrder* order = nullptr;  ///< of its search; null: that of their numbers
 };
 
 /// How surfaces respond to contact.

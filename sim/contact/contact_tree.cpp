@@ -9,6 +9,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "shaders/shared/contact_records.h"
+#include "sim/body/body_model.h"
 #include "sim/contact/contact_solver.h"
 
 namespace kerf {
@@ -43,24 +44,23 @@ uint spread(uint bits) {
 }
 
 /// Along a curve through the cube of this side about `low`: neighbours on it are near.
-uint placeOnCurve(const shared::vec4& p, const shared::vec4& low, float side) {
+uint placeOnCurve(const Vec3f& p, const Vec3f& low, float side) {
     const auto cell = [&](float at, float from) {
         return spread(static_cast<uint>(std::clamp((at - from) / side, 0.0F, 1.0F) * 1023));
     };
-    return cell(p.x, low.x) | cell(p.y, low.y) << 1 | cell(p.z, low.z) << 2;
+    return cell(p.x(), low.x()) | cell(p.y(), low.y()) << 1 | cell(p.z(), low.z()) << 2;
 }
 
 /// Triangles piece by piece, within a piece so that neighbours come together.
 std::vector<uint> orderOf(const std::vector<std::array<uint, 4>>& triangles,
-                          const std::vector<shared::vec4>& rest) {
-    constexpr float kFar = 1e30F;
-    shared::vec4 low{kFar, kFar, kFar, 0};
-    float side = 1e-30F;
-    for (const shared::vec4& p : rest) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z), 0};
+                          const std::vector<Vec3f>& rest) {
+    Vec3f low = Vec3f::Constant(1e30F);
+    for (const Vec3f& p : rest) {
+        low = low.cwiseMin(p);
     }
-    for (const shared::vec4& p : rest) {
-        side = std::max({side, p.x - low.x, p.y - low.y, p.z - low.z});
+    float side = 1e-30F;
+    for (const Vec3f& p : rest) {
+        side = std::max(side, (p - low).maxCoeff());
     }
     std::vector<std::pair<std::uint64_t, uint>> keys;
     keys.reserve(triangles.size());
@@ -100,7 +100,6 @@ std::vector<uint> verticesAlong(const std::vector<uint>& order,
 
 /// Adds the numbers up to `end` that are not there yet, and fills up to a multiple of `step`.
 void extend(std::vector<uint>& order, uint end, uint step) {
-    std::erase(order, shared::kNoVertex);
     for (uint next = static_cast<uint>(order.size()); next < end; ++next) {
         order.push_back(next);
     }
@@ -109,16 +108,25 @@ void extend(std::vector<uint>& order, uint end, uint step) {
 
 }  // namespace
 
+void ContactOrder::follow(const BodyModel& model, bool isNew) {
+    const std::size_t ordered = triangles_.size();
+    if (!isNew && model.pieces.size() == pieces_ &&
+        model.triangles.size() < ordered + ordered / kMostUnordered) {
+        return;
+    }
+    triangles_ = orderOf(model.triangles, model.restPositions);
+    vertices_ =
+        verticesAlong(triangles_, model.triangles, static_cast<uint>(model.restPositions.size()));
+    pieces_ = model.pieces.size();
+}
+
 ContactTree::ContactTree()
     : fitLeaves_(gpu::Program::compute("sim/contact/tree_leaves.comp")),
       fitNodes_(gpu::Program::compute("sim/contact/tree_nodes.comp")) {}
 
 void ContactTree::take(const ContactBody& body) {
-    const bool isMuchTheSame =
-        body.pieceCount == pieces_ && body.triangleCount < ordered_ + ordered_ / kMostUnordered;
-    if (!isMuchTheSame) {
-        orderAnew(body);
-    }
+    triangles_ = body.order != nullptr ? body.order->triangles() : std::vector<uint>();
+    vertices_ = body.order != nullptr ? body.order->vertices() : std::vector<uint>();
     // What comes later lies together too: where it was cut.
     extend(triangles_, body.triangleCount, kTreeFan * kTreeFan);
     extend(vertices_, body.vertexCount, shared::kSearchGroup);
@@ -127,15 +135,6 @@ void ContactTree::take(const ContactBody& body) {
     vertexOrder_.assign(vertices_);
     boxes_.resize(triangles_.size() * 2 * sizeof(std::array<uint, 4>));
     nodes_.resize(std::reduce(levels.begin(), levels.end()) * 4 * sizeof(std::array<uint, 4>));
-}
-
-void ContactTree::orderAnew(const ContactBody& body) {
-    const auto triangles = body.triangles->read<std::array<uint, 4>>(0, body.triangleCount);
-    const auto rest = body.restPositions->read<shared::vec4>(0, body.vertexCount);
-    triangles_ = orderOf(triangles, rest);
-    vertices_ = verticesAlong(triangles_, triangles, body.vertexCount);
-    ordered_ = body.triangleCount;
-    pieces_ = body.pieceCount;
 }
 
 void ContactTree::fit(const ContactBody& body, const gpu::Buffer& positions,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,20 +9,32 @@
 
 namespace kerf {
 
+struct BodyModel;
 struct ContactBody;
 
+/// An order in which triangles, and vertices, that lie together come together. It is kept while a
+/// body is cut; nothing but speed hangs on it.
+class ContactOrder {
+  public:
+    /// Orders a new body, or one that was cut where that has changed much.
+    void follow(const BodyModel& model, bool isNew);
+    /// Numbers in order; what has come since is missing.
+    const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+    const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+
+  private:
+    std::vector<std::uint32_t> triangles_, vertices_;
+    std::size_t pieces_ = 0;
+};
+
 /// A tree of boxes over the triangles of a body on the GPU (shaders/sim/contact/tree.glsl), of
-/// where they are and how fast they move. Its order is kept while a body is cut; nothing but speed
-/// hangs on it.
+/// where they are and how fast they move.
 class ContactTree {
   public:
     /// Compiles the kernels. Throws gpu::ShaderError.
     ContactTree();
 
-    /// Another body comes.
-    void forget() { ordered_ = 0; }
-    /// A new body, or one with changed triangles. Orders triangles and vertices: waits for the GPU
-    /// where all are ordered anew. Throws gpu::OutOfMemory.
+    /// A new body, or one with changed triangles. Throws gpu::OutOfMemory.
     void take(const ContactBody& body);
     /// Fits the boxes to the corners of triangles.
     void fit(const ContactBody& body, const gpu::Buffer& positions,
@@ -37,11 +50,8 @@ class ContactTree {
     std::uint32_t leaves() const;
 
   private:
-    void orderAnew(const ContactBody& body);
-
     gpu::Program fitLeaves_, fitNodes_;
     std::vector<std::uint32_t> triangles_, vertices_;  ///< in order
-    std::uint32_t ordered_ = 0, pieces_ = 0;           ///< of the body that was ordered
     gpu::Buffer triangleOrder_, vertexOrder_, boxes_, nodes_;
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/blade_records.h"
 #include "shaders/shared/body_records.h"
 

@@ -42,9 +42,6 @@ void PaperContact::setBody(const ContactBody& body, double edgeLength) {
     body_ = body;
     edgeLength_ = edgeLength;
     bodyIsNew_ = true;
-    if (kernels_ && body.isNew) {
-        kernels_->tree.forget();
-    }
 }
 
 void PaperContact::respond(uint pieces) {

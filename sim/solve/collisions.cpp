@@ -14,8 +14,9 @@ void Collisions::forEachKind(F&& f) {
 }
 
 void Collisions::setBody(const BodyModel& model, bool isNew) {
+    order_.follow(model, isNew);
     ContactBody body = contactBodyOf(body_);
-    body.isNew = isNew;
+    body.order = &order_;
     forEachKind([&](auto& kind) { kind.setBody(body, contactEdgeLength(model)); });
 }
 

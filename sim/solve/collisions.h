@@ -102,6 +102,7 @@ class Collisions {
     void forEachKind(F&& f);
 
     SolverBody& body_;
+    ContactOrder order_;
     ContactSolver contacts_;
     PaperContact paperContact_;
     ObstacleContact boxes_{BoxObstacles::kind()};

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/contact_records.h"
 #include "shaders/shared/small_body_bindings.h"
 #include "sim/solve/gathered_records.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "gpu/fetched_buffer.h"
 #include "gpu/kernel_way.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/unfold_records.h"

@@ -35,6 +35,13 @@ StaticBox plate() {
     return box;
 }
 
+/// So thick that nothing pierces it.
+StaticBox block() {
+    StaticBox box = plate();
+    box.size = Vec3(2, 1, 2);
+    return box;
+}
+
 BladeMotion standingBlade() {
     BladeFrame frame;
     frame.halfLength = 1;
@@ -72,10 +79,12 @@ void beginStepOf(const Case& wanted) {
     motion.folded = wanted.folded;
     solver.collisions().expect(boundsOf(state.positions), approachingVelocities(), motion);
     solver.step();
-    solver.collisions().setBoxes({});
     solver.collisions().setBlade(std::nullopt);
     solver.collisions().setEdge(std::nullopt);
-    solver.step();
+    for (const std::vector<StaticBox>& boxes : {std::vector{block()}, {}}) {
+        solver.collisions().setBoxes(boxes);
+        solver.step();
+    }
     if (wanted.params.paperContact != 0) {
         solver.collisions().respondAsThePaper();
     }

@@ -1,5 +1,5 @@
-// Adds to d and X of each vertex what its touches sum up to (touches.glsl). One thread per vertex. A
-// storage barrier follows.
+// Adds to d and X of each vertex what its touches sum up to (touches.glsl). One thread per vertex.
+// A storage barrier follows.
 #include "buffers.glsl"
 #include "touches.glsl"
 

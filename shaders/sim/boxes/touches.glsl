@@ -1,6 +1,7 @@
 // Where corners and edges of boxes meet triangles, and what follows: a box may be smaller than a
 // triangle, so that no vertex gets near it. Of all boxes the most urgent touch of each triangle is
-// kept, where the gap ends up smallest. Normals and gaps are those at X, so that what crosses within a substep is met:
+// kept, where the gap ends up smallest. Normals and gaps are those at X, so that what crosses
+// within a substep is met:
 //
 //   corner  against the triangle, along the triangle's normal
 //   edge    against an edge of the triangle (which each edge is for one of its two triangles),

@@ -1,6 +1,5 @@
-// Adds to d and X of each vertex what its contacts sum up to; with LAST_SWEEP the substep's contacts
-// end. One thread per vertex. A storage barrier follows.
-#define APPLIES
+// Adds to d and X of each vertex what its contacts sum up to; with LAST_SWEEP the contacts of the
+// substep end. One thread per vertex. A storage barrier follows.
 #include "buffers.glsl"
 #include "answers.glsl"
 #ifndef LAST_SWEEP

@@ -1,5 +1,5 @@
-// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, their sums,
-// neighbours. Writes goals. One thread per vertex. A storage barrier follows, then unfold.
+// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, their
+// sums, neighbours. Writes goals. One thread per vertex. A storage barrier follows, then unfold.
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"

@@ -1,7 +1,8 @@
 // Draws a vertex towards the goals that it is in by damped springs, implicit in the end of the
 // substep: its velocity changes by what they do in the mean, each as much as it is folded. A vertex
 // without a fold near it keeps its bits. The includer declares `uniforms`, `restPositions`,
-// `neighbours`, positionOf(v), velocityOf(v), setVelocity(v, u), foldAt(v), foldSumOf(v), goalAt(v).
+// `neighbours`, positionOf(v), velocityOf(v), setVelocity(v, u), foldAt(v), foldSumOf(v),
+// goalAt(v).
 #include "best_rotation.glsl"
 #include "damping.glsl"
 #include "members.glsl"

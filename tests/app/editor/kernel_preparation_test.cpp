@@ -27,9 +27,9 @@ class KernelPreparationTest : public EditorTest {
         options.warmsUp = warmsUp;
         start(options);
     }
-    static constexpr std::array kOfContact{"sim/contact/detect.comp", "sim/contact/respond.comp",
-                                           "sim/contact/detect_edges.comp",
-                                           "sim/unfold/unfold.comp"};
+    // Those of its answers are parts of the kernel that solves small bodies.
+    static constexpr std::array kOfContact{"sim/contact/candidates.comp",
+                                           "sim/contact/edge_pairs.comp"};
 };
 
 // The first stroke of a start had stood still for seconds while they were compiled.
