@@ -400,7 +400,9 @@ TriangleSoup pouredSoup() {
         for (Vec3& p : ball.positions) {
             p = turn * p;
         }
-        const Vec3 cell(i % kSide, i / (kSide * kSide), i / kSide % kSide);
+        const int layer = i / (kSide * kSide);
+        const int row = i / kSide % kSide;
+        const Vec3 cell(i % kSide, layer, row);
         all = joined(all, ball, kApart * cell + 0.014 * random.direction());
     }
     return all;

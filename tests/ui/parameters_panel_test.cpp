@@ -7,6 +7,7 @@
 #include "sim/body/body_model.h"
 #include "sim/solve/sweep_strength.h"
 #include "tests/support/shapes.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {

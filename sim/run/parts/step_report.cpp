@@ -3,6 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "sim/base/text.h"
+#include "sim/body/body_model.h"
+#include "sim/solve/body_measure.h"
 
 namespace kerf {
 
