@@ -191,7 +191,7 @@ double simulatedCut(const SurfaceMesh& whole, double edge) {
         simulation.execute(MoveBlade{{blade.a + fallen, blade.b + fallen}});
         const StepReport& report = simulation.step();
         if (i >= kFirstStep && simulation.lastCut().outcome == CutOutcome::cut) {
-            times.push_back(report.cutMs);
+            times.push_back(report.times.cut);
         }
     }
     return median(times);

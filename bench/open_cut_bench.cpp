@@ -85,11 +85,11 @@ class Play {
             figures_.mostAbsent = std::max(figures_.mostAbsent, absent);
         }
         const WoundClosing& closing = simulation_.lastCut().statistics.closing;
-        if (report.cutMs > 0 && closing.patches > 0) {
+        if (report.times.cut > 0 && closing.patches > 0) {
             figures_.closing = closing;
         }
-        figures_.cutMs += report.cutMs;
-        figures_.longestCutMs = std::max(figures_.longestCutMs, report.cutMs);
+        figures_.cutMs += report.times.cut;
+        figures_.longestCutMs = std::max(figures_.longestCutMs, report.times.cut);
     }
 
     void noteEnd() {

@@ -95,9 +95,11 @@ constexpr MetricsColumn kColumns[] = {
      "Triangles that the cut divided in the step."},
     {"closed", reported<&StepReport::closed>,
      "Whether the mesh is a closed, oriented 2-manifold after the step."},
-    {"deform_ms", reported<&StepReport::deformMs>, "Wall-clock time of the solver [ms]."},
-    {"collide_ms", reported<&StepReport::collideMs>, "Wall-clock time of contact [ms]."},
-    {"cut_ms", reported<&StepReport::cutMs>, "Wall-clock time of the cut [ms]."},
+    {"deform_ms", reported<&StepReport::times, &StageTimes::deform>,
+     "Wall-clock time of the solver [ms]."},
+    {"collide_ms", reported<&StepReport::times, &StageTimes::collide>,
+     "Wall-clock time of contact [ms]."},
+    {"cut_ms", reported<&StepReport::times, &StageTimes::cut>, "Wall-clock time of the cut [ms]."},
     {"render_ms", measured<&MetricsRow::renderMs>,
      "Wall-clock time of the pictures before the step [ms]."},
     {"frame_ms", measured<&MetricsRow::frameMs>,
@@ -230,9 +232,9 @@ void RunStatistics::add(const MetricsRow& row) {
     finalVolumeRatio = row.report.volumeRatio;
     frameMs.add(row.frameMs);
     fps.add(row.frameMs > 0 ? 1000 / row.frameMs : 0);
-    deformMs.add(row.report.deformMs);
-    collideMs.add(row.report.collideMs);
-    cutMs.add(row.report.cutMs);
+    deformMs.add(row.report.times.deform);
+    collideMs.add(row.report.times.collide);
+    cutMs.add(row.report.times.cut);
     searchMs.add(row.report.search.milliseconds);
     addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;

@@ -296,7 +296,8 @@ def auto_table(results):
         return [f"{summary['fps']['mean']:.1f}", *(percent(volume[k]) for k in ("min", "final"))]
 
     def cells(r):
-        return [value_text(r.params["iterations"]), *of(r.summary), r.auto.iterations, *of(r.auto.summary)]
+        return [value_text(r.params["iterations"]), *of(r.summary), r.auto.iterations,
+                *of(r.auto.summary)]
 
     own = [r for r in results if r.auto]
     return (per_model(["paper's iterations", "frames/s", "least volume, %", "final", "auto",

@@ -51,12 +51,7 @@ void setCorrection(uint index, vec4 pull) {}
 
 #include "sim/strain_energy.glsl"
 #include "sim/sixfold_gradient.glsl"
-
-// By bits, since compilers are free to turn a comparison round where NaN would answer differently.
-bool within(vec3 a, float limit) {
-    uvec3 magnitude = floatBitsToUint(a) & 0x7fffffffu;
-    return all(lessThan(magnitude, uvec3(floatBitsToUint(limit))));
-}
+#include "sim/ordered_floats.glsl"
 
 // Kinetic, and potential about the floor (about 0 without one) [J]. What does not move by itself
 // has no inverse mass and counts for nothing.

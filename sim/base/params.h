@@ -30,8 +30,18 @@ inline constexpr int kMostModels = 64;
 /// Params::iterations: the simulation chooses them before each step; "auto" in text.
 inline constexpr int kAutoIterations = 0;
 
+/// How the blade acts on the body.
+struct BladeParams {
+    int bladePush = 0;             ///< 1: the plate behind the edge pushes; 0: not
+    double bladeWidth = 0.15;      ///< of that plate, as a share of the uncut body's diagonal
+    double bladeThickness = 0.01;  ///< the same of its thickness
+    int bladeFeels = 0;            ///< 1: the edge cuts only where its force suffices
+    double toughness = 100;        ///< energy per area of new surface then [J/m^2]
+    double bladeBluntness = 0.5;   ///< extra share of force for crack initiation
+};
+
 /// Everything that a person can tune. paramTable() has names, ranges and meanings.
-struct Params {
+struct Params : BladeParams {
     SolverMode solver = SolverMode::smallSteps;
     double timeStep = 0.005;  ///< [s]
     /// Substeps of one sweep each, or sweeps of pbd; kAutoIterations: as many as each step needs.
@@ -58,12 +68,6 @@ struct Params {
     int paperContact = 0;                   ///< 1: the paper's response of pieces instead
     double contactThickness = 0.05;  ///< distance kept, as a share of the edge length of walls
     double depenetrationSpeed = 1;   ///< at which penetrations are resolved [m/s]
-    int bladePush = 0;               ///< 1: the plate behind the edge pushes; 0: not
-    double bladeWidth = 0.15;        ///< of that plate, as a share of the uncut body's diagonal
-    double bladeThickness = 0.01;    ///< the same of its thickness
-    int bladeFeels = 0;              ///< 1: the edge cuts only where its force suffices
-    double toughness = 100;          ///< energy per area of new surface then [J/m^2]
-    double bladeBluntness = 0.5;     ///< extra share of force for crack initiation
     int sleeps = 0;                  ///< 1: a body at rest is not solved until it is disturbed
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
 };

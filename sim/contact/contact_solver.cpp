@@ -227,7 +227,6 @@ void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& 
 }
 
 void ContactSolver::findCandidates() {
-    using gpu::TexelFormat;
     tree_.bind();
     tree_.vertices().bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
     body_.restPositions->bindTexels(shared::kContactRestBinding, TexelFormat::float32x4);

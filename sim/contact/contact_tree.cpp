@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "shaders/shared/body_records.h"
@@ -100,10 +101,21 @@ std::vector<uint> verticesAlong(const std::vector<uint>& order,
 
 /// Adds the numbers up to `end` that are not there yet, and fills up to a multiple of `step`.
 void extend(std::vector<uint>& order, uint end, uint step) {
+    while (!order.empty() && order.back() == shared::kNoVertex) {
+        order.pop_back();
+    }
     for (uint next = static_cast<uint>(order.size()); next < end; ++next) {
         order.push_back(next);
     }
     order.resize(roundedUp(order.size(), step), shared::kNoVertex);
+}
+
+/// Extends an order, and writes what is behind its first `kept` places to its buffer.
+void extendOnGpu(std::vector<uint>& order, std::size_t kept, uint end, uint step,
+                 gpu::Buffer& buffer) {
+    extend(order, end, step);
+    buffer.resize(order.size() * sizeof(uint));
+    buffer.write(kept, std::span<const uint>(order).subspan(kept));
 }
 
 }  // namespace
@@ -118,6 +130,7 @@ void ContactOrder::follow(const BodyModel& model, bool isNew) {
     vertices_ =
         verticesAlong(triangles_, model.triangles, static_cast<uint>(model.restPositions.size()));
     pieces_ = model.pieces.size();
+    ++revision_;
 }
 
 ContactTree::ContactTree()
@@ -125,14 +138,20 @@ ContactTree::ContactTree()
       fitNodes_(gpu::Program::compute("sim/contact/tree_nodes.comp")) {}
 
 void ContactTree::take(const ContactBody& body) {
-    triangles_ = body.order != nullptr ? body.order->triangles() : std::vector<uint>();
-    vertices_ = body.order != nullptr ? body.order->vertices() : std::vector<uint>();
+    const ContactOrder none;
+    const ContactOrder& order = body.order != nullptr ? *body.order : none;
+    const bool isKept = revision_ == order.revision();
+    if (!isKept) {
+        triangles_ = order.triangles();
+        vertices_ = order.vertices();
+        revision_ = order.revision();
+    }
     // What comes later lies together too: where it was cut.
-    extend(triangles_, body.triangleCount, kTreeFan * kTreeFan);
-    extend(vertices_, body.vertexCount, shared::kSearchGroup);
+    extendOnGpu(triangles_, isKept ? order.triangles().size() : 0, body.triangleCount,
+                kTreeFan * kTreeFan, triangleOrder_);
+    extendOnGpu(vertices_, isKept ? order.vertices().size() : 0, body.vertexCount,
+                shared::kSearchGroup, vertexOrder_);
     const std::vector<uint> levels = levelsOver(triangles_.size());
-    triangleOrder_.assign(triangles_);
-    vertexOrder_.assign(vertices_);
     boxes_.resize(triangles_.size() * 2 * sizeof(std::array<uint, 4>));
     nodes_.resize(std::reduce(levels.begin(), levels.end()) * 4 * sizeof(std::array<uint, 4>));
 }

@@ -21,10 +21,13 @@ class ContactOrder {
     /// Numbers in order; what has come since is missing.
     const std::vector<std::uint32_t>& triangles() const { return triangles_; }
     const std::vector<std::uint32_t>& vertices() const { return vertices_; }
+    /// Grows whenever all are ordered anew.
+    int revision() const { return revision_; }
 
   private:
     std::vector<std::uint32_t> triangles_, vertices_;
     std::size_t pieces_ = 0;
+    int revision_ = 0;
 };
 
 /// A tree of boxes over the triangles of a body on the GPU (shaders/sim/contact/tree.glsl), of
@@ -52,6 +55,7 @@ class ContactTree {
   private:
     gpu::Program fitLeaves_, fitNodes_;
     std::vector<std::uint32_t> triangles_, vertices_;  ///< in order
+    int revision_ = -1;                                ///< of the order that they begin with
     gpu::Buffer triangleOrder_, vertexOrder_, boxes_, nodes_;
 };
 

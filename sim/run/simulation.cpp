@@ -135,8 +135,8 @@ void Simulation::State::solve() {
     }
     StepReport& report = output.report;
     report.search.milliseconds += input.params.cutSearch == CutSearch::tree ? prefetchMs : 0;
-    report.deformMs = body.solver.stepper().takeDeformMilliseconds();
-    report.collideMs = body.solver.stepper().takeCollideMilliseconds();
+    report.times.deform = body.solver.stepper().takeDeformMilliseconds();
+    report.times.collide = body.solver.stepper().takeCollideMilliseconds();
 }
 
 /// About which the moment is told, where the edge feels [m]. Before the mesh is old, whose front
@@ -281,7 +281,7 @@ void Simulation::State::mendFolds() {
     if (!mended.empty()) {
         followCut(mended, body, log.history(), output);
     }
-    output.report.cutMs += watch.milliseconds();
+    output.report.times.cut += watch.milliseconds();
 }
 
 void Simulation::State::publish() {

@@ -222,7 +222,7 @@ void SmallBodySolver::run(const SolverBody& body, const gpu::DispatchNumbers& nu
     }
     if (folded) {
         folds_->bindStorage(shared::kSmallFoldsBinding);
-        bindRecords(*folds_, shared::kFoldsUnit, TexelFormat::uint32);
+        gpu::bindFetched(*folds_, shared::kFoldsUnit, TexelFormat::uint32, way_);
     }
     kernel->setNumbers(numbers);
     kernel->dispatch(1);
@@ -251,8 +251,8 @@ void SmallBodySolver::bind(const SolverBody& body) const {
         buffer.bindStorage(binding);
         bindImage(buffer, binding, format);
     };
-    const auto bindList = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
-        bindRecords(buffer, unit, format);
+    const auto bindRecords = [&](const gpu::Buffer& buffer, uint unit, TexelFormat format) {
+        gpu::bindFetched(buffer, unit, format, way_);
     };
     bindState(body.state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
     bindState(body.state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
@@ -262,7 +262,7 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     bindState(body.state.gradients, shared::kSmallGradientsBinding, TexelFormat::float32x4);
     bindState(parts_, shared::kSmallPartsBinding, TexelFormat::float32x2);
     bindRecords(body.model.links, shared::kSmallLinksUnit, TexelFormat::uint32x4);
-    bindAllConstraints(body.model.constraints, bindList);
+    bindAllConstraints(body.model.constraints, bindRecords);
     bindRecords(body.model.neighbours.ranges, shared::kSmallNeighbourRangesUnit,
                 TexelFormat::uint32x2);
     bindRecords(body.model.neighbours.entries, shared::kSmallNeighboursUnit, TexelFormat::uint32x2);
@@ -271,10 +271,6 @@ void SmallBodySolver::bind(const SolverBody& body) const {
     bindRecords(body.pieces.pageBuffer, shared::kSmallPagesUnit, TexelFormat::uint32);
     bindRecords(body.pulls, shared::kSmallPullsUnit, TexelFormat::uint32x4);
     bindRecords(body.model.restPositions, shared::kSmallRestUnit, TexelFormat::float32x4);
-}
-
-void SmallBodySolver::bindRecords(const gpu::Buffer& buffer, uint unit, TexelFormat format) const {
-    gpu::bindFetched(buffer, unit, format, way_);
 }
 
 }  // namespace kerf

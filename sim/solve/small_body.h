@@ -112,7 +112,6 @@ class SmallBodySolver {
     void run(const SolverBody& body, const gpu::DispatchNumbers& numbers,
              const Collisions* collisions);
     void bind(const SolverBody& body) const;
-    void bindRecords(const gpu::Buffer& buffer, std::uint32_t unit, gpu::TexelFormat format) const;
 
     gpu::KernelWay way_;
     /// By what contact is among the phases (none, itself, boxes), and whether the skin is folded.

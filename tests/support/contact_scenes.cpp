@@ -415,10 +415,10 @@ CostFigures costOf(Simulation& simulation, int steps) {
     double collide = 0;
     for (int i = 0; i < steps; ++i) {
         const StepReport& report = simulation.step();
-        deform += report.deformMs;
-        collide += report.collideMs;
-        figures.deform += report.deformMs;
-        figures.collide += report.collideMs;
+        deform += report.times.deform;
+        collide += report.times.collide;
+        figures.deform += report.times.deform;
+        figures.collide += report.times.collide;
         figures.mostContacts = std::max(figures.mostContacts, report.contacts);
         if ((i + 1) % std::max(steps / 10, 1) == 0) {
             figures.worst = std::max(figures.worst, collide / deform);

@@ -39,9 +39,9 @@ double energyOf(Report r) {
 }
 
 constexpr std::array kFromReport{
-    FromReport{Reading::deformMs, When::step, [](Report r) { return r.deformMs; }},
-    FromReport{Reading::collideMs, When::step, [](Report r) { return r.collideMs; }},
-    FromReport{Reading::cutMs, When::step, [](Report r) { return r.cutMs; }},
+    FromReport{Reading::deformMs, When::step, [](Report r) { return r.times.deform; }},
+    FromReport{Reading::collideMs, When::step, [](Report r) { return r.times.collide; }},
+    FromReport{Reading::cutMs, When::step, [](Report r) { return r.times.cut; }},
     FromReport{Reading::volumePercent, When::always, [](Report r) { return 100 * r.volumeRatio; }},
     FromReport{Reading::kineticEnergy, When::always, [](Report r) { return r.kineticEnergy; }},
     FromReport{Reading::potentialEnergy, When::always, [](Report r) { return r.potentialEnergy; }},

@@ -6,13 +6,10 @@
 // A node is four texels: low corner [m] and the bins of normals; high corner and the first child;
 // lowest velocity [m/s] and first piece; highest velocity and last piece. A triangle is two: low
 // corner and bin; high corner and number.
+#include "sim/ordered_floats.glsl"
+
 const float kNothing = 1e30;  // low corner of a box that holds nothing
 const float kAnySpeed = 1e18;  // more than any that is finite and makes sense [m/s]
-
-// By bits, since compilers are free to turn a comparison round where NaN would answer differently.
-bool within(vec3 a, float limit) {
-    return all(lessThan(floatBitsToUint(a) & 0x7fffffffu, uvec3(floatBitsToUint(limit))));
-}
 
 struct TreeNode {
     vec3 low;

@@ -18,7 +18,7 @@ void RunningStroke::step() {
     for (const BladeAction& action : input_.blade.takeActions()) {
         std::visit([this](const auto& a) { carryOut(a); }, action);
     }
-    output_.report.cutMs = watch.milliseconds();
+    output_.report.times.cut = watch.milliseconds();
 }
 
 bool RunningStroke::endsInStep() const {

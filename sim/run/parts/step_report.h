@@ -12,6 +12,13 @@ namespace kerf {
 struct BodyMeasure;
 struct BodyModel;
 
+/// The wall-clock time of the stages of a step [ms].
+struct StageTimes {
+    double deform = 0;
+    double collide = 0;
+    double cut = 0;
+};
+
 /// One row of metrics.csv, after a step.
 struct StepReport {
     int step = 0;            ///< index of the step that just ran, from 0
@@ -38,10 +45,9 @@ struct StepReport {
     double potentialEnergy = 0;          ///< [J]
     std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
     int lostPieces = 0;                  ///< diverged pieces, reset to the start of the step
-    double deformMs = 0;
-    double collideMs = 0;
-    double cutMs = 0;
-    SearchWork search;  ///< for the triangles near the blade: part of cutMs, except the prefetch
+    StageTimes times;
+    /// For the triangles near the blade: part of the time of the cut, except the prefetch.
+    SearchWork search;
 
     /// Adds the result of a movement of the blade.
     void add(const CutStatistics& cut);

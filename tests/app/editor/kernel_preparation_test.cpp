@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "tests/app/editor/editor_fixture.h"
 
@@ -11,8 +12,8 @@ namespace {
 
 /// Whether the editor has run a kernel. It is made again from the same sources, and asked to do
 /// nothing.
-bool hasRun(const std::string& kernel) {
-    const gpu::Program program = gpu::Program::compute(kernel);
+bool hasRun(const std::string& kernel, const gpu::Defines& defines = {}) {
+    const gpu::Program program = gpu::Program::compute(kernel, defines);
     gpu::Buffer groups;
     groups.assign(std::span<const std::uint32_t>(std::array<std::uint32_t, 3>{}));
     const gpu::FirstDispatches none(0);
@@ -40,6 +41,14 @@ TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
     }
     for (const char* kernel : kOfContact) {
         EXPECT_TRUE(hasRun(kernel)) << kernel;
+    }
+    if (gpu::kernelWay() == gpu::KernelWay::images) {
+        const gpu::Defines touching{
+            {"COLLIDES", "1"}, {"SMALL_GROUP", "32u"}, {"LOAD_IMAGES", "1"}};
+        EXPECT_TRUE(hasRun("sim/small_body.comp", touching));
+        gpu::Defines unfolding{{"UNFOLDS", "1"}};
+        unfolding.insert(unfolding.end(), touching.begin(), touching.end());
+        EXPECT_TRUE(hasRun("sim/small_body.comp", unfolding));
     }
     EXPECT_EQ(panels().transport.step, 0) << "and nothing happened to it";
 }

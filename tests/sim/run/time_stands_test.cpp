@@ -59,7 +59,7 @@ TEST_F(TimeStandsTest, ABladeCutsTheBodyWhereItLies) {
     cutThrough(0.02);
     EXPECT_EQ(simulation->report().pieces, 2);
     EXPECT_TRUE(simulation->report().closed);
-    EXPECT_EQ(simulation->report().deformMs, 0);
+    EXPECT_EQ(simulation->report().times.deform, 0);
     const SurfaceMesh& after = simulation->mesh();
     int same = 0;
     for (int v = 0; v < before.vertexCount(); ++v) {
