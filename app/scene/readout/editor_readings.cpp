@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "sim/mesh/invariants.h"
+
 namespace kerf::app {
 namespace {
 
