@@ -1,11 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"
+#include "gpu/program.h"
 
 namespace kerf::gpu {
+
+/// A kernel that reads such buffers by fetch(). Throws ShaderError.
+inline Program fetchingKernel(const std::string& path, KernelWay way, Defines defines = {}) {
+    if (way == KernelWay::images) {
+        defines.emplace_back("LOAD_IMAGES", "1");
+    }
+    return Program::compute(path, defines);
+}
 
 /// Binds a buffer that kernels compiled for `way` read by fetch() (shaders/sim/fetch.glsl). Throws
 /// OutOfMemory if the driver's texture buffers are too small.

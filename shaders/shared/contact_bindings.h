@@ -10,7 +10,7 @@ SHARED_CONST uint kContactRestBinding = 3u;          // vec4: rest position [m]
 SHARED_CONST uint kContactDisplacementBinding = 3u;  // vec4: d [m]
 SHARED_CONST uint kContactLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kContactTrianglesBinding = 5u;     // uvec4, see BodyView
-SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.comp
+SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.glsl
 SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape
 SHARED_CONST uint kContactBoxesBinding = 8u;         // two uvec4 per triangle, see tree.glsl
 SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed point, then as many
@@ -24,7 +24,6 @@ SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandid
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
 // ContactState; behind it a uint per vertex: what contacts take of it
 SHARED_CONST uint kContactStateBinding = 15u;
-SHARED_CONST uint kContactRingsBinding = 10u;   // as kContactIncidenceBinding
 SHARED_CONST uint kContactPiecesBinding = 11u;  // PieceRecord
 SHARED_CONST uint kContactOrderBinding = 10u;   // uint: triangles or vertices, neighbours together
 

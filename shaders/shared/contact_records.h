@@ -107,6 +107,7 @@ struct ContactState {
     uint points;         // with candidates
     uint contacts;       // so far in this substep
     uint last_contacts;  // in the last substep
+    uint fitted_groups;  // of the tree of boxes, while it is fitted
 };
 
 // In the paper's contact: normals face the same way where their difference, squared, is below this.

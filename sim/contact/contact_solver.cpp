@@ -24,7 +24,7 @@ static_assert(sizeof(shared::ContactUniforms) == 48);
 static_assert(sizeof(shared::ContactCandidate) == 8);
 static_assert(sizeof(shared::ContactRecord) == 64);
 static_assert(sizeof(shared::EdgePair) == 12);
-static_assert(sizeof(shared::ContactState) == 36);
+static_assert(sizeof(shared::ContactState) == 40);
 
 constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
@@ -34,12 +34,9 @@ constexpr int kSweeps = 2;               // over the contacts of a substep, as i
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
-/// A kernel of what a substep spends its time in: see fetch.glsl for images.
-gpu::Program compileAnswer(const std::string& name, gpu::Defines defines = {}) {
-    if (gpu::kernelWay() == gpu::KernelWay::images) {
-        defines.emplace_back("LOAD_IMAGES", "1");
-    }
-    return gpu::Program::compute("sim/contact/" + name + ".comp", defines);
+/// A kernel of what a substep spends its time in.
+gpu::Program compileAnswer(const std::string& name, const gpu::Defines& defines = {}) {
+    return gpu::fetchingKernel("sim/contact/" + name + ".comp", gpu::kernelWay(), defines);
 }
 
 /// How many times in a time step candidates are looked for, so that in between nothing moves much
@@ -98,9 +95,7 @@ shared::ContactUniforms contactUniforms(const ContactSettings& settings, double 
 }
 
 ContactSolver::ContactSolver() {
-    kernels_.normals = gpu::Program::compute("sim/contact/normals.comp");
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
-    kernels_.edgePairs = gpu::Program::compute("sim/contact/edge_pairs.comp");
     kernels_.detect = compileAnswer("detect");
     kernels_.respond = compileAnswer("respond");
     kernels_.apply = compileAnswer("apply", {{"APPLIES", "1"}});
@@ -145,7 +140,7 @@ void ContactSolver::takeBody() {
     records_.resize(2 * n * sizeof(shared::ContactRecord));
     state_.resize(sizeof(shared::ContactState) + n * sizeof(uint));
     sums_.resize(n * 6 * sizeof(int));
-    runNormals(*body_.restPositions, restNormals_);
+    restIsNew_ = true;
 }
 
 void ContactSolver::uploadUniforms() {
@@ -183,8 +178,10 @@ void ContactSolver::search() {
 }
 
 void ContactSolver::findFromSearched() {
-    runNormals(searchedPositions_, normals_);
-    tree_.fit(body_, searchedPositions_, searchedVelocities_);
+    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
+    state_.bindStorage(shared::kContactStateBinding);
+    tree_.fit(body_, searchedPositions_, searchedVelocities_,
+              {&normals_, std::exchange(restIsNew_, false) ? &restNormals_ : nullptr});
     findCandidates();
     ++searches_;
     hasCandidates_ = true;
@@ -215,34 +212,17 @@ void ContactSolver::remember(const ContactMemory& memory) {
     findFromSearched();
 }
 
-void ContactSolver::runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals) {
-    uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
-    positions.bindStorage(shared::kContactPositionsBinding);
-    body_.triangles->bindStorage(shared::kContactTrianglesBinding);
-    body_.incidenceRanges->bindStorage(shared::kContactRangesBinding);
-    body_.incidence->bindStorage(shared::kContactIncidenceBinding);
-    normals.bindStorage(shared::kContactNormalsBinding);
-    state_.bindStorage(shared::kContactStateBinding);
-    kernels_.normals.dispatch(body_.vertexCount);
-}
-
 void ContactSolver::findCandidates() {
     tree_.bind();
-    tree_.vertices().bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
     body_.restPositions->bindTexels(shared::kContactRestBinding, TexelFormat::float32x4);
     normals_.bindTexels(shared::kContactNormalsBinding, TexelFormat::float32x4);
     restNormals_.bindTexels(shared::kContactRestNormalsBinding, TexelFormat::float32x4);
     body_.links->bindStorage(shared::kContactLinksBinding);
     candidates_.bindStorage(shared::kContactCandidatesBinding);
-    points_.bindStorage(shared::kContactPointsBinding);
-    kernels_.candidates.setNumbers({tree_.roots(), tree_.leaves()});
-    kernels_.candidates.dispatch(tree_.vertexPlaces());
-    body_.incidenceRanges->bindTexels(shared::kContactRangesBinding, TexelFormat::uint32x2);
-    body_.incidence->bindTexels(shared::kContactRingsBinding, TexelFormat::uint32);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
-    if (settings_.edges) {
-        runIndirect(kernels_.edgePairs, offsetof(shared::ContactState, point_groups));
-    }
+    points_.bindStorage(shared::kContactPointsBinding);
+    kernels_.candidates.setNumbers({tree_.roots(), tree_.leaves(), settings_.edges ? 1U : 0U});
+    kernels_.candidates.dispatch(tree_.vertexPlaces());
 }
 
 void ContactSolver::respond() {

@@ -145,14 +145,12 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program normals, candidates, edgePairs, detect, respond, apply, respondAgain,
-            applyLast;
+        gpu::Program candidates, detect, respond, apply, respondAgain, applyLast;
     };
     const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
-    void runNormals(const gpu::Buffer& positions, const gpu::Buffer& normals);
     void findCandidates();
     void runIndirect(const gpu::Program& kernel, std::size_t offset);
 
@@ -168,6 +166,7 @@ class ContactSolver {
     bool keepsCandidates_ = false;       ///< in this step
     bool foundNone_ = false;             ///< no candidates are kept, if any are
     bool bodyIsNew_ = false;             ///< since the last step with contact on
+    bool restIsNew_ = false;             ///< since the last search
     bool hasCandidates_ = false;         ///< of this body
     ContactSettings candidateSettings_;  ///< with which they were found
     long searches_ = 0;

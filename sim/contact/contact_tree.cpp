@@ -27,12 +27,12 @@ uint roundedUp(std::size_t count, uint step) {
     return static_cast<uint>((std::max<std::size_t>(count, 1) + step - 1) / step * step);
 }
 
-/// How many nodes each level has, the lowest first.
+/// How many nodes each level has, the lowest first; at least two (shaders/sim/contact/fit.comp).
 std::vector<uint> levelsOver(std::size_t places) {
     std::vector<uint> levels{static_cast<uint>(places / kTreeFan)};
-    while (levels.back() > kTreeFan) {
+    do {
         levels.push_back(roundedUp(levels.back() / kTreeFan, kTreeFan));
-    }
+    } while (levels.back() > kTreeFan);
     return levels;
 }
 
@@ -133,9 +133,7 @@ void ContactOrder::follow(const BodyModel& model, bool isNew) {
     ++revision_;
 }
 
-ContactTree::ContactTree()
-    : fitLeaves_(gpu::Program::compute("sim/contact/tree_leaves.comp")),
-      fitNodes_(gpu::Program::compute("sim/contact/tree_nodes.comp")) {}
+ContactTree::ContactTree() : fit_(gpu::Program::compute("sim/contact/fit.comp")) {}
 
 void ContactTree::take(const ContactBody& body) {
     const ContactOrder none;
@@ -157,29 +155,33 @@ void ContactTree::take(const ContactBody& body) {
 }
 
 void ContactTree::fit(const ContactBody& body, const gpu::Buffer& positions,
-                      const gpu::Buffer& velocities) const {
+                      const gpu::Buffer& velocities, const ContactNormals& normals) const {
     positions.bindTexels(shared::kContactPositionsBinding, TexelFormat::float32x4);
     velocities.bindTexels(shared::kContactVelocitiesBinding, TexelFormat::float32x4);
+    body.restPositions->bindTexels(shared::kContactRestBinding, TexelFormat::float32x4);
     body.triangles->bindTexels(shared::kContactTrianglesBinding, TexelFormat::uint32x4);
+    body.incidenceRanges->bindTexels(shared::kContactRangesBinding, TexelFormat::uint32x2);
+    body.incidence->bindTexels(shared::kContactIncidenceBinding, TexelFormat::uint32);
     triangleOrder_.bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
     body.pieces->bindStorage(shared::kContactPiecesBinding);
     boxes_.bindStorage(shared::kContactBoxesBinding);
     nodes_.bindStorage(shared::kContactNodesBinding);
-    const std::vector<uint> levels = levelsOver(triangles_.size());
-    fitLeaves_.setNumbers({levels.front()});
-    fitLeaves_.dispatch(levels.front());
-    uint below = 0;
-    for (std::size_t i = 1; i < levels.size(); ++i) {
-        const uint first = below + levels[i - 1];
-        fitNodes_.setNumbers({first, levels[i], below});
-        fitNodes_.dispatch(levels[i]);
-        below = first;
-    }
+    const auto find = [&](const gpu::Buffer* found, uint binding) {
+        if (found != nullptr) {
+            found->bindStorage(binding);
+        }
+        return found != nullptr ? body.vertexCount : 0;
+    };
+    const uint vertices = find(normals.current, shared::kContactNormalsBinding);
+    const uint restVertices = find(normals.rest, shared::kContactRestNormalsBinding);
+    fit_.setNumbers({leaves(), vertices, restVertices});
+    fit_.dispatch(std::max(leaves(), vertices));
 }
 
 void ContactTree::bind() const {
     boxes_.bindTexels(shared::kContactBoxesBinding, TexelFormat::uint32x4);
     nodes_.bindTexels(shared::kContactNodesBinding, TexelFormat::uint32x4);
+    vertexOrder_.bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
 }
 
 uint ContactTree::roots() const {

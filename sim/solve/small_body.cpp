@@ -178,10 +178,7 @@ uint SmallBodySolver::groupSizeOfSweeps() const {
 
 gpu::Program SmallBodySolver::compile(uint threads, gpu::Defines defines) const {
     defines.emplace_back("SMALL_GROUP", std::to_string(threads) + "u");
-    if (way_ == gpu::KernelWay::images) {
-        defines.emplace_back("LOAD_IMAGES", "1");
-    }
-    return gpu::Program::compute("sim/small_body.comp", defines);
+    return gpu::fetchingKernel("sim/small_body.comp", way_, defines);
 }
 
 void SmallBodySolver::run(const SolverBody& body, const SubstepRun& run) {

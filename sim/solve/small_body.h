@@ -105,7 +105,7 @@ class SmallBodySolver {
     }
     std::uint32_t groupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 8; }
     /// So many that all substeps of most bodies fit into a dispatch.
-    std::uint32_t touchingGroupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 32; }
+    std::uint32_t touchingGroupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 64; }
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);

@@ -1,6 +1,6 @@
 // The triangles that each vertex may touch until the next search: the kCandidatesPerPoint nearest
 // ones, in proportion to how far the pair can move, ties by their index. So the result does not
-// hang on the order in which the tree yields them.
+// hang on the order in which the tree yields them. And the edges that its own may touch.
 //
 // Within a piece a vertex touches the opposite wall of a slit, or what is far away in the rest
 // shape, as another arm; never the material around it or behind it.
@@ -8,9 +8,9 @@
 // Each vertex looks through the leaves near its group that are near itself. What is near hangs on
 // how fast the two approach each other, so what moves fast elsewhere costs nothing.
 //
-// Reads X, velocities, rest shape, normals, the tree, the order of vertices. Writes candidates,
-// the list of points with any and its length. One thread per place in the order. A storage and a
-// command barrier follow.
+// Reads X, velocities, rest shape, normals, the tree, the order of vertices, triangles and their
+// incidence. Writes candidates, pairs of edges, the list of points with any and its length. One
+// thread per place in the order. A storage and a command barrier follow.
 #include "sim/contact/uniforms.glsl"
 #include "sim/fetch.glsl"
 layout(local_size_x = kSearchGroup) in;
@@ -23,11 +23,14 @@ layout(binding = kContactRestNormalsBinding) uniform samplerBuffer restNormals;
 layout(binding = kContactBoxesBinding) uniform usamplerBuffer boxes;
 layout(binding = kContactNodesBinding) uniform usamplerBuffer nodes;
 layout(binding = kContactOrderBinding) uniform usamplerBuffer order;
+layout(binding = kContactRangesBinding) uniform usamplerBuffer ranges;
+layout(binding = kContactIncidenceBinding) uniform usamplerBuffer incidence;
 layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kContactPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kContactCandidatesBinding) writeonly buffer Candidates {
     ContactCandidate candidates[];
 };
+layout(std430, binding = kContactEdgePairsBinding) writeonly buffer Pairs { EdgePair pairs[]; };
 layout(std430, binding = kContactPointsBinding) writeonly buffer Points { uint points[]; };
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
@@ -186,6 +189,10 @@ void lookThroughLeaves(inout Bounds own) {
     }
 }
 
+#include "edge_pairs.glsl"
+
+bool findsEdges = numbers.z != 0u;
+
 void main() {
     takeVertex();
     Bounds own = ownBounds();
@@ -200,6 +207,7 @@ void main() {
     if (found < kCandidatesPerPoint) {
         candidates[first + found] = ContactCandidate(kNoVertex, 0.0);
     }
+    if (findsEdges) findEdgePairs();
     uint place = atomicAdd(state.points, 1u);
     points[place] = v;
     atomicMax(state.point_groups, place / kGroupSize + 1u);

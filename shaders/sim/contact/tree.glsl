@@ -22,6 +22,12 @@ struct TreeNode {
     uint lastPiece;
 };
 
+// Of the level above one of so many: whole runs of children.
+uint nodesAbove(uint count) {
+    uint nodes = (count + kTreeFan - 1u) / kTreeFan;
+    return (nodes + kTreeFan - 1u) / kTreeFan * kTreeFan;
+}
+
 TreeNode emptyNode() {
     return TreeNode(vec3(kNothing), vec3(-kNothing), vec3(kAnySpeed), vec3(-kAnySpeed), 0u, 0u,
                     0xffffffffu, 0u);

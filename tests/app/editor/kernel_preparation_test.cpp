@@ -29,8 +29,7 @@ class KernelPreparationTest : public EditorTest {
         start(options);
     }
     // Those of its answers are parts of the kernel that solves small bodies.
-    static constexpr std::array kOfContact{"sim/contact/candidates.comp",
-                                           "sim/contact/edge_pairs.comp"};
+    static constexpr std::array kOfContact{"sim/contact/candidates.comp", "sim/contact/fit.comp"};
 };
 
 // The first stroke of a start had stood still for seconds while they were compiled.
@@ -44,7 +43,7 @@ TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
     }
     if (gpu::kernelWay() == gpu::KernelWay::images) {
         const gpu::Defines touching{
-            {"COLLIDES", "1"}, {"SMALL_GROUP", "32u"}, {"LOAD_IMAGES", "1"}};
+            {"COLLIDES", "1"}, {"SMALL_GROUP", "64u"}, {"LOAD_IMAGES", "1"}};
         EXPECT_TRUE(hasRun("sim/small_body.comp", touching));
         gpu::Defines unfolding{{"UNFOLDS", "1"}};
         unfolding.insert(unfolding.end(), touching.begin(), touching.end());
