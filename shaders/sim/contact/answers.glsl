@@ -57,21 +57,22 @@ struct SeenCorners {
 };
 
 // Differences of positions and of displacements are taken apart, since d is far smaller than X.
-vec3 span(uint from, uint to) {
-    return (positionOf(to).xyz - positionOf(from).xyz) +
-        (displacementOf(to).xyz - displacementOf(from).xyz);
+vec3 span(vec3 x, vec3 d, uint to) {
+    return (positionOf(to).xyz - x) + (displacementOf(to).xyz - d);
 }
 
 Nearest nearest(uint v) {
     Nearest best;
     float least = 1e30;
+    vec3 x = positionOf(v).xyz;
+    vec3 d = displacementOf(v).xyz;
     for (uint k = 0u; k < kCandidatesPerPoint; ++k) {
         ContactCandidate candidate = candidateAt(kCandidatesPerPoint * v + k);
         if (candidate.triangle == kNoVertex) break;
         uvec4 t = triangleAt(candidate.triangle);
-        vec3 a = span(v, t.x);
-        vec3 b = span(v, t.y);
-        vec3 c = span(v, t.z);
+        vec3 a = span(x, d, t.x);
+        vec3 b = span(x, d, t.y);
+        vec3 c = span(x, d, t.z);
         vec3 weights = closestWeights(a, b, c);
         vec3 offset = -(weights.x * a + weights.y * b + weights.z * c);
         float away = dot(offset, offset);
@@ -244,8 +245,10 @@ Change changeBy(uint place, ContactRecord record, float friction, bool again) {
     return Change(sum - record.impulse.xyz, vec3(0.0));
 }
 
-void addTo(uint v, float gain, Change change) {
-    if (gain != 0.0) addToSums(v, contact.unit, gain * change.impulse, gain * change.push);
+void addTo(uint v, float gain, Change change, bool again) {
+    if (gain == 0.0) return;
+    addFixed(6u * v, contact.unit, gain * change.impulse);
+    if (!again && change.push != vec3(0.0)) addFixed(6u * v + 3u, contact.unit, gain * change.push);
 }
 
 // Without loops, of which one thread of llvmpipe may turn only so many.
@@ -261,10 +264,10 @@ void respondOne(uint place, float friction, bool again) {
     weight += w.w * sharedWeight(record.gains.w, shareTaken(record.v3));
     if (!(weight > 0.0)) return;
     Change change = changeBy(place, record, friction, again);
-    addTo(record.v0, record.gains.x * w.x / weight, change);
-    addTo(record.v1, record.gains.y * w.y / weight, change);
-    addTo(record.v2, record.gains.z * w.z / weight, change);
-    addTo(record.v3, record.gains.w * w.w / weight, change);
+    addTo(record.v0, record.gains.x * w.x / weight, change, again);
+    addTo(record.v1, record.gains.y * w.y / weight, change, again);
+    addTo(record.v2, record.gains.z * w.z / weight, change, again);
+    addTo(record.v3, record.gains.w * w.w / weight, change, again);
 }
 
 // Solves each contact at a point once: mass-splitting Jacobi, see mass_shares.glsl. Corrections are
@@ -275,13 +278,17 @@ void respondAt(uint index, bool again) {
 }
 
 // Adds to a vertex what its contacts sum up to: to d, which becomes velocity, and to X, which does
-// not. Clears the sums for the next sweep, and in the last one of a substep the shares.
+// not and which the first sweep alone pushes. Clears the sums for the next sweep, and in the last
+// one of a substep the shares.
 void applyTo(uint v, bool last) {
     if (shareTaken(v) == 0u) return;
-    if (last) clearShare(v);
     setDisplacement(v, vec4(displacementOf(v).xyz + takeSum(6u * v, contact.unit), 0.0));
-    vec4 x = positionOf(v);
-    setPosition(v, vec4(x.xyz + takeSum(6u * v + 3u, contact.unit), x.w));
+    if (last) {
+        clearShare(v);
+    } else {
+        vec4 x = positionOf(v);
+        setPosition(v, vec4(x.xyz + takeSum(6u * v + 3u, contact.unit), x.w));
+    }
 }
 
 void endContacts() {
