@@ -17,7 +17,7 @@ SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed
                                                      // for the edges at them
 SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
 SHARED_CONST uint kContactNodesBinding = 9u;         // four uvec4 per node, see tree.glsl
-SHARED_CONST uint kContactSumsBinding = 10u;         // 6 int per vertex: fixed-point d, then X
+SHARED_CONST uint kContactSumsBinding = 10u;         // 9 int per vertex: see answers.glsl
 SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
 SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
 SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandidatesPerPoint a point

@@ -301,13 +301,6 @@ void unfoldAll() {}
 #endif
 
 #ifdef COLLIDES
-void sweepContacts(uint count, bool again) {
-    FOR_EACH_OWN(i, count) respondAt(i, again);
-    endPhase();
-    FOR_EACH_OWN(v, uniforms.vertex_count) applyTo(v, again);
-    endPhase();
-}
-
 void touch() {
     uint count = state.points;
     if (count == 0u) return;
@@ -316,8 +309,12 @@ void touch() {
         detectEdges(i);
     }
     endPhase();
-    sweepContacts(count, false);
-    sweepContacts(count, true);
+    FOR_EACH_OWN(i, count) respondAt(i, false);
+    endPhase();
+    FOR_EACH_OWN(i, count) respondAt(i, true);
+    endPhase();
+    FOR_EACH_OWN(v, uniforms.vertex_count) applyTo(v);
+    endPhase();
     if (self == 0u) endContacts();
 }
 

@@ -30,7 +30,7 @@ constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
 constexpr double kKeptInContact = 0.05;  // h: then the nearest one must be among them
 constexpr double kFarthest = 2;          // h: no candidate beyond
-constexpr int kSweeps = 2;               // over the contacts of a substep, as in ReferenceContact
+constexpr std::size_t kSumWords = 9;     // of a vertex: answers.glsl
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
@@ -98,9 +98,8 @@ ContactSolver::ContactSolver() {
     kernels_.candidates = gpu::Program::compute("sim/contact/candidates.comp");
     kernels_.detect = compileAnswer("detect");
     kernels_.respond = compileAnswer("respond");
-    kernels_.apply = compileAnswer("apply", {{"APPLIES", "1"}});
     kernels_.respondAgain = compileAnswer("respond", {{"SWEEP_AGAIN", "true"}});
-    kernels_.applyLast = compileAnswer("apply", {{"APPLIES", "1"}, {"LAST_SWEEP", "true"}});
+    kernels_.apply = compileAnswer("apply", {{"APPLIES", "1"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
 }
@@ -139,7 +138,7 @@ void ContactSolver::takeBody() {
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
     records_.resize(2 * n * sizeof(shared::ContactRecord));
     state_.resize(sizeof(shared::ContactState) + n * sizeof(uint));
-    sums_.resize(n * 6 * sizeof(int));
+    sums_.resize(n * kSumWords * sizeof(int));
     restIsNew_ = true;
 }
 
@@ -240,12 +239,10 @@ void ContactSolver::respond() {
         bindFetched(*buffer, binding, TexelFormat::float32x4, way);
     }
     runIndirect(detect(), offsetof(shared::ContactState, point_groups));
+    // Two sweeps over the contacts of a substep, as in ReferenceContact.
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
-    for (int sweep = 1; sweep < kSweeps; ++sweep) {
-        runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
-        runIndirect(kernels_.respondAgain, offsetof(shared::ContactState, point_groups));
-    }
-    runIndirect(kernels_.applyLast, offsetof(shared::ContactState, vertex_groups));
+    runIndirect(kernels_.respondAgain, offsetof(shared::ContactState, point_groups));
+    runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));
 }
 
 void ContactSolver::bindAnswers(const AnswerBindings& to, gpu::KernelWay way) const {

@@ -145,7 +145,7 @@ class ContactSolver {
 
   private:
     struct Kernels {
-        gpu::Program candidates, detect, respond, apply, respondAgain, applyLast;
+        gpu::Program candidates, detect, respond, respondAgain, apply;
     };
     const gpu::Program& detect() const;
     void takeBody();

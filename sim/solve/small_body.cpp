@@ -113,7 +113,7 @@ std::size_t turnsOfSubstep(const BodyModel& model, std::size_t blocks, const Gro
 std::size_t turnsOfContact(const BodyModel& model, const GroupShape& group) {
     const std::size_t vertices = model.restPositions.size();
     const std::size_t looks = loop(shared::kCandidatesPerPoint) + loop(shared::kEdgePairsPerPoint);
-    return loopOver(vertices, group, looks) + 4 * loopOver(vertices, group);
+    return loopOver(vertices, group, looks) + 3 * loopOver(vertices, group);
 }
 
 std::size_t turnsOfUnfolding(const BodyModel& model, const GroupShape& group) {

@@ -192,8 +192,8 @@ void touchTriangle(uint index) {
 
 void addTouch(uint v, float gain, BoxTouch record) {
     if (gain == 0.0) return;
-    addToSums(v, obstacle.unit, gain * record.impulse.xyz,
-              gain * record.normal.w * record.normal.xyz);
+    addFixed(6u * v, obstacle.unit, gain * record.impulse.xyz);
+    addFixed(6u * v + 3u, obstacle.unit, gain * record.normal.w * record.normal.xyz);
 }
 
 // Solves the touch of a triangle once: mass-splitting Jacobi, see mass_shares.glsl.

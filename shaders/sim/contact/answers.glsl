@@ -231,15 +231,31 @@ struct Change {
     vec3 push;
 };
 
-// In later sweeps it goes on from d as it stands: impulses add up over the sweeps, and what earlier
-// ones did too much is taken back. A contact that stops a part of the approach alone leaves a speed
-// that the body does not move with, since pushes take the way back.
+// The words of a vertex in `sums`: of d in the first sweep, of X, and of d in the second.
+const uint kSumWords = 9u;
+
+uint sumOfD(uint v, bool again) {
+    return kSumWords * v + (again ? 6u : 0u);
+}
+
+uint sumOfX(uint v) {
+    return kSumWords * v + 3u;
+}
+
+// d after the first sweep.
+vec3 sweptOnce(uint v) {
+    return displacementOf(v).xyz + sumAt(sumOfD(v, false), contact.unit);
+}
+
+// The second sweep goes on from d as the first one leaves it: impulses add up, and what it did too
+// much is taken back. A contact that stops a part of the approach alone leaves a speed that the body
+// does not move with, since pushes take the way back.
 Change changeBy(uint place, ContactRecord record, float friction, bool again) {
     if (!again) return Change(record.impulse.xyz, record.normal.w * record.normal.xyz);
-    vec3 slip = record.gains.x * displacementOf(record.v0).xyz;
-    slip += record.gains.y * displacementOf(record.v1).xyz;
-    slip += record.gains.z * displacementOf(record.v2).xyz;
-    slip += record.gains.w * displacementOf(record.v3).xyz;
+    vec3 slip = record.gains.x * sweptOnce(record.v0);
+    slip += record.gains.y * sweptOnce(record.v1);
+    slip += record.gains.z * sweptOnce(record.v2);
+    slip += record.gains.w * sweptOnce(record.v3);
     vec3 sum = goOn(record.impulse.xyz, record.normal.xyz, slip, record.impulse.w, friction);
     records[place].impulse.xyz = sum;
     return Change(sum - record.impulse.xyz, vec3(0.0));
@@ -247,8 +263,8 @@ Change changeBy(uint place, ContactRecord record, float friction, bool again) {
 
 void addTo(uint v, float gain, Change change, bool again) {
     if (gain == 0.0) return;
-    addFixed(6u * v, contact.unit, gain * change.impulse);
-    if (!again && change.push != vec3(0.0)) addFixed(6u * v + 3u, contact.unit, gain * change.push);
+    addFixed(sumOfD(v, again), contact.unit, gain * change.impulse);
+    if (!again && change.push != vec3(0.0)) addFixed(sumOfX(v), contact.unit, gain * change.push);
 }
 
 // Without loops, of which one thread of llvmpipe may turn only so many.
@@ -278,17 +294,14 @@ void respondAt(uint index, bool again) {
 }
 
 // Adds to a vertex what its contacts sum up to: to d, which becomes velocity, and to X, which does
-// not and which the first sweep alone pushes. Clears the sums for the next sweep, and in the last
-// one of a substep the shares.
-void applyTo(uint v, bool last) {
+// not. Clears sums and shares for the next substep.
+void applyTo(uint v) {
     if (shareTaken(v) == 0u) return;
-    setDisplacement(v, vec4(displacementOf(v).xyz + takeSum(6u * v, contact.unit), 0.0));
-    if (last) {
-        clearShare(v);
-    } else {
-        vec4 x = positionOf(v);
-        setPosition(v, vec4(x.xyz + takeSum(6u * v + 3u, contact.unit), x.w));
-    }
+    clearShare(v);
+    vec3 d = displacementOf(v).xyz + takeSum(sumOfD(v, false), contact.unit);
+    setDisplacement(v, vec4(d + takeSum(sumOfD(v, true), contact.unit), 0.0));
+    vec4 x = positionOf(v);
+    setPosition(v, vec4(x.xyz + takeSum(sumOfX(v), contact.unit), x.w));
 }
 
 void endContacts() {

@@ -123,7 +123,7 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
         buffers.push_back({shared::kCandidatesPerPoint * sizeof(shared::ContactCandidate), 0});
         buffers.push_back({shared::kEdgePairsPerPoint * sizeof(shared::EdgePair), 0});
         buffers.push_back({2 * sizeof(shared::ContactRecord), 0});
-        buffers.push_back({8 * sizeof(uint), 0});                 // points, shares and sums
+        buffers.push_back({11 * sizeof(uint), 0});                // points, shares and sums
         buffers.push_back({0, 2 * sizeof(vec4)});                 // boxes of triangles
         buffers.push_back({0, 0.6 * sizeof(vec4)});               // and of nodes
         buffers.push_back({2 * sizeof(uint), 2 * sizeof(uint)});  // their order
