@@ -3,6 +3,9 @@
 #include <glad/gl.h>
 
 #include <cassert>
+#include <utility>
+
+#include "gpu/context.h"
 
 namespace kerf::gpu {
 namespace {
@@ -50,6 +53,27 @@ std::uint32_t Timer::nextQuery() {
         queries_.push_back(query);
     }
     return queries_[used_++];
+}
+
+ComputeTimer::ComputeTimer() : byClock_(queryDevice().renderer.starts_with("llvmpipe")) {}
+
+void ComputeTimer::begin() {
+    if (!byClock_) {
+        timer_.begin();
+    }
+    start_ = Clock::now();
+}
+
+void ComputeTimer::end() {
+    if (byClock_) {
+        milliseconds_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+    } else {
+        timer_.end();
+    }
+}
+
+double ComputeTimer::takeMilliseconds() {
+    return byClock_ ? std::exchange(milliseconds_, 0) : timer_.takeMilliseconds();
 }
 
 }  // namespace kerf::gpu

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,26 @@ class Timer {
 
     std::vector<std::uint32_t> queries_;
     std::size_t used_ = 0;
+};
+
+/// The same for compute shaders. llvmpipe has run them when a dispatch returns, but takes
+/// timestamps only with what is drawn next: there the processor's clock counts.
+class ComputeTimer {
+  public:
+    /// Needs a current context.
+    ComputeTimer();
+
+    void begin();
+    void end();
+    double takeMilliseconds();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    bool byClock_;
+    Clock::time_point start_;
+    double milliseconds_ = 0;
+    Timer timer_;
 };
 
 }  // namespace kerf::gpu

@@ -369,8 +369,12 @@ void Editor::State::goOn() {
     }
     showMessages(*this);
     redraw.steps();
-    if (const std::optional<double> seconds = steps ? clock.measure() : std::nullopt) {
-        scene->readout().addPicture(*seconds, picture.sceneMilliseconds());
+    if (!steps) {
+        return;
+    }
+    const std::optional<double> seconds = clock.measure();
+    scene->readout().addPicture(seconds, picture.takeSceneMilliseconds());
+    if (seconds) {
         panels.experiments.note(*scene);
     }
 }

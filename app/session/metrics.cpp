@@ -70,6 +70,10 @@ MetricsValue divided(const MetricsRow& row) {
 MetricsValue dividedOtherwise(const MetricsRow& row) {
     return valueOf(otherPatterns(row.report.subdivisions));
 }
+/// What no stage counts: measuring the body, masses of a cut, reading back, events.
+MetricsValue otherMsOf(const MetricsRow& row) {
+    return valueOf(std::max(0.0, row.frameMs - row.report.times.sum()));
+}
 MetricsValue fractureEnergyOf(const MetricsRow& row) {
     return row.namesToughness ? valueOf(row.report.fractureEnergy) : MetricsValue();
 }
@@ -156,6 +160,7 @@ constexpr MetricsColumn kColumns[] = {
      "Mean lag of the edge behind the commanded blade [m]."},
     {"iterations", reported<&StepReport::iterations>,
      "Of the step: the parameter, or as chosen where that is \"auto\"."},
+    {"other_ms", otherMsOf, "Part of frame_ms outside deform, collide and cut [ms]."},
 };
 
 }  // namespace

@@ -104,6 +104,8 @@ class Report:
     @property
     def iterations(self) -> int: ...
     @property
+    def other_ms(self) -> float: ...
+    @property
     def blade_force(self) -> Optional[npt.NDArray[np.float64]]:
         """[N] on the blade, x, y and z; None unless forces are measured."""
     @property

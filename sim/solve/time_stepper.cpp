@@ -12,7 +12,7 @@ namespace {
 
 /// Nothing is bound from one such piece of work to the next.
 template <class F>
-void timed(gpu::Timer& timer, F&& work) {
+void timed(gpu::ComputeTimer& timer, F&& work) {
     pausePoint();
     timer.begin();
     work();

@@ -112,8 +112,8 @@ class TimeStepper {
     bool unfolds_ = false;  ///< in this step
     bool oneGroupAllowed_ = true;
     bool settlingAllowed_ = true;
-    gpu::Timer deformTimer_;
-    gpu::Timer collideTimer_;
+    gpu::ComputeTimer deformTimer_;
+    gpu::ComputeTimer collideTimer_;
 };
 
 }  // namespace kerf

@@ -29,6 +29,7 @@ enum class Reading : std::uint8_t {
     framesPerSecond,
     frameMs,  ///< from picture to picture
     renderMs,
+    otherMs,  ///< of a frame, beside the stages of its steps and drawing the scene
     count
 };
 
@@ -63,7 +64,7 @@ struct CurveKind {
 
 /// A plot that can be chosen.
 struct PlotKind {
-    static constexpr std::size_t kMostCurves = 5;
+    static constexpr std::size_t kMostCurves = 6;
 
     const char* id;                       ///< its name in Settings::plots and in files
     const char* title;                    ///< "Volume, % of rest"
@@ -87,7 +88,8 @@ inline constexpr std::array kPlots{
                         {"render", Reading::renderMs, Hue::purple, CurveStyle::dashed},
                         {"deform", Reading::deformMs},
                         {"cut", Reading::cutMs, Hue::vermillion},
-                        {"collide", Reading::collideMs, Hue::green, CurveStyle::dashed}},
+                        {"collide", Reading::collideMs, Hue::green, CurveStyle::dashed},
+                        {"other", Reading::otherMs, Hue::orange, CurveStyle::dotted}},
              .readoutDecimals = 2},
     PlotKind{.id = "volume",
              .title = "Volume, % of rest",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/editor/steps/rest_depths.h"
@@ -37,10 +38,10 @@ class EditorPicture {
     bool rests() const;
     /// The frame, over which the panels are drawn.
     const gpu::Framebuffer& target() const { return target_; }
-    /// Updates sceneMilliseconds(), once a picture.
-    void measure() { sceneMilliseconds_ = sceneTimer_.takeMilliseconds(); }
-    /// Drawing time of the scene in the last picture [ms].
-    double sceneMilliseconds() const { return sceneMilliseconds_; }
+    /// Adds up what takeSceneMilliseconds() returns, once a picture.
+    void measure() { sceneMilliseconds_ += sceneTimer_.takeMilliseconds(); }
+    /// Drawing time of the scene in the pictures since the last call [ms].
+    double takeSceneMilliseconds() { return std::exchange(sceneMilliseconds_, 0); }
 
     /// The range of the colours of the last frame, if they show a quantity.
     const render::FieldRange& fieldRange() const { return fieldRange_; }

@@ -60,12 +60,14 @@ constexpr std::array kFromReport{
 /// A reading that comes from the pictures.
 struct FromPicture {
     Reading reading;
-    double (*value)(double elapsedSeconds, double renderMs);
+    double (*value)(double elapsedSeconds, double renderMs, double otherMs);
 };
 constexpr std::array kFromPicture{
-    FromPicture{Reading::framesPerSecond, [](double seconds, double) { return 1 / seconds; }},
-    FromPicture{Reading::frameMs, [](double seconds, double) { return 1000 * seconds; }},
-    FromPicture{Reading::renderMs, [](double, double renderMs) { return renderMs; }},
+    FromPicture{Reading::framesPerSecond,
+                [](double seconds, double, double) { return 1 / seconds; }},
+    FromPicture{Reading::frameMs, [](double seconds, double, double) { return 1000 * seconds; }},
+    FromPicture{Reading::renderMs, [](double, double renderMs, double) { return renderMs; }},
+    FromPicture{Reading::otherMs, [](double, double, double otherMs) { return otherMs; }},
 };
 
 /// Whether each reading comes from somewhere, in the order of ui::Reading.
@@ -98,6 +100,7 @@ bool ImpactWatch::see(const std::vector<Bounds>& boxes, std::optional<double> fl
 
 void EditorReadings::addStep(double time, const Simulation& simulation) {
     addReport(time, simulation, true);
+    unexplainedMs_ -= simulation.report().times.sum();
     if (impacts_.see(simulation.pieceBounds(), simulation.params().floor,
                      simulation.bounds().diagonal())) {
         mark(time, "impact");
@@ -131,9 +134,19 @@ void EditorReadings::addPieces(double time, const std::vector<Piece>& pieces) {
     }
 }
 
-void EditorReadings::addPicture(double time, double elapsedSeconds, double renderMs) {
+/// A frame may be counted before all of its steps: what is explained too early is kept for the
+/// next.
+void EditorReadings::addPicture(double time, std::optional<double> elapsedSeconds,
+                                double renderMs) {
+    if (!elapsedSeconds) {
+        unexplainedMs_ = 0;
+        return;
+    }
+    unexplainedMs_ += 1000 * *elapsedSeconds - renderMs;
+    const double otherMs = std::max(0.0, unexplainedMs_);
+    unexplainedMs_ -= otherMs;
     for (const auto& [reading, valueIn] : kFromPicture) {
-        history_[reading].add(time, valueIn(elapsedSeconds, renderMs));
+        history_[reading].add(time, valueIn(*elapsedSeconds, renderMs, otherMs));
     }
 }
 

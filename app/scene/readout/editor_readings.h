@@ -29,8 +29,9 @@ class EditorReadings {
     void addStep(double time, const Simulation& simulation);
     /// Takes the values of the state after undo or redo.
     void addJump(double time, const Simulation& simulation);
-    /// Takes the times of a frame, `elapsedSeconds` after the previous one.
-    void addPicture(double time, double elapsedSeconds, double renderMs);
+    /// Takes the times of a frame, `elapsedSeconds` after the previous one; nothing where time
+    /// stood still between them.
+    void addPicture(double time, std::optional<double> elapsedSeconds, double renderMs);
     void mark(double time, std::string label) {
         history_.marks.push_back({time, std::move(label)});
     }
@@ -47,6 +48,7 @@ class EditorReadings {
 
     ui::History history_;
     ImpactWatch impacts_;
+    double unexplainedMs_ = 0;  ///< of the frames; less than 0 where steps were counted before them
 };
 
 }  // namespace kerf::app

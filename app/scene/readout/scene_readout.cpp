@@ -72,7 +72,7 @@ void SceneReadout::goBack(bool countsAnew) {
     pieces_.refresh(body_.simulation);
 }
 
-void SceneReadout::addPicture(double elapsedSeconds, double renderMs) {
+void SceneReadout::addPicture(std::optional<double> elapsedSeconds, double renderMs) {
     readings_.addPicture(timeline_.time(), elapsedSeconds, renderMs);
 }
 

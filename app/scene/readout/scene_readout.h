@@ -72,9 +72,9 @@ class SceneReadout {
     void addJump(const char* name);
     /// Follows a jump of the body to another time, which may count from another start.
     void goBack(bool countsAnew);
-    /// Records a frame while time runs: the time since the previous one [s], and its drawing time
-    /// [ms].
-    void addPicture(double elapsedSeconds, double renderMs);
+    /// Records a frame: the time since the previous one [s], nothing where time stood still between
+    /// them, and drawing time since then [ms].
+    void addPicture(std::optional<double> elapsedSeconds, double renderMs);
 
   private:
     void describeModels(ui::PanelModel& model) const;

@@ -17,6 +17,8 @@ struct StageTimes {
     double deform = 0;
     double collide = 0;
     double cut = 0;
+
+    double sum() const { return deform + collide + cut; }
 };
 
 /// One row of metrics.csv, after a step.

@@ -43,6 +43,30 @@ TEST(ImpactWatch, NewPiecesAreFollowedToo) {
 
 class EditorReadingsTest : public test::GlTest {};
 
+/// Whenever the times of a step are known, and whatever time stood still.
+TEST_F(EditorReadingsTest, WhatNoStageCountsIsTheRestOfTheFrames) {
+    Simulation simulation(test::cubeSphere(4, 0.5), Params{});
+    EditorReadings readings;
+    double stages = 0;
+    const auto step = [&] {
+        simulation.step();
+        stages += simulation.report().times.sum();
+        readings.addStep(simulation.report().time, simulation);
+    };
+    step();
+    readings.addPicture(simulation.report().time, std::nullopt, 500);
+    stages = 0;
+    step();
+    readings.addPicture(simulation.report().time, 0, 0);  // the step counts in the next frame
+    step();
+    step();
+    readings.addPicture(simulation.report().time, 60, 3);
+    const ui::Series& other = readings.history()[ui::Reading::otherMs];
+    EXPECT_EQ(other.buckets().size(), 2U);
+    EXPECT_EQ(other.min(), 0);
+    EXPECT_NEAR(other.last(), 60'000 - 3 - stages, 1e-6);
+}
+
 TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
     Params params;
     params.floor = -0.7;
@@ -63,6 +87,7 @@ TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
     EXPECT_LT(history[ui::Reading::potentialEnergy].last(),
               history[ui::Reading::potentialEnergy].buckets().front().low);
     EXPECT_EQ(history[ui::Reading::renderMs].mean(), 3);
+    EXPECT_GE(history[ui::Reading::otherMs].min(), 0);
     ASSERT_EQ(history.marks.size(), 1U);
     EXPECT_EQ(history.marks[0].label, "impact");
     ASSERT_TRUE(readings.figures().has_value());

@@ -47,24 +47,25 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "debris_pieces,debris_volume,strain_energy,lost_pieces,search_ms,search_walk_ms,"
         "search_seeds,search_tests,swept_area,swept_area_at_rest,fracture_energy,blade_force_x,"
         "blade_force_y,blade_force_z,blade_moment_x,blade_moment_y,blade_moment_z,blade_work,"
-        "blade_energy,blade_lag,iterations\n");
+        "blade_energy,blade_lag,iterations,other_ms\n");
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0,0,0,0,0,0,0,0,,,,,,"
-              ",0,0,0,0\n")
+              ",0,0,0,0,2.5\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
     row.report.lostPieces = 2;
     row.report.iterations = 6;
+    row.report.times = {1, 0.5, 0.25};
     row.report.search = {1.5, 0.25, 2, 80};
     row.report.swept = {0.5, 0.25};
     row.report.fractureEnergy = 40;
     row.report.heldEdge = {0.25, 3, 2};
     row.report.bladeLoad = BladeLoad{Vec3(1, 2, 3), Vec3(4, 5, 6)};
     EXPECT_EQ(formatMetrics(row),
-              "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,2,80,"
-              "0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6\n");
+              "3,0,0.1,1,1,0,0,0,0,0,1,0.5,0.25,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,"
+              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75\n");
     row.namesToughness = false;
-    EXPECT_TRUE(formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6\n"))
+    EXPECT_TRUE(formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75\n"))
         << "nobody said what new surface takes";
 }
 
