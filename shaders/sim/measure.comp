@@ -12,12 +12,12 @@
 #include "sim/uniforms.glsl"
 layout(local_size_x = SUM_GROUP) in;
 const uint kSumGroup = SUM_GROUP;
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
-layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
-layout(binding = kPlacesBinding) uniform usamplerBuffer places;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) velocities;
+STATE_TEXELS(kUnfoldRestBinding) restPositions;
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_PAIRS(kEntriesBinding) neighbours;
+RECORD_WORDS(kPlacesBinding) places;
 layout(std430, binding = kPagesBinding) readonly buffer Pages { uint pages[]; };
 layout(std430, binding = kPiecesBinding) readonly buffer Pieces { PieceRecord pieces[]; };
 layout(std430, binding = kBlocksBinding) readonly buffer Blocks { BlockRecord blocks[]; };

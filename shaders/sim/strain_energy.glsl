@@ -1,10 +1,10 @@
 // Energy of strained material at X [J]: that of each constraint, and beyond the clamp of a bend
 // what its constant moment adds. What is off holds none. The includer declares what
 // constraints.glsl wants, `positions` and `restPositions`.
-layout(binding = kAllRangesUnit) uniform usamplerBuffer edgeRanges;
-layout(binding = kAllEntriesUnit) uniform usamplerBuffer spokes;
+RECORD_PAIRS(kAllRangesUnit) edgeRanges;
+RECORD_QUADS(kAllEntriesUnit) spokes;
 #define DECLARE(number, Name, list, Constraint, Gather) \
-    layout(binding = kAllRecordsUnit + 3u * number) uniform usamplerBuffer list##Records;
+    RECORD_QUADS(kAllRecordsUnit + 3u * number) list##Records;
 KERF_PULLING(DECLARE)
 #undef DECLARE
 

@@ -53,7 +53,7 @@ double mostLength(const Bounds& box) {
 BodyMeasurer::BodyMeasurer(SolverBody& body, Collisions& collisions)
     : body_(body),
       collisions_(collisions),
-      measure_(gpu::Program::compute("sim/measure.comp", body.groupsOfSums())),
+      measure_(body.compile("measure", body.groupsOfSums())),
       collect_(gpu::Program::compute("sim/collect.comp")) {}
 
 void BodyMeasurer::start() {
@@ -113,12 +113,12 @@ BodyMeasure BodyMeasurer::take() {
     return std::move(body);
 }
 
-/// As texels: the triangles around each vertex are read besides.
 void BodyMeasurer::bindConstraints() const {
-    bindAllConstraints(body_.model.constraints, [](const auto& buffer, auto unit, auto texels) {
-        buffer.bindTexels(unit, texels);
+    bindAllConstraints(body_.model.constraints, [&](const auto& buffer, auto unit, auto texels) {
+        body_.bindFetched(buffer, unit, texels);
     });
-    body_.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
+    body_.bindFetched(body_.model.restPositions, shared::kUnfoldRestBinding,
+                      TexelFormat::float32x4);
 }
 
 BodyState BodyMeasurer::takeAll() {

@@ -149,6 +149,13 @@ void SolverBody::bindFetched(const gpu::Buffer& buffer, uint binding, TexelForma
                      loadsImages ? gpu::KernelWay::images : gpu::KernelWay::shared);
 }
 
+gpu::Program SolverBody::compile(const std::string& name, gpu::Defines defines) const {
+    if (loadsImages) {
+        defines.emplace_back("LOAD_IMAGES", "1");
+    }
+    return gpu::Program::compute("sim/" + name + ".comp", defines);
+}
+
 void SolverBody::run(const gpu::Program& kernel, uint threads) {
     kernel.dispatch(threads);
     ++dispatches;

@@ -74,6 +74,8 @@ struct SolverBody {
     gpu::Defines groupsOfSums() const {
         return {{"SUM_GROUP", std::to_string(loadsImages ? 8 : shared::kPageSize) + "u"}};
     }
+    /// Compiles sim/NAME.comp, whose fetches are those of fetch.glsl.
+    gpu::Program compile(const std::string& name, gpu::Defines defines = {}) const;
     /// Runs a kernel with `threads` threads, and counts it.
     void run(const gpu::Program& kernel, std::uint32_t threads);
     /// Runs one group for each block, of the vertices on its pages.

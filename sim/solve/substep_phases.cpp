@@ -12,14 +12,6 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-/// A kernel that a substep spends its time in: see fetch.glsl for images.
-gpu::Program compile(const SolverBody& body, const std::string& name, gpu::Defines defines = {}) {
-    if (body.loadsImages) {
-        defines.emplace_back("LOAD_IMAGES", "1");
-    }
-    return gpu::Program::compute("sim/" + name + ".comp", defines);
-}
-
 using gpu::Defines;
 using ConstraintKernels = std::array<gpu::Program, kConstraintTypes>;
 
@@ -41,7 +33,7 @@ const std::array<Defines, kConstraintTypes> kNames{{
 gpu::Program compileFor(const SolverBody& body, const std::string& name, uint type,
                         Defines defines = {}) {
     defines.insert(defines.end(), kNames[type].begin(), kNames[type].end());
-    return compile(body, name, std::move(defines));
+    return body.compile(name, std::move(defines));
 }
 
 /// A kernel for each type but edges.
@@ -58,27 +50,27 @@ ConstraintKernels compileForEach(const SolverBody& body, const std::string& name
 
 SubstepPhases::SubstepPhases(SolverBody& body)
     : body_(body),
-      stretch_(compile(body, "stretch")),
-      stretchAgain_{compile(body, "stretch", {{"SWEEP_AGAIN", "1"}}),
-                    compile(body, "stretch", {{"SWEEP_AGAIN", "1"}, {"PLAIN_PBD", "1"}})},
+      stretch_(body.compile("stretch")),
+      stretchAgain_{body.compile("stretch", {{"SWEEP_AGAIN", "1"}}),
+                    body.compile("stretch", {{"SWEEP_AGAIN", "1"}, {"PLAIN_PBD", "1"}})},
       solve_{compileForEach(body, "constraint"),
              compileForEach(body, "constraint", {{"PLAIN_PBD", "1"}})},
       gather_(compileForEach(body, "gather_corrections")),
       gatherOntoFloor_(compileFor(body, "gather_corrections", kLastType, {{"ONTO_FLOOR", "1"}})),
-      volumeGradient_(compile(body, "volume_gradient", body.groupsOfSums())),
-      volumeCorrect_(compile(body, "volume_correct")),
+      volumeGradient_(body.compile("volume_gradient", body.groupsOfSums())),
+      volumeCorrect_(body.compile("volume_correct")),
       pull_(gpu::Program::compute("sim/pull.comp")),
-      floor_(compile(body, "floor")),
-      finish_(compile(body, "finish")),
-      settle_(compile(body, "settle")) {}
+      floor_(body.compile("floor")),
+      finish_(body.compile("finish")),
+      settle_(body.compile("settle")) {}
 
 void SubstepPhases::setFolds(const gpu::Buffer* folds) {
     folds_ = folds;
     if (folds_ != nullptr && !foldedKernels_) {
         const Defines folded{{"UNFOLDS", "1"}};
         foldedKernels_.emplace(
-            FoldedKernels{compile(body_, "stretch", folded), compile(body_, "floor", folded),
-                          compile(body_, "finish", folded), compile(body_, "settle", folded),
+            FoldedKernels{body_.compile("stretch", folded), body_.compile("floor", folded),
+                          body_.compile("finish", folded), body_.compile("settle", folded),
                           compileForEach(body_, "constraint", folded)});
     }
 }
