@@ -23,6 +23,7 @@ SHARED_CONST uint kPagesBinding = 14u;       // per page: its number, block afte
 SHARED_CONST uint kAreasBinding = 15u;       // per vertex: rest area [m^2]
 SHARED_CONST uint kImpulsesBinding = 8u;     // per piece: VolumeImpulse
 SHARED_CONST uint kPreviousBinding = 8u;     // per vertex: d before a sweep over the edges [m]
+SHARED_CONST uint kEndedFoldsBinding = 9u;   // per vertex: its fold, forgotten with the substep
 SHARED_CONST uint kPullsBinding = 5u;        // per pulled vertex: PullRecord
 SHARED_CONST uint kSavedBinding = 5u;        // per vertex: position to go back to [m]
 SHARED_CONST uint kMarksBinding = 6u;        // per piece: not 0 where it goes back

@@ -1,6 +1,6 @@
 // The end of a substep in which nothing but the floor is met: volume_correct, floor and finish of a
-// vertex in one go. Reads gradients, links, impulses, d. Reads and writes X and velocities; d stays
-// as it was. One thread per vertex. A storage barrier follows.
+// vertex in one go. Reads gradients, links, impulses, d. Reads and writes X and velocities, with
+// UNFOLDS folds; d stays as it was. One thread per vertex. A storage barrier follows.
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
@@ -25,6 +25,7 @@ void main() {
     vec3 d = fetch(displacement, v).xyz;
     if ((uniforms.active_parts & kVolumePart) != 0u) d = heldByVolume(v, d, x.w);
     if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x, foldAt(v));
+    endFold(v);
     if (x.w > 0.0) {
         velocities[v].xyz = endVelocity(d);
     }

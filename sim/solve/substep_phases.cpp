@@ -78,6 +78,7 @@ void SubstepPhases::setFolds(const gpu::Buffer* folds) {
 bool SubstepPhases::bindFolds() const {
     if (folds_ != nullptr) {
         folds_->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
+        folds_->bindStorage(shared::kEndedFoldsBinding);
     }
     return folds_ != nullptr;
 }

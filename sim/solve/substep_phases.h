@@ -48,7 +48,7 @@ class SubstepPhases {
     };
     /// Index of the kernels for the present solver: 1 for plain PBD, else 0.
     std::size_t solverKind() const { return body_.plainPbd() ? 1 : 0; }
-    /// Whether the skin is folded; then binds the folds.
+    /// Whether the skin is folded; then binds the folds, which the end of a substep forgets.
     bool bindFolds() const;
     void bindLists(std::uint32_t type) const;
     void solve(std::uint32_t type, const gpu::Program& gather);

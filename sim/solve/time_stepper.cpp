@@ -100,7 +100,7 @@ void TimeStepper::stepByPhases() {
         settlingAllowed_ && !collisions_.mayTouch() && body_.uniforms.pull_count == 0;
     for (uint i = 0; i < body_.uniforms.substeps; ++i) {
         searchBefore(i);
-        unfoldBefore();
+        unfoldBefore(i > 0);
         collisions_.beginSubstep();
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
             const bool last = sweep + 1 == body_.uniforms.sweeps;
@@ -166,7 +166,7 @@ void TimeStepper::stepBySubsteps() {
             runSmallBody(SubstepRun{0, true, false});
         }
         searchBefore(i);
-        unfoldBefore();
+        unfoldBefore(false);
         runSmallBody(SubstepRun{1, open, true});
         open = true;
         timed(collideTimer_, [&] {
@@ -177,14 +177,9 @@ void TimeStepper::stepBySubsteps() {
     runSmallBody(SubstepRun{0, true, false});
 }
 
-void TimeStepper::unfold() {
-    unfolding_.run(body_);
-    body_.dispatches += Unfolding::kDispatches;
-}
-
-void TimeStepper::unfoldBefore() {
+void TimeStepper::unfoldBefore(bool afterPhases) {
     if (unfolds_) {
-        timed(deformTimer_, [&] { unfold(); });
+        timed(deformTimer_, [&] { unfolding_.run(body_, afterPhases); });
     }
 }
 

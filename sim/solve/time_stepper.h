@@ -54,7 +54,7 @@ class TimeStepper {
   public:
     /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
     TimeStepper(SolverBody& body, Collisions& collisions)
-        : body_(body), collisions_(collisions), phases_(body) {}
+        : body_(body), collisions_(collisions), phases_(body), unfolding_(body) {}
 
     /// Allocates for `vertices` vertices. Throws gpu::OutOfMemory.
     void makeRoom(std::size_t vertices) { unfolding_.resize(vertices); }
@@ -81,7 +81,7 @@ class TimeStepper {
 
     SubstepPhases& phases() { return phases_; }
     /// Runs before the phases of a substep, only if something is folded.
-    void unfold();
+    void unfold() { unfolding_.run(body_, false); }
 
     /// GPU time of the steps since the last call [ms].
     double takeDeformMilliseconds() { return deformTimer_.takeMilliseconds(); }
@@ -98,7 +98,8 @@ class TimeStepper {
     void stepBySubsteps();
     bool sweepsInOneGroup() const;
     void holdVolumeAndCollide(std::uint32_t substep, bool last);
-    void unfoldBefore();
+    /// `afterPhases`: of the substep before.
+    void unfoldBefore(bool afterPhases);
     void searchBefore(std::uint32_t substep);
     template <class Run>
     void runSmallBody(const Run& run);

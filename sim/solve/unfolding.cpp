@@ -6,48 +6,40 @@
 
 namespace kerf {
 
-namespace {
-
 using gpu::TexelFormat;
-using shared::uint;
 
-void bindBoth(const gpu::Buffer& buffer, uint binding, TexelFormat format) {
-    buffer.bindStorage(binding);
-    buffer.bindTexels(binding, format);
-}
-
-}  // namespace
-
-Unfolding::Unfolding()
-    : forgetFolds_(gpu::Program::compute("sim/unfold/not_folded.comp")),
-      findFolds_(gpu::Program::compute("sim/unfold/folds.comp")),
-      sumFolds_(gpu::Program::compute("sim/unfold/fold_sums.comp")),
-      findGoals_(gpu::Program::compute("sim/unfold/goals.comp")),
-      unfold_(gpu::Program::compute("sim/unfold/unfold.comp")) {}
+Unfolding::Unfolding(const SolverBody& body)
+    : forgetFolds_(body.compile("unfold/not_folded")),
+      findFolds_(body.compile("unfold/folds")),
+      findGoals_(body.compile("unfold/goals")),
+      unfold_(body.compile("unfold/unfold")) {}
 
 void Unfolding::resize(std::size_t vertices) {
     folds_.resize(2 * vertices * sizeof(float));
     goals_.resize(vertices * sizeof(shared::UnfoldGoal));
 }
 
-void Unfolding::run(const SolverBody& body) {
+void Unfolding::run(SolverBody& body, bool afterEnd) {
     bind(body);
-    forgetFolds_.dispatch(body.uniforms.vertex_count);
-    findFolds_.dispatch(body.uniforms.count[shared::kBend]);
-    sumFolds_.dispatch(body.uniforms.vertex_count);
-    findGoals_.dispatch(body.uniforms.vertex_count);
-    unfold_.dispatch(body.uniforms.vertex_count);
+    if (!afterEnd) {
+        body.run(forgetFolds_, body.uniforms.vertex_count);
+    }
+    body.run(findFolds_, body.uniforms.count[shared::kBend]);
+    body.run(findGoals_, body.uniforms.vertex_count);
+    body.run(unfold_, body.uniforms.vertex_count);
 }
 
 void Unfolding::bind(const SolverBody& body) const {
-    body.uniformBuffer.bindStorage(shared::kUniformsBinding);
-    body.state.positions.bindTexels(shared::kPositionsBinding, TexelFormat::float32x4);
-    bindBoth(body.state.velocities, shared::kVelocitiesBinding, TexelFormat::float32x4);
-    body.model.restPositions.bindTexels(shared::kUnfoldRestBinding, TexelFormat::float32x4);
-    body.model.constraints[shared::kBend].records.bindTexels(shared::kUnfoldBendsBinding,
-                                                             TexelFormat::uint32x4);
-    body.model.neighbours.ranges.bindTexels(shared::kRangesBinding, TexelFormat::uint32x2);
-    body.model.neighbours.entries.bindTexels(shared::kEntriesBinding, TexelFormat::uint32x2);
+    const auto bindBoth = [&](const gpu::Buffer& buffer, shared::uint binding, TexelFormat format) {
+        buffer.bindStorage(binding);
+        body.bindFetched(buffer, binding, format);
+    };
+    body.bind();
+    body.bindFetched(body.model.restPositions, shared::kUnfoldRestBinding, TexelFormat::float32x4);
+    body.bindFetched(body.model.constraints[shared::kBend].records, shared::kUnfoldBendsBinding,
+                     TexelFormat::uint32x4);
+    body.bindFetched(body.model.neighbours.ranges, shared::kRangesBinding, TexelFormat::uint32x2);
+    body.bindFetched(body.model.neighbours.entries, shared::kEntriesBinding, TexelFormat::uint32x2);
     bindBoth(folds_, shared::kUnfoldFoldsBinding, TexelFormat::uint32);
     bindBoth(goals_, shared::kUnfoldGoalsBinding, TexelFormat::float32x4);
 }

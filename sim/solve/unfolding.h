@@ -15,22 +15,20 @@ namespace kerf {
 /// cuts. Without folds no bit changes.
 class Unfolding {
   public:
-    static constexpr int kDispatches = 5;
-
     /// Compiles the kernels. Throws gpu::ShaderError.
-    Unfolding();
+    explicit Unfolding(const SolverBody& body);
     /// Sets the number of vertices. Throws gpu::OutOfMemory.
     void resize(std::size_t vertices);
-    /// Changes velocities.
-    void run(const SolverBody& body);
+    /// Changes velocities. `afterEnd`: the substep before has forgotten its folds (finish.glsl).
+    void run(SolverBody& body, bool afterEnd);
     /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each. Behind them
-    /// is what a run needs besides.
+    /// is room for what small bodies need besides.
     const gpu::Buffer& folds() const { return folds_; }
 
   private:
     void bind(const SolverBody& body) const;
 
-    gpu::Program forgetFolds_, findFolds_, sumFolds_, findGoals_, unfold_;
+    gpu::Program forgetFolds_, findFolds_, findGoals_, unfold_;
     gpu::Buffer folds_, goals_;
 };
 

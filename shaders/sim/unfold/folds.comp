@@ -7,9 +7,9 @@
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
-layout(binding = kUnfoldBendsBinding) uniform usamplerBuffer bends;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kUnfoldRestBinding) restPositions;
+RECORD_QUADS(kUnfoldBendsBinding) bends;
 layout(std430, binding = kUnfoldFoldsBinding) buffer Folds { uint folds[]; };
 
 vec4 positionOf(uint v) { return fetch(positions, v); }

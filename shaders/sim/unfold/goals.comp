@@ -1,22 +1,25 @@
-// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, their
-// sums, neighbours. Writes goals. One thread per vertex. A storage barrier follows, then unfold.
+// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, neighbours.
+// Writes goals. One thread per vertex, of which few have a fold: they add the folds of their members
+// up themselves. A storage barrier follows, then unfold.
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
-layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
-layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) velocities;
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_PAIRS(kEntriesBinding) neighbours;
+STATE_TEXELS(kUnfoldRestBinding) restPositions;
+RECORD_WORDS(kUnfoldFoldsBinding) folds;
 layout(std430, binding = kUnfoldGoalsBinding) writeonly buffer Goals { UnfoldGoal goals[]; };
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 vec4 velocityOf(uint v) { return fetch(velocities, v); }
-float foldSumOf(uint v) {
-    return uintBitsToFloat(fetch(folds, uniforms.vertex_count + v).x);
-}
+float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
+
+#include "sim/unfold/fold_sums.glsl"
+
+float foldSumOf(uint v) { return sumOfFolds(v, fetch(ranges, v).xy); }
 
 #include "sim/unfold/goals.glsl"
 

@@ -1,31 +1,31 @@
 // Draws vertices towards the goals that they are in (pulls.glsl). Reads X, rest positions, folds,
-// their sums, neighbours, goals. Reads and writes velocities. One thread per vertex. A storage
-// barrier follows.
+// neighbours, goals. Reads and writes velocities. One thread per vertex. A storage barrier follows.
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
-layout(binding = kPositionsBinding) uniform samplerBuffer positions;
-layout(binding = kVelocitiesBinding) uniform samplerBuffer before;
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) before;
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };
-layout(binding = kRangesBinding) uniform usamplerBuffer ranges;
-layout(binding = kEntriesBinding) uniform usamplerBuffer neighbours;
-layout(binding = kUnfoldRestBinding) uniform samplerBuffer restPositions;
-layout(binding = kUnfoldFoldsBinding) uniform usamplerBuffer folds;
-layout(binding = kUnfoldGoalsBinding) uniform samplerBuffer goals;
+RECORD_PAIRS(kRangesBinding) ranges;
+RECORD_PAIRS(kEntriesBinding) neighbours;
+STATE_TEXELS(kUnfoldRestBinding) restPositions;
+RECORD_WORDS(kUnfoldFoldsBinding) folds;
+STATE_TEXELS(kUnfoldGoalsBinding) goals;
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 vec4 velocityOf(uint v) { return fetch(before, v); }
 void setVelocity(uint v, vec3 u) { velocities[v] = vec4(u, 0.0); }
 float foldAt(uint v) { return uintBitsToFloat(fetch(folds, v).x); }
-float foldSumOf(uint v) {
-    return uintBitsToFloat(fetch(folds, uniforms.vertex_count + v).x);
-}
 UnfoldGoal goalAt(uint v) {
     uint first = 5u * v;
     return UnfoldGoal(fetch(goals, first), fetch(goals, first + 1u), fetch(goals, first + 2u),
                       fetch(goals, first + 3u), fetch(goals, first + 4u));
 }
+
+#include "sim/unfold/fold_sums.glsl"
+
+float foldSumOf(uint v) { return sumOfFolds(v, fetch(ranges, v).xy); }
 
 #include "sim/unfold/pulls.glsl"
 

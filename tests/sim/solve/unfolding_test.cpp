@@ -157,6 +157,17 @@ TEST_F(UnfoldingTest, AStepIsThatOfTheReference) {
     }
 }
 
+/// Besides the seven of a substep three, and one at the start of a step.
+TEST_F(UnfoldingTest, TakesThreeDispatchesASubstep) {
+    Crumpled body(test::cubeSphere(8), 0.3f, 0.5f);
+    body.gpu.stepper().allowOneGroup(false);
+    body.gpu.measure();
+    const long before = body.gpu.dispatches();
+    body.gpu.step();
+    EXPECT_TRUE(body.gpu.stepper().unfolds());
+    EXPECT_LE(body.gpu.dispatches() - before, 10L * body.uniforms.substeps + 1);
+}
+
 TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
     Crumpled body(test::cubeSphere(8), 0.4f, 1.0f);
     body.unfoldFirmly(GetParam());
