@@ -1,6 +1,6 @@
-// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds, neighbours.
-// Writes goals. One thread per vertex, of which few have a fold: they add the folds of their members
-// up themselves. A storage barrier follows, then unfold.
+// The goals of folded vertices (goals.glsl). Reads X, velocities, rest positions, folds,
+// neighbours. Writes goals. One thread per vertex: the few that have a fold add the folds of their
+// members up themselves. A storage barrier follows, then unfold.
 #include "unfold_records.h"
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"

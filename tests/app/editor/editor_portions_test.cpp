@@ -101,6 +101,21 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
         << "ten pictures were no ten steps";
 }
 
+/// The last picture before a step ends shows what the one before it drew.
+TEST_F(EditorPortionsTest, TheTimesOfAStepCountAllPicturesSinceTheLastOne) {
+    Document large = sphereDocument();
+    large.mesh = test::cubeSphere(40, 0.5);
+    show(std::move(large));
+    tap(Key::space);
+    const ui::History& history = *editor->panels().plots.history;
+    const auto measured = [&] { return history[ui::Reading::frameMs].buckets().size(); };
+    for (int i = 0; i < 20000 && measured() < 3; ++i) {
+        frames(1);
+    }
+    ASSERT_GE(measured(), 3U);
+    EXPECT_GT(history[ui::Reading::renderMs].mean(), 0);
+}
+
 TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
     tap(Key::space);
     frames(2);
