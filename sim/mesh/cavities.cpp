@@ -69,6 +69,15 @@ Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
     return shells;
 }
 
+/// Whether there are no two shells of which one might lie in the other.
+bool isOneShell(const SurfaceMesh& mesh, UnionFind& shells) {
+    int count = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        count += mesh.outgoing(v) >= 0 && shells.root(v) == v ? 1 : 0;
+    }
+    return count < 2;
+}
+
 /// A point in the hollow, off the walls that it may touch.
 Vec3 insideOf(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavity) {
     const int own = shells.ofTriangle[cavity.largest];
@@ -124,6 +133,9 @@ UnionFind shellsOf(const SurfaceMesh& mesh) {
 }
 
 bool joinCavities(const SurfaceMesh& mesh, UnionFind& shells) {
+    if (isOneShell(mesh, shells)) {
+        return false;
+    }
     const Shells measured = measure(mesh, shells);
     bool joined = false;
     for (const Shell& shell : measured.all) {
