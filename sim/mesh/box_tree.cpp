@@ -38,6 +38,17 @@ void BoxTree::prepareToEdit() {
     }
 }
 
+/// Once for all divisions of a search.
+void BoxTree::notePlaces() {
+    for (const int index : reordered_) {
+        const Node& node = nodes_[index];
+        for (int place = node.first; node.child < 0 && place < node.end; ++place) {
+            notePlace(place);
+        }
+    }
+    reordered_.clear();
+}
+
 /// A tree of the items from this place on.
 void BoxTree::plantFrom(int first) {
     Node root;
@@ -178,10 +189,10 @@ int BoxTree::divide(int index) {
         return -1;
     }
     const int middle = partition(node);
-    for (int place = node.first; canEdit_ && place < node.end; ++place) {
-        placeOf_[items_[place].id] = place;
-    }
     const int left = newPair();
+    if (canEdit_) {
+        reordered_.insert(reordered_.end(), {left, left + 1});
+    }
     nodes_[index].child = left;
     const std::array<int, 3> cuts{node.first, middle, node.end};
     for (int i = 0; i < 2; ++i) {

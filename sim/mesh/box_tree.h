@@ -60,6 +60,7 @@ class BoxTree {
     void erase(std::span<const int> ids);
     bool contains(int id) {
         prepareToEdit();
+        notePlaces();
         return id < static_cast<int>(placeOf_.size()) && placeOf_[id] >= 0;
     }
     /// Whether an item is in the tree with this box.
@@ -135,6 +136,7 @@ class BoxTree {
 
     static Item itemOf(int id, const Bounds& bounds);
     void notePlace(int place);
+    void notePlaces();
     void plantFrom(int first);
     Bounds widened(const Node& node) const {
         Bounds bounds = node.bounds;
@@ -164,8 +166,9 @@ class BoxTree {
     std::vector<Node> nodes_;
     std::vector<Item> items_;  ///< those of a node lie in a row
     bool canEdit_ = false;
-    std::vector<int> placeOf_;  ///< of each id, -1 for none; empty until first used
-    std::vector<int> roots_;    ///< in the order of their places
+    std::vector<int> placeOf_;    ///< of each id, -1 for none; empty until first used
+    std::vector<int> reordered_;  ///< nodes whose items may not know their places
+    std::vector<int> roots_;      ///< in the order of their places
     std::vector<int> freePairs_;
     double motion_ = 0;
 };
@@ -175,6 +178,7 @@ void BoxTree::insert(std::span<const int> ids, const Of& boundsOf) {
     if (ids.empty()) {
         return;
     }
+    notePlaces();
     if (items_.empty()) {
         items_.reserve(withGrowthRoom(ids.size()));
     }
