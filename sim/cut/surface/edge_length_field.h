@@ -50,6 +50,8 @@ struct WallGrading {
     bool isOn() const { return most > 1; }
     /// The length of an edge `distance` [m] inside from one of length `edge` [m].
     double grown(double edge, double distance) const { return edge + kGrowth * distance; }
+    /// How far inside an edge of length `edge` [m] has grown to `longer` [m].
+    double wayFrom(double edge, double longer) const { return (longer - edge) / kGrowth; }
     /// The length at `distance` [m] from the rim, where the local edge length is `edge` [m].
     double lengthAt(double edge, double distance) const {
         return std::min(most * edge, grown(edge, distance));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "sim/cut/plan/curves/rest_guess.h"
@@ -205,6 +206,7 @@ constexpr double kSteinerToEdge = 0.4;
 constexpr double kSteinerToGradedEdge = 0.6;
 constexpr int kMostSteinerPoints = 200000;
 constexpr double kLattices = 2;  // for each doubling of the edge length
+constexpr double kRowHeight = 0.866;
 
 /// Inserts nodes in a sheet that is taller than one edge, spaced by the local edge length. `nodes`:
 /// those of the border.
@@ -279,53 +281,95 @@ class InnerPoints {
         return lengths;
     }
 
-    /// What is wanted at a place of a triangle, where the edges around are `edge` long. Grows from
-    /// the lengths at its corners.
-    double wantedLength(int triangle, const Vec2& p, double edge) const {
-        if (!in_.grading.isOn()) {
-            return edge;
-        }
-        double wanted = in_.grading.most * edge;
+    /// How long edges may be at a place of a triangle: as those at its corners grow.
+    double grownLength(int triangle, const Vec2& p) const {
+        double grown = 1e300;
         for (const int corner : plane_.corners(triangle)) {
-            wanted = std::min(
-                wanted, in_.grading.grown(lengthAt_[corner], (plane_.point(corner) - p).norm()));
+            grown = std::min(
+                grown, in_.grading.grown(lengthAt_[corner], (plane_.point(corner) - p).norm()));
         }
-        return wanted;
+        return grown;
     }
 
-    /// `share`: of the spacing that the edge length of a point may be.
+    /// A hexagonal lattice over a sheet.
+    struct Lattice {
+        Vec2 low;
+        double spacing;
+        Range share;  ///< of the spacing that the edge length of a point may be
+        int rows, columns;
+        Vec2 at(int i, int j) const {
+            const double shift = j % 2 == 1 ? 0.5 : 0.0;
+            return {low.x() + (i + shift) * spacing, low.y() + (j + 0.5) * (kRowHeight * spacing)};
+        }
+    };
+
     void insertLattice(double spacing, const Range& share) {
         const Vec2 extent = sheet_.bounds().high - sheet_.bounds().low;
-        const double rowHeight = 0.866 * spacing;
-        const double rows = std::floor(extent.y() / rowHeight);
+        const double rows = std::floor(extent.y() / (kRowHeight * spacing));
         const double columns = std::floor(extent.x() / spacing);
         if (rows * columns > kMostSteinerPoints) {
             return;
         }
-        plane_.reserve(static_cast<std::size_t>((rows + 1) * (columns + 1)));
-        for (int j = 0; j <= static_cast<int>(rows); ++j) {
-            for (int i = 0; i <= static_cast<int>(columns); ++i) {
-                const double shift = j % 2 == 1 ? 0.5 : 0.0;
-                tryInsertSteiner({sheet_.bounds().low.x() + (i + shift) * spacing,
-                                  sheet_.bounds().low.y() + (j + 0.5) * rowHeight},
-                                 spacing, share);
+        const Lattice lattice{sheet_.bounds().low, spacing, share, static_cast<int>(rows) + 1,
+                              static_cast<int>(columns) + 1};
+        if (in_.grading.isOn()) {
+            const unsigned longer = std::max(lattice.rows, lattice.columns);
+            insertBlock(lattice, 0, 0, static_cast<int>(std::bit_ceil(longer)));
+            return;
+        }
+        plane_.reserve(static_cast<std::size_t>(lattice.rows) * lattice.columns);
+        for (int j = 0; j < lattice.rows; ++j) {
+            for (int i = 0; i < lattice.columns; ++i) {
+                tryInsertSteiner(lattice, i, j);
             }
         }
     }
 
-    void tryInsertSteiner(const Vec2& p, double spacing, const Range& share) {
-        const Triangulation::Location at = plane_.locate(p);
-        if (at.where != Triangulation::Where::inside || !plane_.marked(at.triangle) ||
-            tooClose(at.triangle, p, spacing)) {
+    /// The middle, then quarter by quarter: neighbours follow each other, and few edges turn twice.
+    void insertBlock(const Lattice& lattice, int i, int j, int size) {
+        if (i >= lattice.columns || j >= lattice.rows) {
             return;
         }
+        const int half = size / 2;
+        const double idle = tryInsertSteiner(lattice, i + half, j + half);
+        if (half == 0 || idle > size * lattice.spacing) {
+            return;
+        }
+        for (const auto& [x, y] : {std::array{0, 0}, {half, 0}, {half, half}, {0, half}}) {
+            insertBlock(lattice, i + x, j + y, half);
+        }
+    }
+
+    /// Returns how far around no point is wanted [m].
+    double tryInsertSteiner(const Lattice& lattice, int i, int j) {
+        const Vec2 p = lattice.at(i, j);
+        const Triangulation::Location at = plane_.locate(p);
+        if (at.where != Triangulation::Where::inside || !plane_.marked(at.triangle)) {
+            return at.where == Triangulation::Where::inside ? distanceToBorder(at.triangle, p) : 0;
+        }
+        if (tooClose(at.triangle, p, lattice.spacing)) {
+            return 0;
+        }
         const Vec3 position = places_.at(p);
-        const double edge =
-            wantedLength(at.triangle, p, in_.edgeLengths.localEdgeLength(guess_.at(position)));
-        if (edge < share.most * spacing && edge >= share.least * spacing) {
+        const double most = in_.grading.most * in_.edgeLengths.localEdgeLength(guess_.at(position));
+        const double grown = in_.grading.isOn() ? grownLength(at.triangle, p) : most;
+        const double edge = in_.edgeLengths.isEven() ? grown : std::min(grown, most);
+        const double wanted = std::min(edge, most);
+        const double limit = lattice.share.most * lattice.spacing;
+        if (wanted < limit && wanted >= lattice.share.least * lattice.spacing) {
             sheet_.addInner(p, position, at);
             lengthAt_.push_back(edge);
         }
+        return wanted < limit ? 0 : in_.grading.wayFrom(limit, edge);
+    }
+
+    /// About, for a place outside the sheet.
+    double distanceToBorder(int triangle, const Vec2& p) const {
+        double nearest = 1e300;
+        for (const int corner : plane_.corners(triangle)) {
+            nearest = std::min(nearest, (plane_.point(corner) - p).norm());
+        }
+        return 0.5 * nearest;
     }
 
     bool tooClose(int t, const Vec2& p, double spacing) const {
