@@ -13,6 +13,8 @@ namespace {
 
 // A cavity is no sliver: so much of the power 3/2 of its area, of which a sphere encloses 0.094.
 constexpr double kLeastHollow = 1e-7;
+// Nor a crumb, which a cut or the clean-up may have turned inside out: of the largest shell.
+constexpr double kLeastShare = 1e-15;
 // What encloses a cavity encloses more than it by this share at least: a core fills one exactly.
 constexpr double kLeastAround = 1e-6;
 
@@ -137,9 +139,10 @@ bool joinCavities(const SurfaceMesh& mesh, UnionFind& shells) {
         return false;
     }
     const Shells measured = measure(mesh, shells);
+    const double largest = std::ranges::max(measured.all, {}, &Shell::volume).volume;
     bool joined = false;
     for (const Shell& shell : measured.all) {
-        if (!shell.isHollow()) {
+        if (!shell.isHollow() || -shell.volume < kLeastShare * largest) {
             continue;
         }
         const int around = shellAround(mesh, measured, shell);

@@ -58,6 +58,17 @@ TEST(Cavities, WhatIsInsideOutAndInNothingIsNone) {
     EXPECT_FALSE(labels.hasCavities());
 }
 
+// As a cut along an older slit may leave them.
+TEST(Cavities, CrumbsThatAreInsideOutAreNone) {
+    const auto hasCavity = [](double radius) {
+        return PieceLabels(
+                   test::hollow(test::icosphereSoup(2), test::icosphereSoup(1, radius), kAside))
+            .hasCavities();
+    };
+    EXPECT_FALSE(hasCavity(2e-6));
+    EXPECT_TRUE(hasCavity(2e-4));
+}
+
 TEST(Cavities, AreCountedInTheFiguresOfTheirPiece) {
     const SurfaceMesh mesh =
         test::hollow(test::boxSoup(Vec3(2, 2, 2)), test::boxSoup(Vec3::Ones()), kAside);
