@@ -162,6 +162,13 @@ const cut::StrokeSurface& Cutter::strokeSurface() const {
 double Cutter::edgeLengthAtFront() const {
     return state_->body.edgeLengthAbout(state_->stroke.rung);
 }
+double Cutter::gateAtFront() const {
+    double growth = 1;
+    for (const GroupStroke& group : state_->stroke.groups) {
+        growth = std::max(growth, cut::rowGrowth(state_->body.settings, group));
+    }
+    return state_->body.settings.gate * growth;
+}
 const std::vector<RungNode>& Cutter::rung() const {
     return state_->stroke.rung;
 }

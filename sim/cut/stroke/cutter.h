@@ -81,6 +81,9 @@ class Cutter {
     const cut::StrokeSurface& strokeSurface() const;
     /// The edge length about the rung, used to map new walls from that surface [m].
     double edgeLengthAtFront() const;
+    /// How far the front may lag behind the blade, in edge lengths: CutSettings::gate, or more
+    /// where walls are graded.
+    double gateAtFront() const;
 
   private:
     struct State;

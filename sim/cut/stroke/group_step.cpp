@@ -46,8 +46,6 @@ constexpr double kMostVolumeChange = 5e-10;
 // has divided of them.
 constexpr double kOpening = 0.1;
 constexpr double kFartherOpening = 0.2;
-// Of the gate, where edges grow: the cut may lag so many times as far behind the blade.
-constexpr double kHighestRow = 2;
 // Of a step, in edges: its row may be one triangle high where edges grow, and the walls beside the
 // front are not past (OwnPast).
 constexpr double kMostWayOfRow = 1.5;
@@ -93,7 +91,8 @@ class GroupStep {
             goPastOwnStart();
         }
         std::vector<RungNode> from = group_.rung;
-        const double least = body_.gateLength(gate, group_.edgeLength) * rowGrowth(gate);
+        const double growth = gate == Gate::flush ? 1 : rowGrowth(body_.settings, group_);
+        const double least = body_.gateLength(gate, group_.edgeLength) * growth;
         const BladeAdvance motion = reparametrize(to_, body_.h(), from);
         if (goesInParts(from)) {
             return cutAhead(from, least);
@@ -148,23 +147,6 @@ class GroupStep {
                    kAtOwnStart * group_.edgeLength;
         });
         return 2 * near > sizeOf(start);
-    }
-
-    /// How much higher rows may be than where walls are as fine as the skin: a front that is mostly
-    /// far from the rim has longer edges.
-    double rowGrowth(Gate gate) const {
-        if (gate == Gate::flush || body_.settings.wallCoarsening <= 1) {
-            return 1;
-        }
-        double front = 0;
-        for (std::size_t i = 0; i + 1 < group_.rung.size(); ++i) {
-            front += group_.rung[i].attached
-                         ? (group_.rung[i + 1].position - group_.rung[i].position).norm()
-                         : 0.0;
-        }
-        const WallGrading grading{body_.settings.wallCoarsening};
-        const double typical = grading.lengthAt(group_.edgeLength, front / 4);
-        return std::min(kHighestRow, typical / group_.edgeLength);
     }
 
     /// Straight ahead.

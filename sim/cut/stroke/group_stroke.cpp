@@ -3,12 +3,16 @@
 #include <algorithm>
 
 #include "sim/cut/blade_line.h"
+#include "sim/cut/surface/edge_length_field.h"
 
 namespace kerf::cut {
 
 namespace {
 
 constexpr double kPast = 3;  // edge lengths behind the front: farther than what it may crumple
+
+// Of the gate, where edges grow: the cut may lag so many times as far behind the blade.
+constexpr double kHighestRow = 2;
 
 constexpr double kLeastPassing = 1e-7;  // share of h
 constexpr double kTurningBack = 1e-3;   // share of h
@@ -75,6 +79,20 @@ void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung) {
             node.position = mesh.position(node.vertex);
         }
     }
+}
+
+double rowGrowth(const CutSettings& settings, const GroupStroke& group) {
+    const WallGrading grading{settings.wallCoarsening};
+    if (!grading.isOn()) {
+        return 1;
+    }
+    double front = 0;
+    for (std::size_t i = 0; i + 1 < group.rung.size(); ++i) {
+        front += group.rung[i].attached
+                     ? (group.rung[i + 1].position - group.rung[i].position).norm()
+                     : 0.0;
+    }
+    return std::min(kHighestRow, grading.lengthAt(group.edgeLength, front / 4) / group.edgeLength);
 }
 
 BladeAdvance reparametrize(const Blade& blade, double h, std::vector<RungNode>& rung) {

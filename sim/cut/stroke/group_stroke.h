@@ -84,6 +84,10 @@ struct BladeAdvance {
 /// Updates the positions of rung vertices from the mesh.
 void followMesh(const SurfaceMesh& mesh, std::vector<RungNode>& rung);
 
+/// How many times as far as CutSettings::gate says the front may lag: where walls are graded, a
+/// front that is mostly far from the rim has longer edges, and so higher rows.
+double rowGrowth(const CutSettings& settings, const GroupStroke& group);
+
 /// Sets the rung's s to the positions of its nodes along the new blade, so that sliding along its
 /// axis (sawing, plunging) does not shear the strip. s is forced to increase. The blade must have a
 /// length.

@@ -103,6 +103,7 @@ BladePush RunningStroke::push() const {
     const Params& params = input_.params;
     return {{params.bladeWidth * body_.diagonal, params.bladeThickness * body_.diagonal},
             body_.wallEdge,
+            body_.cutter->gateAtFront() * body_.wallEdge,
             contactSettings(input_.solved()).substeps};
 }
 
@@ -119,7 +120,7 @@ std::optional<EdgeSpring> RunningStroke::edgeSpring() const {
     }
     const double edge = body_.cutter->edgeLengthAtFront();
     return EdgeSpring{params.toughness, params.bladeBluntness, edge,
-                      body_.cutter->settings().gate * edge};
+                      body_.cutter->gateAtFront() * edge};
 }
 
 /// Once it has broken in, going on takes less.

@@ -6,14 +6,6 @@
 
 namespace kerf {
 
-namespace {
-
-// By how much the front of a cut lags behind the edge until it moves on (CutSettings::gate), of the
-// edge length of walls.
-constexpr double kMostLag = 0.5;
-
-}  // namespace
-
 std::string checkBlade(const Blade& blade) {
     if (!blade.a.allFinite() || !blade.b.allFinite()) {
         return "The blade needs finite coordinates for both ends; it stays where it was.";
@@ -115,14 +107,14 @@ std::optional<BladeMotion> LedBlade::motion(const BladePush& push,
         }
         trails.push_back(ledTo(trails.back(), move->blade, push.size.width));
     }
-    BladeMotion motion = motionOf(trails, push.size, lagOfBody(trails.back(), front, push.wallEdge),
+    BladeMotion motion = motionOf(trails, push.size, lagOfBody(trails.back(), front, push.frontLag),
                                   push.wallEdge, push.substeps);
     return motion.back > motion.front ? std::optional(std::move(motion)) : std::nullopt;
 }
 
 /// How far behind the edge at the end of a step its body begins: not before where the edge has cut.
 double LedBlade::lagOfBody(const BladeTrail& end, const std::vector<RungNode>& front,
-                           double wallEdge) const {
+                           double frontLag) const {
     double lag = 0;
     const auto keepBehind = [&](const Vec3& p, double s) {
         const Vec3 edge = end.edge.a + s * (end.edge.b - end.edge.a);
@@ -132,7 +124,7 @@ double LedBlade::lagOfBody(const BladeTrail& end, const std::vector<RungNode>& f
     keepBehind(trail_->edge.b, 1);
     // A front that waits at the gate and one that has just been cut are one to the plate: it comes
     // on evenly.
-    const double mostLag = lag + kMostLag * wallEdge;
+    const double mostLag = lag + frontLag;
     for (const RungNode& node : front) {
         keepBehind(node.position, node.s);
     }

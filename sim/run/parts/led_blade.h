@@ -23,6 +23,7 @@ std::string checkBlade(const Blade& blade);
 struct BladePush {
     BladeSize size;
     double wallEdge = 0;  ///< edge length of walls [m]
+    double frontLag = 0;  ///< by how much the front of a cut may lag behind the edge [m]
     int substeps = 1;     ///< of the coming time step
 };
 
@@ -69,7 +70,7 @@ class LedBlade {
 
   private:
     double lagOfBody(const BladeTrail& end, const std::vector<RungNode>& front,
-                     double wallEdge) const;
+                     double frontLag) const;
 
     BladeTrail trailTo(const Blade& to, double width) const;
 

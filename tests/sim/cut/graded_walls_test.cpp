@@ -177,6 +177,41 @@ TEST(GradedWalls, OfASlowStrokeAreWellShapedToo) {
     EXPECT_GT(medianShape(graded), medianShape(fine));
 }
 
+/// The largest lag of the front behind the blade, and the largest that the cutter tells, in edges.
+struct Lags {
+    double seen = 0;
+    double told = 0;
+};
+
+Lags lagsOf(double ratio) {
+    SurfaceMesh mesh = test::icosphere(4);
+    const Stroke stroke =
+        test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 400);
+    Cutter cutter(mesh, settingsWith(ratio));
+    cutter.begin(stroke.front());
+    Lags lags;
+    for (const Blade& blade : stroke) {
+        cutter.advance(blade);
+        for (const RungNode& node : cutter.rung()) {
+            const double lag = node.vertex < 0 ? 0 : node.position.y() - blade.a.y();
+            lags.seen = std::max(lags.seen, lag / kWallEdge);
+        }
+        lags.told = std::max(lags.told, cutter.gateAtFront());
+    }
+    return lags;
+}
+
+// A pushing blade begins that far behind the edge, and a felt one averages over it.
+TEST(GradedWalls, TheCutterTellsHowFarASlowStrokeLags) {
+    const Lags fine = lagsOf(1);
+    EXPECT_EQ(fine.told, 0.5);
+    EXPECT_LE(fine.seen, fine.told);
+    const Lags graded = lagsOf(kRatio);
+    EXPECT_GT(graded.seen, 0.6);
+    EXPECT_LE(graded.seen, graded.told);
+    EXPECT_EQ(graded.told, 1);
+}
+
 TEST(GradedWalls, OfRatioOneAreTheFineOnes) {
     const GradedCase sample = gradedCases().front();
     SurfaceMesh mesh = sample.mesh;
