@@ -2,9 +2,9 @@
 // walls are meshed at the edge length of the skin: all steps of the blade together, beside CGAL in
 // the same run. CGAL does not remove slivers, so the compared run leaves the clean-up off; the
 // figure with it stands beside. Each row has another number of steps: a slow stroke, a quick one,
-// one swipe. Two numbers, SUBDIVISIONS and STEPS, repeat that stroke alone, for a profiler. A
-// folder instead gets the spheres as OBJ files, and walls are graded: bench/vtk_plane_cut.py runs
-// VTK on these beside.
+// one swipe. Numbers, SUBDIVISIONS, STEPS and perhaps GRADING, repeat that stroke alone, for a
+// profiler. A folder instead gets the spheres as OBJ files, and walls are graded:
+// bench/vtk_plane_cut.py runs VTK on these beside.
 
 #include <algorithm>
 #include <array>
@@ -24,6 +24,7 @@
 #include "sim/base/freed_memory.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -58,6 +59,8 @@ struct Outcome {
     double milliseconds = 0;
     std::vector<double> volumes;  ///< of the parts, ascending [m^3]
     int wallTriangles = 0;
+    double meanShape = 0;       ///< of the walls: height over longest edge, 1 if equilateral
+    int flat = 0;               ///< walls of a shape below 0.1
     double construction = 0;    ///< of the cutter [ms]
     std::vector<double> calls;  ///< begin, each step, finish [ms]
 };
@@ -120,8 +123,15 @@ Outcome ourCut(const SurfaceMesh& whole, double edge, const How& how) {
     }
     std::sort(out.volumes.begin(), out.volumes.end());
     for (const int t : livingTriangles(mesh)) {
-        out.wallTriangles += mesh.kind(t) == SurfaceKind::wall;
+        if (mesh.kind(t) == SurfaceKind::wall) {
+            const Corners at = cornersOf(mesh, t);
+            const double shape = areaNormal(at).norm() / longestEdgeSquare(at) * 2 / std::sqrt(3);
+            out.meanShape += shape;
+            out.flat += shape < 0.1;
+            ++out.wallTriangles;
+        }
     }
+    out.meanShape /= std::max(out.wallTriangles, 1);
     return out;
 }
 
@@ -129,7 +139,11 @@ Outcome theirCut(const SurfaceMesh& whole) {
     CgalPlaneCut cut(whole);
     const CpuTime time;
     cut.run(kPoint, kNormal);
-    return {time.milliseconds(), cut.partVolumes(), cut.wallTriangles(), 0, {}};
+    Outcome out;
+    out.milliseconds = time.milliseconds();
+    out.volumes = cut.partVolumes();
+    out.wallTriangles = cut.wallTriangles();
+    return out;
 }
 
 void requireSameVolumes(const Outcome& ours, const Outcome& theirs) {
@@ -207,7 +221,7 @@ void bench(int subdivisions, int repeats) {
     }
 }
 
-void repeatAlone(int subdivisions, int steps) {
+void repeatAlone(int subdivisions, const How& how) {
     constexpr int kLeast = 3;
     constexpr double kMilliseconds = 3000;
     const SurfaceMesh whole = test::icosphere(subdivisions, kRadius);
@@ -215,12 +229,12 @@ void repeatAlone(int subdivisions, int steps) {
     Ours ours;
     const CpuTime time;
     for (int i = 0; i < kLeast || time.milliseconds() < kMilliseconds; ++i) {
-        ours.add(ourCut(whole, edge, {steps}));
+        ours.add(ourCut(whole, edge, how));
     }
     std::printf(
         "%d triangles, %d steps: %.2f ms, of that %.2f to construct; median step %.3f, "
         "longest %.2f\n",
-        whole.triangleSlots(), steps, median(ours.milliseconds), median(ours.construction),
+        whole.triangleSlots(), how.steps, median(ours.milliseconds), median(ours.construction),
         median(ours.medianCall), median(ours.longestCall));
 }
 
@@ -265,6 +279,10 @@ void benchGraded(int subdivisions, int repeats, const std::string& folder) {
             {"construction", coarse.construction},
             {"wall_triangles", coarse.wallTriangles},
             {"fine_wall_triangles", dense.wallTriangles},
+            {"shape", coarse.meanShape},
+            {"fine_shape", dense.meanShape},
+            {"flat", coarse.flat},
+            {"fine_flat", dense.flat},
             {"volumes", coarse.volumes},
             {"body", path},
             {"point", {kPoint.x(), kPoint.y(), kPoint.z()}},
@@ -280,8 +298,9 @@ void benchGraded(int subdivisions, int repeats, const std::string& folder) {
 int main(int count, char** arguments) {
     kerf::keepFreedMemory();  // as the editor does, and for CGAL too
     try {
-        if (count == 3) {
-            kerf::repeatAlone(std::atoi(arguments[1]), std::atoi(arguments[2]));
+        if (count == 3 || count == 4) {
+            const double grading = count == 4 ? std::atof(arguments[3]) : 1;
+            kerf::repeatAlone(std::atoi(arguments[1]), {std::atoi(arguments[2]), false, grading});
             return 0;
         }
         if (count == 2) {
