@@ -20,10 +20,13 @@ constexpr double kEnoughOfTrue = 0.9;
 constexpr double kEnoughOfPlain = 0.7;
 // What the parts of error() count.
 constexpr double kOfStiffness = 0.4;
-constexpr double kOfBends = 0.25;
+constexpr double kOfBends = 12;
+constexpr double kBendsOverRest = 15;  // what bends resist where a sweep carries all, over the rest
 constexpr double kOfWaves = 1.5;
-constexpr double kMostOfEdge = 0.1;  // that something fast moves by in a substep
-constexpr int kSpeedSteps = 5;       // in which iterations rise with the speed
+constexpr double kMostOfEdge = 0.1;    // that something fast moves by in a substep
+constexpr int kSpeedSteps = 5;         // in which iterations rise with the speed
+constexpr double kSlitAngle = 3;       // of the edge where two walls meet [rad]
+constexpr std::size_t kSample = 4096;  // of each type, that are counted after a cut
 
 int mostIterations() {
     return static_cast<int>(findParam("iterations")->high);
@@ -51,24 +54,31 @@ std::array<double, 4> pullsOf(const BendConstraint& bend, const BodyModel& model
     return pulls;
 }
 
-/// What a constraint stands for: a volume [m^3], or one bend.
-double weightOf(const auto& constraint, double compliance) {
-    return constraint.rest_length * constraint.rest_length / compliance;
+/// By how much a uniform stretch of 1, or curvature of 1/m, strains it [m].
+double strainedBy(const auto& constraint, const auto&) {
+    return constraint.rest_length;
 }
-double weightOf(const BendConstraint&, double) {
-    return 1;
+double strainedBy(const BendConstraint&, const std::array<double, 4>& pulls) {
+    return 1 / pulls[2] + 1 / pulls[3];
+}
+
+/// Calls f with all of a list, or with so many of it, spread by the golden ratio, without a period.
+template <class Constraint, class F>
+void forSampleOf(const std::vector<Constraint>& list, std::size_t most, const F& f) {
+    const bool all = list.size() <= most;
+    for (std::size_t i = 0; i < std::min(list.size(), most); ++i) {
+        const std::uint64_t place = static_cast<std::uint32_t>(2654435769u * i);
+        f(list[all ? i : place * list.size() >> 32]);
+    }
 }
 
 /// The sum of n |grad C|^2 over unit mass of the vertices of a constraint.
-template <class Constraint>
-double movedBy(const Constraint& constraint, const Incidence& incidence, const BodyModel& model,
-               const std::vector<double>& masses) {
-    const auto vertices = verticesOf(constraint);
-    const auto pulls = pullsOf(constraint, model);
+double movedBy(const auto& vertices, const auto& pulls, const Incidence& incidence,
+               const BodyModel& model) {
     double sum = 0;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         const double pull = pulls[k];
-        sum += valence(incidence, vertices[k]) * pull * pull / masses[vertices[k]];
+        sum += valence(incidence, vertices[k]) * pull * pull / unitMass(model, vertices[k]);
     }
     return sum;
 }
@@ -88,6 +98,11 @@ double factorOf(uint type, const Params& params) {
     return hasTrueModulus(params) ? r / (0.75 * sweepRoom(type)) : r;
 }
 
+/// Bends do most of what they do long before they are as stiff as they should be.
+double effectOfBend(double carried) {
+    return (1 + kBendsOverRest) * carried / (1 + kBendsOverRest * carried);
+}
+
 /// Whether a type has a stiffness that a sweep can fall short of, and is looked at.
 bool isAsked(uint type, const Params& params) {
     const double factor = modulusFactor(type, params);
@@ -97,39 +112,54 @@ bool isAsked(uint type, const Params& params) {
 
 }  // namespace
 
+/// At most so many of a list stand for all of it.
 template <class Constraint>
 SweepStrength::Constraints SweepStrength::count(const std::vector<Constraint>& list,
                                                 const Incidence& incidence, const BodyModel& model,
-                                                const std::vector<double>& masses) {
+                                                std::size_t most) {
     Constraints counted;
-    for (const Constraint& constraint : list) {
-        const double compliance =
-            constraint.geometry / model.memberOf(verticesOf(constraint)[0]).modulus;
-        const double strength = compliance / movedBy(constraint, incidence, model, masses);
-        const double volume = weightOf(constraint, compliance);
-        if (strength > 0 && std::isfinite(strength) && std::isfinite(volume)) {
+    forSampleOf(list, most, [&](const Constraint& constraint) {
+        const auto vertices = verticesOf(constraint);
+        const auto pulls = pullsOf(constraint, model);
+        const double compliance = constraint.geometry / model.memberOf(vertices[0]).modulus;
+        const double strength = compliance / movedBy(vertices, pulls, incidence, model);
+        const double strain = strainedBy(constraint, pulls);
+        const double energy = strain * strain / compliance;
+        if (strength > 0 && std::isfinite(strength) && std::isfinite(energy)) {
             Alike& alike = counted[std::lround(kBinsPerOctave * std::log2(strength))];
-            alike.volume += volume;
-            alike.strength += volume * strength;
+            alike.energy += energy;
+            alike.strength += energy * strength;
         }
-    }
+    });
+    const double standsFor = std::max(1.0, double(list.size()) / double(most));
     for (auto& [bin, alike] : counted) {
-        alike.strength /= alike.volume;
+        alike.strength /= alike.energy;
+        alike.energy *= standsFor;
     }
     return counted;
 }
 
 void SweepStrength::follow(const BodyModel& model, const Params& params) {
-    if (countedFor_ && makeSameConstraints(*countedFor_, params) && diagonal_ == model.diagonal) {
-        return;
+    const std::size_t constraints = model.edges.size() + model.ispcs.size() + model.bends.size();
+    if (!countedFor_ || !makeSameConstraints(*countedFor_, params) || diagonal_ != model.diagonal) {
+        countedFor_ = params;
+        diagonal_ = model.diagonal;
+        measure(model);
+        count(model, constraints);
+    } else if (params.iterations == kAutoIterations && constraints_ != constraints) {
+        count(model, kSample);
     }
-    countedFor_ = params;
-    diagonal_ = model.diagonal;
-    const std::vector<double> masses = unitMasses(model);
-    edges_ = count(model.edges, model.incidences[shared::kStretch], model, masses);
-    ispcs_ = count(model.ispcs, model.incidences[shared::kIspc], model, masses);
-    bends_ = count(model.bends, model.incidences[shared::kBend], model, masses);
-    measure(model);
+}
+
+void SweepStrength::count(const BodyModel& model, std::size_t most) {
+    constraints_ = model.edges.size() + model.ispcs.size() + model.bends.size();
+    edges_ = count(model.edges, model.incidences[shared::kStretch], model, most);
+    ispcs_ = count(model.ispcs, model.incidences[shared::kIspc], model, most);
+    bends_ = count(model.bends, model.incidences[shared::kBend], model, most);
+    slit_ = false;
+    forSampleOf(model.bends, most, [this](const BendConstraint& bend) {
+        slit_ = slit_ || std::abs(bend.rest_angle) > kSlitAngle;
+    });
 }
 
 /// What error() and iterationsFor() know of the body's size.
@@ -164,9 +194,10 @@ SweepStrength::Sums SweepStrength::sumsOf(uint type, const Constraints& constrai
     const double factor = factorOf(type, params);
     for (const auto& [bin, alike] : constraints) {
         const double r = factor * alike.strength;
-        const double share = hasTrueModulus(params) ? std::min(1.0, r) : r / (1 + r);
-        sums.all += weight * alike.volume;
-        sums.carried += weight * alike.volume * share;
+        const double carried = hasTrueModulus(params) ? std::min(1.0, r) : r / (1 + r);
+        const double share = type == shared::kBend ? effectOfBend(carried) : carried;
+        sums.all += weight * alike.energy;
+        sums.carried += weight * alike.energy * share;
     }
     return sums;
 }
@@ -195,7 +226,7 @@ double SweepStrength::error(const Params& params) const {
     const double ofBends = bends.all > 0 ? 1 - bends.carried / bends.all : 0;
     const double substep = params.timeStep / numberOfIterations(params);
     const double waves = wavesPerSpeed_ * std::sqrt(params.youngsModulus / params.density);
-    return kOfStiffness * (1 - carried(params)) + kOfBends * thickness_ * ofBends +
+    return kOfStiffness * (1 - carried(params)) + kOfBends * thickness_ * thickness_ * ofBends +
            kOfWaves * waves * substep;
 }
 
@@ -205,7 +236,7 @@ int SweepStrength::iterationsFor(const Params& params, double speed) const {
     }
     const int most = mostIterations();
     Params tried = params;
-    int enough = 1;
+    int enough = slit_ ? Params{}.iterations : 1;
     for (int upTo = most; enough < upTo;) {
         tried.iterations = (enough + upTo) / 2;
         const bool tooFew = error(tried) > params.iterationError;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -21,7 +22,7 @@ class SweepStrength {
     SweepStrength(const BodyModel& model, const Params& params) { follow(model, params); }
 
     /// Recomputes, in O(constraints), if the constraints for `params` or for a body of this size
-    /// differ. Not after cuts.
+    /// differ. Where iterations are auto, after a cut too, then from a sample of bounded size.
     void follow(const BodyModel& model, const Params& params);
 
     /// The share of the stiffness of edges, with a true modulus of ISPCs too, that a sweep carries,
@@ -41,26 +42,29 @@ class SweepStrength {
 
     /// An estimate of the error of a motion against one of many substeps, as a share of the motion:
     /// what stiffness lacks, bends by how thick the body is, and half a substep against the time in
-    /// which a wave crosses the body. Fitted to `kerf experiment iterations`.
+    /// which a wave crosses the body. Bends are weighted by their energy under a uniform curvature.
+    /// Fitted to `kerf experiment iterations`.
     double error(const Params& params) const;
     /// The least number of iterations whose error() is at most params.iterationError, and which
     /// suit a body that meets something at this speed [m/s]: a substep moves it by a small share of
     /// an edge, and at the speed of sound, which deforms it deeply, they are those of the defaults.
-    /// The most that there are where more are needed. In steps where the speed decides, so that it
-    /// seldom changes. With plain PBD that of the defaults.
+    /// With a slit those of the defaults at least, since the hinges at its end decide how far it
+    /// opens. The most that there are where more are needed. In steps where the speed decides, so
+    /// that it seldom changes. With plain PBD that of the defaults.
     int iterationsFor(const Params& params, double speed) const;
 
   private:
     /// Constraints of nearly the same strength.
     struct Alike {
-        double volume = 0;    ///< that they represent [m^3]
-        double strength = 0;  ///< mean by volume of r E h^2 / rho [m^2]
+        double energy = 0;    ///< of them under a uniform stretch or curvature, over E
+        double strength = 0;  ///< mean by energy of r E h^2 / rho [m^2]
     };
     using Constraints = std::map<long, Alike>;  ///< by the logarithm of their strength
 
     template <class Constraint>
     static Constraints count(const std::vector<Constraint>& list, const Incidence& incidence,
-                             const BodyModel& model, const std::vector<double>& masses);
+                             const BodyModel& model, std::size_t most);
+    void count(const BodyModel& model, std::size_t most);
     /// Sums of energy: of all, and of what a sweep carries of it.
     struct Sums {
         double all = 0;
@@ -70,10 +74,12 @@ class SweepStrength {
     void measure(const BodyModel& model);
 
     std::optional<Params> countedFor_;
-    double diagonal_ = 0;  ///< BodyModel::diagonal of what was counted [m]
+    double diagonal_ = 0;          ///< BodyModel::diagonal of what was counted [m]
+    std::size_t constraints_ = 0;  ///< of what was counted
     Constraints edges_;
     Constraints ispcs_;
-    Constraints bends_;         ///< each counts alike
+    Constraints bends_;
+    bool slit_ = false;         ///< bends are folded at rest, where two walls meet
     double wavesPerSpeed_ = 0;  ///< across a member in a second, at a speed of sound of 1 m/s [1/m]
     double thickness_ = 0;      ///< of the thickest member, over the length of its box
     double edgeLength_ = 0;     ///< of walls [m]

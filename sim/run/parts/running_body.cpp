@@ -133,9 +133,6 @@ void RunningBody::apply(const Params& params) {
     settings.debrisVolume = params.debrisVolume;
     settings.openCut = params.openCut != 0;
     settings.search = params.cutSearch;
-    if (params.iterations == kAutoIterations) {
-        memory.sweeps.follow(model(), params);
-    }
 }
 
 /// At which something may be met in the coming step [m/s]: 0 where nothing is near.
@@ -147,14 +144,12 @@ double RunningBody::speedOfMeeting(const Params& params, bool hasBoxes) const {
     return meets ? measure.fastest : 0;
 }
 
-int RunningBody::iterationsFor(const Params& params, bool hasBoxes) const {
+int RunningBody::iterationsFor(const Params& params, bool hasBoxes) {
     if (params.iterations != kAutoIterations) {
         return params.iterations;
     }
-    const int chosen = memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes));
-    // Nobody counts the short edges beside a cut.
-    const bool isCut = std::ranges::any_of(memory.strokes, &StrokeRecord::metBody);
-    return isCut ? std::max(chosen, numberOfIterations(params)) : chosen;
+    memory.sweeps.follow(model(), params);
+    return memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes));
 }
 
 void RunningBody::applyToSolver(const Params& params) {

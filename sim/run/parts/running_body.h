@@ -37,7 +37,7 @@ struct RunningBody {
     void apply(const Params& params);
     /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
     /// as it needs (SweepStrength::iterationsFor()).
-    int iterationsFor(const Params& params, bool hasBoxes) const;
+    int iterationsFor(const Params& params, bool hasBoxes);
     /// Gives the solver parameters with a number of iterations; after apply().
     void applyToSolver(const Params& params);
 

@@ -160,6 +160,33 @@ TEST(SweepStrength, CountsAnewWhereConstraintsBecomeOthers) {
     EXPECT_EQ(strength.carried(params), SweepStrength(fine.model(), params).carried(params));
 }
 
+TEST(SweepStrength, WithAutoIterationsItCountsAnewWhenACutChangesTheBody) {
+    const Bar small(3);
+    const Bar fine(6);
+    Params params = trueParams();
+    params.iterations = kAutoIterations;
+    SweepStrength strength(small.model(), params);
+    strength.follow(fine.model(), params);
+    params.iterations = 10;
+    EXPECT_NEAR(strength.error(params), SweepStrength(fine.model(), params).error(params), 1e-6);
+}
+
+TEST(SweepStrength, OfManyConstraintsASampleStandsForAll) {
+    const Bar small(3);
+    const Bar fine(16);
+    ASSERT_GT(fine.model().edges.size(), 12000);
+    Params params = trueParams();
+    for (const double modulus : {1e4, 1e5, 1e6, 1e7}) {
+        params.youngsModulus = modulus;
+        params.iterations = kAutoIterations;
+        SweepStrength strength(small.model(), params);
+        strength.follow(fine.model(), params);
+        params.iterations = 10;
+        const double whole = SweepStrength(fine.model(), params).error(params);
+        EXPECT_NEAR(strength.error(params), whole, 0.03 * whole) << modulus;
+    }
+}
+
 TEST(SweepStrength, RigidConstraintsAndPlainPbdPromiseNoModulus) {
     const Bar bar(3);
     Params params = trueParams();
