@@ -26,7 +26,7 @@ constexpr double kOfWaves = 1.5;
 constexpr double kMostOfEdge = 0.1;    // that something fast moves by in a substep
 constexpr int kSpeedSteps = 5;         // in which iterations rise with the speed
 constexpr double kSlitAngle = 3;       // of the edge where two walls meet [rad]
-constexpr std::size_t kSample = 4096;  // of each type, that are counted after a cut
+constexpr std::size_t kSample = 4096;  // of each type, that stand for all
 
 int mostIterations() {
     return static_cast<int>(findParam("iterations")->high);
@@ -62,11 +62,11 @@ double strainedBy(const BendConstraint&, const std::array<double, 4>& pulls) {
     return 1 / pulls[2] + 1 / pulls[3];
 }
 
-/// Calls f with all of a list, or with so many of it, spread by the golden ratio, without a period.
+/// Calls f with all of a list, or with kSample of it, spread by the golden ratio, without a period.
 template <class Constraint, class F>
-void forSampleOf(const std::vector<Constraint>& list, std::size_t most, const F& f) {
-    const bool all = list.size() <= most;
-    for (std::size_t i = 0; i < std::min(list.size(), most); ++i) {
+void forSampleOf(const std::vector<Constraint>& list, const F& f) {
+    const bool all = list.size() <= kSample;
+    for (std::size_t i = 0; i < std::min(list.size(), kSample); ++i) {
         const std::uint64_t place = static_cast<std::uint32_t>(2654435769u * i);
         f(list[all ? i : place * list.size() >> 32]);
     }
@@ -112,13 +112,12 @@ bool isAsked(uint type, const Params& params) {
 
 }  // namespace
 
-/// At most so many of a list stand for all of it.
 template <class Constraint>
 SweepStrength::Constraints SweepStrength::count(const std::vector<Constraint>& list,
-                                                const Incidence& incidence, const BodyModel& model,
-                                                std::size_t most) {
+                                                const Incidence& incidence,
+                                                const BodyModel& model) {
     Constraints counted;
-    forSampleOf(list, most, [&](const Constraint& constraint) {
+    forSampleOf(list, [&](const Constraint& constraint) {
         const auto vertices = verticesOf(constraint);
         const auto pulls = pullsOf(constraint, model);
         const double compliance = constraint.geometry / model.memberOf(vertices[0]).modulus;
@@ -131,7 +130,7 @@ SweepStrength::Constraints SweepStrength::count(const std::vector<Constraint>& l
             alike.strength += energy * strength;
         }
     });
-    const double standsFor = std::max(1.0, double(list.size()) / double(most));
+    const double standsFor = std::max(1.0, double(list.size()) / double(kSample));
     for (auto& [bin, alike] : counted) {
         alike.strength /= alike.energy;
         alike.energy *= standsFor;
@@ -145,20 +144,15 @@ void SweepStrength::follow(const BodyModel& model, const Params& params) {
         countedFor_ = params;
         diagonal_ = model.diagonal;
         measure(model);
-        count(model, constraints);
-    } else if (params.iterations == kAutoIterations && constraints_ != constraints) {
-        count(model, kSample);
+    } else if (params.iterations != kAutoIterations || constraints_ == constraints) {
+        return;
     }
-}
-
-void SweepStrength::count(const BodyModel& model, std::size_t most) {
-    constraints_ = model.edges.size() + model.ispcs.size() + model.bends.size();
-    edges_ = count(model.edges, model.incidences[shared::kStretch], model, most);
-    ispcs_ = count(model.ispcs, model.incidences[shared::kIspc], model, most);
-    bends_ = count(model.bends, model.incidences[shared::kBend], model, most);
-    slit_ = false;
-    forSampleOf(model.bends, most, [this](const BendConstraint& bend) {
-        slit_ = slit_ || std::abs(bend.rest_angle) > kSlitAngle;
+    constraints_ = constraints;
+    edges_ = count(model.edges, model.incidences[shared::kStretch], model);
+    ispcs_ = count(model.ispcs, model.incidences[shared::kIspc], model);
+    bends_ = count(model.bends, model.incidences[shared::kBend], model);
+    hasSlit_ = std::ranges::any_of(model.bends, [](const BendConstraint& bend) {
+        return std::abs(bend.rest_angle) > kSlitAngle;
     });
 }
 
@@ -236,7 +230,7 @@ int SweepStrength::iterationsFor(const Params& params, double speed) const {
     }
     const int most = mostIterations();
     Params tried = params;
-    int enough = slit_ ? Params{}.iterations : 1;
+    int enough = hasSlit_ ? Params{}.iterations : 1;
     for (int upTo = most; enough < upTo;) {
         tried.iterations = (enough + upTo) / 2;
         const bool tooFew = error(tried) > params.iterationError;

@@ -21,8 +21,8 @@ class SweepStrength {
     /// For `model`, whose constraints were made for `params`.
     SweepStrength(const BodyModel& model, const Params& params) { follow(model, params); }
 
-    /// Recomputes, in O(constraints), if the constraints for `params` or for a body of this size
-    /// differ. Where iterations are auto, after a cut too, then from a sample of bounded size.
+    /// Recomputes, from a sample of bounded size, if the constraints for `params` or for a body of
+    /// this size differ; where iterations are auto, after a cut too.
     void follow(const BodyModel& model, const Params& params);
 
     /// The share of the stiffness of edges, with a true modulus of ISPCs too, that a sweep carries,
@@ -63,8 +63,7 @@ class SweepStrength {
 
     template <class Constraint>
     static Constraints count(const std::vector<Constraint>& list, const Incidence& incidence,
-                             const BodyModel& model, std::size_t most);
-    void count(const BodyModel& model, std::size_t most);
+                             const BodyModel& model);
     /// Sums of energy: of all, and of what a sweep carries of it.
     struct Sums {
         double all = 0;
@@ -79,7 +78,7 @@ class SweepStrength {
     Constraints edges_;
     Constraints ispcs_;
     Constraints bends_;
-    bool slit_ = false;         ///< bends are folded at rest, where two walls meet
+    bool hasSlit_ = false;      ///< bends are folded at rest, where two walls meet
     double wavesPerSpeed_ = 0;  ///< across a member in a second, at a speed of sound of 1 m/s [1/m]
     double thickness_ = 0;      ///< of the thickest member, over the length of its box
     double edgeLength_ = 0;     ///< of walls [m]
