@@ -111,8 +111,8 @@ class ContactSolver {
 
     /// Begins a time step, before its first substep.
     void beginStep(const RelativeMotion& motion);
-    /// Whether there may be contacts in this step. A search may find more.
-    bool mayTouch() const { return enabled() && !(keepsCandidates_ && foundNone_); }
+    /// Whether there may be contacts before the next search.
+    bool mayTouch() const { return enabled() && !foundNone_; }
     /// Whether candidates must be searched before this substep.
     bool searchesBefore(int substep) const {
         return enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0;
@@ -126,6 +126,8 @@ class ContactSolver {
 
     /// Searches for candidates now, between substeps.
     void search();
+    /// Finds out whether the search that has just been made found any; waits for the GPU.
+    void countCandidates() { foundNone_ = readState().points == 0; }
     /// X at the last search; of any size if there was none.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
     /// The state of contact for a snapshot, and its restoring, which continues bit for bit. Call
@@ -164,7 +166,7 @@ class ContactSolver {
     shared::ContactUniforms uniforms_{};
     int substepsBetweenSearches_ = 1;
     bool keepsCandidates_ = false;       ///< in this step
-    bool foundNone_ = false;             ///< no candidates are kept, if any are
+    bool foundNone_ = false;             ///< there are no candidates
     bool bodyIsNew_ = false;             ///< since the last step with contact on
     bool restIsNew_ = false;             ///< since the last search
     bool hasCandidates_ = false;         ///< of this body

@@ -173,11 +173,15 @@ void Simulation::State::noteHeldEdge() {
     output.report.heldEdge.work = work;
 }
 
+/// Whether the step reads what is near the blade.
+bool Simulation::State::bladeLooks() const {
+    return input.blade.isTold() || body.cutter->inStroke() || stroke.feels();
+}
+
 /// Where a step is known to read all of the body, it comes with the measure.
 void Simulation::State::prefetchCut() {
-    const bool looks = input.blade.isTold() || body.cutter->inStroke() || stroke.feels();
     const std::vector<Blade> path = input.blade.path();
-    if (looks && !path.empty() && !body.readsAllBack) {
+    if (bladeLooks() && !path.empty() && !body.readsAllBack) {
         body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
                            body.cutter->followedVertices());
     }
@@ -193,6 +197,7 @@ void Simulation::State::moveBody() {
     body.solver.collisions().feelBlade(body.feelsBlade || stroke.feels());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     prefetchCut();
+    body.solver.stepper().waitForSearches(!bladeLooks());  // it waits for the blade already
     body.solver.step();
     front.release();
 }

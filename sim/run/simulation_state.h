@@ -58,6 +58,7 @@ struct Simulation::State {
     bool sleeps() const;
     void solve();
     void cut();
+    bool bladeLooks() const;
     void prefetchCut();
     Vec3 middleOfBlade();
     void noteBladeLoad(const Vec3& middle);

@@ -69,7 +69,7 @@ class Collisions {
 
     /// Begins a time step, before its first substep. `folds`: see ContactSolver::setFolds().
     void beginStep(const gpu::Buffer* folds);
-    /// Whether there may be contacts in this step.
+    /// Whether there may be contacts before the next search.
     bool mayTouch() const;
     /// Whether the group that solves a small body can work out all contact: that of the body with
     /// itself, which is on, and with boxes.
@@ -82,6 +82,8 @@ class Collisions {
     }
     /// Searches for contact candidates.
     void search() { contacts_.search(); }
+    /// Finds out whether it found any; waits for the GPU.
+    void countCandidates() { contacts_.countCandidates(); }
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
     void respond(std::uint32_t substep);

@@ -96,10 +96,12 @@ void TimeStepper::stepBySweeps() {
 }
 
 void TimeStepper::stepByPhases() {
-    const bool settles =
-        settlingAllowed_ && !collisions_.mayTouch() && body_.uniforms.pull_count == 0;
     for (uint i = 0; i < body_.uniforms.substeps; ++i) {
-        searchBefore(i);
+        if (searchBefore(i) && waitsForSearches_) {
+            collisions_.countCandidates();
+        }
+        const bool settles =
+            settlingAllowed_ && !collisions_.mayTouch() && body_.uniforms.pull_count == 0;
         unfoldBefore(i > 0);
         collisions_.beginSubstep();
         for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {
@@ -183,10 +185,13 @@ void TimeStepper::unfoldBefore(bool afterPhases) {
     }
 }
 
-void TimeStepper::searchBefore(uint substep) {
-    if (collisions_.searchesBefore(substep)) {
+/// Whether it searched.
+bool TimeStepper::searchBefore(uint substep) {
+    const bool searches = collisions_.searchesBefore(substep);
+    if (searches) {
         timed(collideTimer_, [&] { collisions_.search(); });
     }
+    return searches;
 }
 
 }  // namespace kerf

@@ -69,6 +69,9 @@ class TimeStepper {
     /// Whether the phases at the end of a substep may share a dispatch if only the floor can be hit
     /// (the default).
     void allowSettling(bool allowed) { settlingAllowed_ = allowed; }
+    /// Whether a step of a large body waits for what each search for contacts finds, which saves
+    /// the phases of contact where that is nothing. The results are the same.
+    void waitForSearches(bool wanted) { waitsForSearches_ = wanted; }
     /// Selects the kernels of the group that solves a small body; before setBody().
     void setSmallBodyWay(gpu::KernelWay way) { smallBody_ = SmallBodySolver(way); }
     const SmallBodySolver& smallBody() const { return smallBody_; }
@@ -100,7 +103,7 @@ class TimeStepper {
     void holdVolumeAndCollide(std::uint32_t substep, bool last);
     /// `afterPhases`: of the substep before.
     void unfoldBefore(bool afterPhases);
-    void searchBefore(std::uint32_t substep);
+    bool searchBefore(std::uint32_t substep);
     template <class Run>
     void runSmallBody(const Run& run);
 
@@ -113,6 +116,7 @@ class TimeStepper {
     bool unfolds_ = false;  ///< in this step
     bool oneGroupAllowed_ = true;
     bool settlingAllowed_ = true;
+    bool waitsForSearches_ = true;
     gpu::ComputeTimer deformTimer_;
     gpu::ComputeTimer collideTimer_;
 };
