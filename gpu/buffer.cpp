@@ -75,11 +75,6 @@ void requireTexels(std::size_t count) {
     }
 }
 
-/// Makes what shaders wrote visible to the buffer calls that follow.
-void updateBarrier() {
-    barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-}
-
 }  // namespace
 
 Buffer::~Buffer() {

@@ -86,7 +86,7 @@ void ReadBack::send() {
     markPlace_ = std::exchange(asked_, 0);
     reserve(markPlace_ + kAlignment);
     dropFence();
-    barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    updateBarrier();
     for (const Part& part : parts) {
         if (part.bytes > 0) {
             glCopyNamedBufferSubData(part.buffer, id_, 0, static_cast<GLintptr>(part.place),

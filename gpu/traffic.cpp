@@ -21,4 +21,12 @@ void barrier(std::uint32_t bits) {
     glMemoryBarrier(bits);
 }
 
+void updateBarrier() {
+    static std::uint64_t visible = 0;  // dispatches before the last one
+    if (visible != traffic().dispatches) {
+        barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        visible = traffic().dispatches;
+    }
+}
+
 }  // namespace kerf::gpu

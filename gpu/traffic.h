@@ -22,5 +22,7 @@ Traffic& traffic();
 
 /// glMemoryBarrier with these bits, counted.
 void barrier(std::uint32_t bits);
+/// Makes what kernels wrote visible to the buffer calls that follow, unless it is already.
+void updateBarrier();
 
 }  // namespace kerf::gpu

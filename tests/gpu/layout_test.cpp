@@ -108,7 +108,7 @@ std::vector<Record> sharedRecords() {
         RECORD(ContactRecord, AT(normal), AT(impulse), AT(gains), AT(v0), AT(v1), AT(v2), AT(v3)),
         RECORD(ContactState, AT(point_groups), AT(point_groups_y), AT(point_groups_z),
                AT(vertex_groups), AT(vertex_groups_y), AT(vertex_groups_z), AT(points),
-               AT(contacts), AT(last_contacts)),
+               AT(contacts), AT(last_contacts), AT(fitted_groups)),
         RECORD(SolverUniforms, AT(gravity), AT(substep), AT(drag_factor), AT(inverse_density),
                AT(damping_ratio), AT(compliance[0]), AT(share[0]), AT(count[0]), AT(sweep_room[0]),
                AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),

@@ -7,6 +7,7 @@
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
+#include "gpu/traffic.h"
 #include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/temporary_folder.h"
@@ -64,6 +65,23 @@ TEST_F(ProgramTest, NoThreadsMeansNoDispatch) {
     program.set("count", 1u);
     program.dispatch(0);
     EXPECT_EQ(values.read<std::uint32_t>(0, 1).front(), 0u);
+}
+
+TEST_F(ProgramTest, BufferCallsAfterADispatchShareABarrier) {
+    Buffer values;
+    values.resize(4 * sizeof(std::uint32_t));
+    values.bindStorage(0);
+    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
+    program.set("count", 4u);
+    program.set("factor", 3u);
+    for (int i = 0; i < 2; ++i) {
+        program.dispatch(4);
+        const Traffic before = traffic();
+        EXPECT_THAT(values.read<std::uint32_t>(2, 2), ElementsAre(11u, 14u));
+        values.write<std::uint32_t>(3, std::vector{1u});
+        EXPECT_THAT(values.read<std::uint32_t>(2, 2), ElementsAre(11u, 1u));
+        EXPECT_EQ((traffic() - before).barriers, 1u);
+    }
 }
 
 TEST_F(ProgramTest, UnknownUniformIsIgnored) {
