@@ -156,7 +156,8 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
     const double kept = motion.touching ? kKeptInContact : kKept;
     keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ &&
                        motion.drift + way <= kept * edgeLength_;
-    foundNone_ = keepsCandidates_ && !motion.hasCandidates;
+    foundNoneBefore_ = !motion.hasCandidates;
+    foundNone_ = keepsCandidates_ && foundNoneBefore_;
     if (keepsCandidates_) {
         return;
     }

@@ -82,7 +82,7 @@ class Collisions {
     }
     /// Searches for contact candidates.
     void search() { contacts_.search(); }
-    /// Finds out whether it found any; waits for the GPU.
+    /// Finds out whether it found any, where the one before did not; waits for the GPU then.
     void countCandidates() { contacts_.countCandidates(); }
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
