@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "gpu/fetched_buffer.h"
-#include "gpu/kernel_way.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/solver_uniforms.h"
@@ -80,7 +80,7 @@ double runawaySpeed(double diagonal, double gravity) {
 
 }  // namespace
 
-SolverBody::SolverBody() : loadsImages(gpu::kernelWay() == gpu::KernelWay::images) {
+SolverBody::SolverBody() : way(gpu::kernelWay()) {
     setPulls({});
 }
 
@@ -145,15 +145,11 @@ void SolverBody::bind() const {
 }
 
 void SolverBody::bindFetched(const gpu::Buffer& buffer, uint binding, TexelFormat format) const {
-    gpu::bindFetched(buffer, binding, format,
-                     loadsImages ? gpu::KernelWay::images : gpu::KernelWay::shared);
+    gpu::bindFetched(buffer, binding, format, way);
 }
 
 gpu::Program SolverBody::compile(const std::string& name, gpu::Defines defines) const {
-    if (loadsImages) {
-        defines.emplace_back("LOAD_IMAGES", "1");
-    }
-    return gpu::Program::compute("sim/" + name + ".comp", defines);
+    return gpu::fetchingKernel("sim/" + name + ".comp", way, std::move(defines));
 }
 
 void SolverBody::run(const gpu::Program& kernel, uint threads) {

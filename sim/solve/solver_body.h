@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/kernel_way.h"
 #include "gpu/program.h"
 #include "gpu/read_back.h"
 #include "shaders/shared/body_records.h"
@@ -66,13 +67,14 @@ struct SolverBody {
     bool plainPbd() const;
     /// Binds what most kernels read.
     void bind() const;
-    /// Binds a buffer that kernels fetch: as texels and, where loadsImages, as an image.
+    /// Binds a buffer that kernels fetch: as texels and, for that way, as an image.
     void bindFetched(const gpu::Buffer& buffer, std::uint32_t binding,
                      gpu::TexelFormat format) const;
     /// The groups of kernels that sum over blocks: llvmpipe resumes a coroutine at each barrier for
     /// every eight threads of a group, so that its groups are small.
     gpu::Defines groupsOfSums() const {
-        return {{"SUM_GROUP", std::to_string(loadsImages ? 8 : shared::kPageSize) + "u"}};
+        return {{"SUM_GROUP",
+                 std::to_string(way == gpu::KernelWay::images ? 8 : shared::kPageSize) + "u"}};
     }
     /// Compiles sim/NAME.comp, whose fetches are those of fetch.glsl.
     gpu::Program compile(const std::string& name, gpu::Defines defines = {}) const;
@@ -81,7 +83,7 @@ struct SolverBody {
     /// Runs one group for each block, of the vertices on its pages.
     void runOverBlocks(const gpu::Program& kernel);
 
-    const bool loadsImages;  ///< on llvmpipe, see fetch.glsl
+    const gpu::KernelWay way;  ///< see fetch.glsl
     SolverModel model;
     SolverPieces pieces;
     SolverState state;
