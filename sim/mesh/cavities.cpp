@@ -75,7 +75,7 @@ Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
 bool isOneShell(const SurfaceMesh& mesh, UnionFind& shells) {
     int count = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        count += mesh.outgoing(v) >= 0 && shells.root(v) == v ? 1 : 0;
+        count += isUsed(mesh, v) && shells.root(v) == v ? 1 : 0;
     }
     return count < 2;
 }

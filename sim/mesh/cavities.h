@@ -11,6 +11,11 @@ namespace kerf {
 // another shell bounds a cavity, and belongs to the piece of the shell around it. Which shells do
 // is seen at rest: their volume is negative.
 
+/// Whether a living triangle has the vertex.
+inline bool isUsed(const SurfaceMesh& mesh, int v) {
+    return mesh.outgoing(v) >= 0 && mesh.alive(mesh.outgoing(v) / 3);
+}
+
 /// The vertices of each shell as one set, named by its lowest vertex. O(n).
 UnionFind shellsOf(const SurfaceMesh& mesh);
 

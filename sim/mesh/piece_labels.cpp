@@ -287,7 +287,7 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
     ofVertex_.assign(mesh.vertexCount(), -1);
     placeOfVertex_.assign(mesh.vertexCount(), -1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) < 0) {
+        if (!isUsed(mesh, v)) {
             continue;
         }
         const int lowest = sets.root(v);
