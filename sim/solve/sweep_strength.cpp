@@ -25,7 +25,7 @@ constexpr double kBendsOverRest = 15;  // what bends resist where a sweep carrie
 constexpr double kOfWaves = 1.5;
 constexpr double kMostOfEdge = 0.1;    // that something fast moves by in a substep
 constexpr int kSpeedSteps = 5;         // in which iterations rise with the speed
-constexpr double kSlitAngle = 3;       // of the edge where two walls meet [rad]
+constexpr double kSlitAngle = 3.13;    // of the edge where two walls meet, which coincide [rad]
 constexpr std::size_t kSample = 4096;  // of each type, that stand for all
 
 int mostIterations() {
