@@ -1,6 +1,6 @@
 // Bodies cut while they move, eight strokes for each scene and Young's modulus: one row each.
 //   kerf_scenes_bench [--scene NAME] [--modulus PA] [--index I] [--runs N] [--seed S] [--more]
-//     [--contact 0] [--push 1] [--after STEPS]
+//     [--contact 0] [--push 1] [--grading RATIO] [--after STEPS]
 // --more adds those beyond the six. Folds are counted 50 steps (soon) and STEPS, 300, after the
 // last stroke; "mean" is that of folds over the last 100 steps, all strokes of the row together.
 // --index plays that stroke alone and prints its steps, and the folded edges every 50 steps after
@@ -39,6 +39,7 @@ double number(const Options& options, const std::string& name, double otherwise)
 void play(const Options& options, SceneRun run) {
     run.contact = number(options, "--contact", 1) != 0;
     run.push = number(options, "--push", 0) != 0;
+    run.grading = number(options, "--grading", 1);
     run.stepsAfter = static_cast<int>(number(options, "--after", kStepsAfter));
     run.seed = static_cast<std::uint64_t>(number(options, "--seed", 1));
     if (options.count("--index") > 0) {

@@ -370,6 +370,7 @@ Params ofNewScene(Params params) {
     params.trueModulus = 1;
     params.iterations = kAutoIterations;
     params.sleeps = 1;
+    params.wallCoarsening = 3;
     return params;
 }
 

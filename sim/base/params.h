@@ -97,7 +97,8 @@ struct ParamInfo {
 };
 
 /// `params` with what a new scene begins with, which has no bits to keep: a true modulus, auto
-/// iterations, sleep at rest. What a session leaves out has the default of Params instead.
+/// iterations, sleep at rest, graded walls. What a session leaves out has the default of Params
+/// instead.
 Params ofNewScene(Params params);
 /// All parameters, in the order in which panels and sessions list them.
 std::span<const ParamInfo> paramTable();

@@ -15,6 +15,7 @@ struct SceneRun {
     bool verbose = false;  ///< prints every step of the blade
     bool contact = true;   ///< of the body with itself
     bool push = false;     ///< the body of the blade
+    double grading = 1;    ///< wall_coarsening
     int stepsAfter = 50;   ///< that follow the last stroke
 };
 

@@ -30,6 +30,7 @@ Params parametersOf(const SceneRun& run, bool weightless) {
     params.youngsModulus = run.youngsModulus;
     params.contact = run.contact ? 1 : 0;
     params.bladePush = run.push ? 1 : 0;
+    params.wallCoarsening = run.grading;
     if (weightless) {
         params.gravity = Vec3::Zero();
         params.floor.reset();

@@ -107,13 +107,14 @@ TEST(Params, IterationsMayBeAWord) {
     EXPECT_EQ(params.iterations, 7);
 }
 
-TEST(Params, ANewSceneHasATrueModulusAndAutoIterations) {
+TEST(Params, ANewSceneHasATrueModulusAutoIterationsAndGradedWalls) {
     Params params;
     params.density = 900;
     const Params begun = ofNewScene(params);
     EXPECT_EQ(begun.trueModulus, 1);
     EXPECT_EQ(begun.iterations, kAutoIterations);
     EXPECT_EQ(begun.sleeps, 1);
+    EXPECT_EQ(begun.wallCoarsening, 3);
     EXPECT_EQ(begun.density, 900);
     EXPECT_EQ(Params{}.iterations, 20) << "what a session leaves out";
 }
