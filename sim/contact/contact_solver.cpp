@@ -139,7 +139,6 @@ void ContactSolver::takeBody() {
     records_.resize(2 * n * sizeof(shared::ContactRecord));
     state_.resize(sizeof(shared::ContactState) + n * sizeof(uint));
     sums_.resize(n * kSumWords * sizeof(int));
-    restIsNew_ = true;
 }
 
 void ContactSolver::uploadUniforms() {
@@ -156,14 +155,13 @@ void ContactSolver::beginStep(const RelativeMotion& motion) {
     const double kept = motion.touching ? kKeptInContact : kKept;
     keepsCandidates_ = hasCandidates_ && candidateSettings_ == settings_ &&
                        motion.drift + way <= kept * edgeLength_;
-    foundNoneBefore_ = !motion.hasCandidates;
-    foundNone_ = keepsCandidates_ && foundNoneBefore_;
+    foundNone_ = keepsCandidates_ && !motion.hasCandidates;
     if (keepsCandidates_) {
         return;
     }
     uniforms_ = contactUniforms(settings_, edgeLength_, motion.speed);
     uploadUniforms();
-    if (std::exchange(bodyIsNew_, false)) {
+    if (bodyIsNew_) {
         takeBody();
     }
     const int searches = contactSearches(settings_, edgeLength_, motion.speed);
@@ -181,7 +179,7 @@ void ContactSolver::findFromSearched() {
     uniformBuffer_.bindStorage(shared::kContactUniformsBinding);
     state_.bindStorage(shared::kContactStateBinding);
     tree_.fit(body_, searchedPositions_, searchedVelocities_,
-              {&normals_, std::exchange(restIsNew_, false) ? &restNormals_ : nullptr});
+              {&normals_, std::exchange(bodyIsNew_, false) ? &restNormals_ : nullptr});
     findCandidates();
     ++searches_;
     hasCandidates_ = true;
@@ -206,7 +204,7 @@ void ContactSolver::remember(const ContactMemory& memory) {
     uniforms_ = memory.uniforms;
     uploadUniforms();
     takeBody();
-    bodyIsNew_ = false;
+    bodyIsNew_ = true;
     searchedPositions_.assign(memory.positions);
     searchedVelocities_.assign(memory.velocities);
     findFromSearched();

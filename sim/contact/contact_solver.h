@@ -126,9 +126,8 @@ class ContactSolver {
 
     /// Searches for candidates now, between substeps.
     void search();
-    /// Finds out whether the search that has just been made found any, where the one before did
-    /// not; waits for the GPU then.
-    void countCandidates() { foundNone_ = foundNoneBefore_ && readState().points == 0; }
+    /// Finds out whether the search that has just been made found any; waits for the GPU.
+    void countCandidates() { foundNone_ = readState().points == 0; }
     /// X at the last search; of any size if there was none.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
     /// The state of contact for a snapshot, and its restoring, which continues bit for bit. Call
@@ -168,9 +167,7 @@ class ContactSolver {
     int substepsBetweenSearches_ = 1;
     bool keepsCandidates_ = false;       ///< in this step
     bool foundNone_ = false;             ///< there are no candidates
-    bool foundNoneBefore_ = false;       ///< there were none when the step began
-    bool bodyIsNew_ = false;             ///< since the last step with contact on
-    bool restIsNew_ = false;             ///< since the last search
+    bool bodyIsNew_ = false;             ///< since the last search
     bool hasCandidates_ = false;         ///< of this body
     ContactSettings candidateSettings_;  ///< with which they were found
     long searches_ = 0;

@@ -83,7 +83,11 @@ class Collisions {
     /// Searches for contact candidates.
     void search() { contacts_.search(); }
     /// Finds out whether it found any, where the one before did not; waits for the GPU then.
-    void countCandidates() { contacts_.countCandidates(); }
+    void countCandidates() {
+        if (!motion_.hasCandidates) {
+            contacts_.countCandidates();
+        }
+    }
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
     void respond(std::uint32_t substep);

@@ -248,8 +248,8 @@ vec3 sweptOnce(uint v) {
 }
 
 // The second sweep goes on from d as the first one leaves it: impulses add up, and what it did too
-// much is taken back. A contact that stops a part of the approach alone leaves a speed that the body
-// does not move with, since pushes take the way back.
+// much is taken back. A contact that stops a part of the approach alone leaves a speed that the
+// body does not move with, since pushes take the way back.
 Change changeBy(uint place, ContactRecord record, float friction, bool again) {
     if (!again) return Change(record.impulse.xyz, record.normal.w * record.normal.xyz);
     vec3 slip = record.gains.x * sweptOnce(record.v0);

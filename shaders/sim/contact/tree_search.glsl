@@ -1,6 +1,7 @@
 // How a group of vertices that lie together descends the tree together, down to nodes that lie near
-// any of them. The includer declares what it reads, the numbers (roots, leaves, ...), rangeAt(way): up
-// to where a vertex looks for what moves against it by `way`, and lookThroughLeaves(own).
+// any of them. The includer declares what it reads, the numbers (roots, leaves, ...),
+// rangeAt(way): up to where a vertex looks for what moves against it by `way`, and
+// lookThroughLeaves(own).
 // The vertex that searches.
 struct Searcher {
     uint vertex;
