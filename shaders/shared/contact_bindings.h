@@ -17,7 +17,8 @@ SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed
                                                      // for the edges at them
 SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerPoint a point
 SHARED_CONST uint kContactNodesBinding = 9u;         // four uvec4 per node, see tree.glsl
-SHARED_CONST uint kContactSumsBinding = 10u;         // 9 int per vertex: see answers.glsl
+SHARED_CONST uint kContactSumsBinding = 10u;  // kContactSumWords int per vertex: answers.glsl
+SHARED_CONST uint kContactSumWords = 9u;
 SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
 SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
 SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandidatesPerPoint a point

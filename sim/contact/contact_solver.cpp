@@ -30,7 +30,6 @@ constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
 constexpr double kKeptInContact = 0.05;  // h: then the nearest one must be among them
 constexpr double kFarthest = 2;          // h: no candidate beyond
-constexpr std::size_t kSumWords = 9;     // of a vertex: answers.glsl
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
@@ -138,7 +137,7 @@ void ContactSolver::takeBody() {
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
     records_.resize(2 * n * sizeof(shared::ContactRecord));
     state_.resize(sizeof(shared::ContactState) + n * sizeof(uint));
-    sums_.resize(n * kSumWords * sizeof(int));
+    sums_.resize(n * shared::kContactSumWords * sizeof(int));
 }
 
 void ContactSolver::uploadUniforms() {
@@ -223,11 +222,10 @@ void ContactSolver::findCandidates() {
     kernels_.candidates.dispatch(tree_.vertexPlaces());
 }
 
-void ContactSolver::respond() {
+void ContactSolver::respond(gpu::KernelWay way) {
     if (!mayTouch()) {
         return;
     }
-    const gpu::KernelWay way = gpu::kernelWay();
     bindAnswers({shared::kContactUniformsBinding, shared::kContactRecordsBinding,
                  shared::kContactSumsBinding, shared::kContactStateBinding},
                 way);

@@ -118,7 +118,8 @@ class ContactSolver {
         return enabled() && !keepsCandidates_ && substep % substepsBetweenSearches_ == 0;
     }
     /// Limits d where it enters another surface, and moves X out of surfaces that it is inside.
-    void respond();
+    /// `way`: that of the kernels.
+    void respond(gpu::KernelWay way);
 
     /// Binds what respond() works with for a kernel that does the same in one group; contact must
     /// be on, and a step begun.

@@ -58,7 +58,7 @@ bool Collisions::mayTouch() const {
 
 void Collisions::respond(std::uint32_t substep) {
     edge_.respond(static_cast<int>(substep));
-    contacts_.respond();
+    contacts_.respond(body_.way);
     blade_.respond(static_cast<int>(substep));
     boxes_.respond(static_cast<int>(substep));
 }

@@ -46,13 +46,19 @@ std::string testShader(const std::string& name) {
     return std::string(KERF_SOURCE_DIR) + "/tests/gpu/shaders/" + name;
 }
 
+/// Value i is 3 i + 5, of so many.
+Program scaleProgram(std::uint32_t count) {
+    Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
+    program.set("count", count);
+    program.set("factor", 3u);
+    return program;
+}
+
 TEST_F(ProgramTest, DispatchCoversEveryThreadWithUniformsAndDefines) {
     Buffer values;
     values.resize(200 * sizeof(std::uint32_t));
     values.bindStorage(0);
-    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
-    program.set("count", 129u);
-    program.set("factor", 3u);
+    const Program program = scaleProgram(129);
     program.dispatch(129);
     EXPECT_THAT(values.read<std::uint32_t>(127, 4), ElementsAre(386u, 389u, 0u, 0u));
 }
@@ -61,8 +67,7 @@ TEST_F(ProgramTest, NoThreadsMeansNoDispatch) {
     Buffer values;
     values.resize(16);
     values.bindStorage(0);
-    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
-    program.set("count", 1u);
+    const Program program = scaleProgram(1);
     program.dispatch(0);
     EXPECT_EQ(values.read<std::uint32_t>(0, 1).front(), 0u);
 }
@@ -71,9 +76,7 @@ TEST_F(ProgramTest, BufferCallsAfterADispatchShareABarrier) {
     Buffer values;
     values.resize(4 * sizeof(std::uint32_t));
     values.bindStorage(0);
-    const Program program = Program::compute(testShader("scale.comp"), {{"OFFSET", "5u"}});
-    program.set("count", 4u);
-    program.set("factor", 3u);
+    const Program program = scaleProgram(4);
     for (int i = 0; i < 2; ++i) {
         program.dispatch(4);
         const Traffic before = traffic();

@@ -1,6 +1,6 @@
 // What surfaces that touch do to each other in a substep, in four phases with a storage barrier
 // between them: what each point and the edges at it touch; an impulse for each contact, added up by
-// vertices; what the vertices make of the sums; and once more from where that left d.
+// vertices; another one from where that leaves d; what the vertices make of the sums.
 //
 // The includer declares `contact` (ContactUniforms), `state`, `records`, `sums`, the share of each
 // vertex by takeShare(v, share), shareTaken(v) and clearShare(v), positionOf(v), displacementOf(v),
@@ -232,14 +232,12 @@ struct Change {
 };
 
 // The words of a vertex in `sums`: of d in the first sweep, of X, and of d in the second.
-const uint kSumWords = 9u;
-
 uint sumOfD(uint v, bool again) {
-    return kSumWords * v + (again ? 6u : 0u);
+    return kContactSumWords * v + (again ? 6u : 0u);
 }
 
 uint sumOfX(uint v) {
-    return kSumWords * v + 3u;
+    return kContactSumWords * v + 3u;
 }
 
 // d after the first sweep.

@@ -1,7 +1,7 @@
 // Solves each contact, of points and of edges, once; with SWEEP_AGAIN from d as the first time
-// leaves it. Reads X (inverse mass), d, records, shares. Adds to sums, with
-// SWEEP_AGAIN to the impulses of the records. One thread per listed point.
-// A storage barrier follows, then SWEEP_AGAIN or apply.
+// leaves it. Reads X (inverse mass), d, records, shares. Adds to sums, with SWEEP_AGAIN to the
+// impulses of the records. One thread per listed point. A storage barrier follows, then
+// SWEEP_AGAIN or apply.
 #include "buffers.glsl"
 #include "answers.glsl"
 #ifndef SWEEP_AGAIN
