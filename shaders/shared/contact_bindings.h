@@ -19,8 +19,8 @@ SHARED_CONST uint kContactEdgePairsBinding = 2u;     // EdgePair, kEdgePairsPerP
 SHARED_CONST uint kContactNodesBinding = 9u;         // four uvec4 per node, see tree.glsl
 SHARED_CONST uint kContactSumsBinding = 10u;  // kContactSumWords int per vertex: answers.glsl
 SHARED_CONST uint kContactSumWords = 9u;
-SHARED_CONST uint kContactRangesBinding = 12u;       // IncidenceRange per vertex: of
-SHARED_CONST uint kContactIncidenceBinding = 13u;    // 4 * triangle + corner
+SHARED_CONST uint kContactRangesBinding = 12u;      // IncidenceRange per vertex: of
+SHARED_CONST uint kContactIncidenceBinding = 13u;   // 4 * triangle + corner
 SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandidatesPerPoint a point
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
 // ContactState; behind it a uint per vertex: what contacts take of it
