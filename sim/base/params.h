@@ -40,8 +40,8 @@ struct BladeParams {
     double bladeBluntness = 0.5;   ///< extra share of force for crack initiation
 };
 
-/// Everything that a person can tune. paramTable() has names, ranges and meanings.
-struct Params : BladeParams {
+/// The parameters of a scene as a whole.
+struct SceneParams : BladeParams {
     SolverMode solver = SolverMode::smallSteps;
     double timeStep = 0.005;  ///< [s]
     /// Substeps of one sweep each, or sweeps of pbd; kAutoIterations: as many as each step needs.
@@ -69,7 +69,17 @@ struct Params : BladeParams {
     double contactThickness = 0.05;  ///< distance kept, as a share of the edge length of walls
     double depenetrationSpeed = 1;   ///< at which penetrations are resolved [m/s]
     int sleeps = 0;                  ///< 1: a body at rest is not solved until it is disturbed
+};
+
+/// Everything that a person can tune. paramTable() has names, ranges and meanings.
+struct Params : SceneParams {
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(static_cast<SceneParams&>(*this), models);
+    }
 };
 
 /// A number, a vector, nothing (for parameters that may be absent, like the floor), or a choice.

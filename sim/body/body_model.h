@@ -79,6 +79,15 @@ struct BodyModel : ConstraintLists {
     const BodyMember& memberOf(std::uint32_t vertex) const {
         return members[pieces[pieceOfVertex[vertex]].member];
     }
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        forEachType(*this, [&](auto, auto& list) { io(list); });
+        io(incidences, restPositions, vertexAreas, cutSkinNormals, triangles, meshTriangle,
+           pieceOfVertex, pieces, ispcMeshTriangle, triangleIncidence, neighbours, members,
+           edgeLength, diagonal, uncutRestVolume);
+    }
 };
 
 /// Makes the model of a body from the rest shape of `mesh`. `firstVertices`: see BodyUpdater.

@@ -68,6 +68,20 @@ class BodyUpdater {
     /// Recasts all ISPCs.
     BodyChange castIspcs(IspcRays rays);
 
+    /// Writes or reads all that cuts have changed (ByteArchive); reading needs an updater of the
+    /// same uncut body, and the mesh as it was.
+    template <class Archive>
+    void archive(Archive& io) {
+        io(model_, labels_, skinNormals_, areas_, memberOfPiece_, slotOfTriangle_, slotsOfEdge_,
+           halfEdgesOfEdge_, halfEdgesOfBend_, absent_, triangleRooms_, neighbourRooms_,
+           constraintRooms_);
+        if constexpr (Archive::kReads) {
+            ispcs_.emplace(mesh_, model_, io);
+        } else {
+            ispcs_->write(io);
+        }
+    }
+
   private:
     /// The records that a half-edge shares with its twin; -1 for none.
     struct EdgeSlots {

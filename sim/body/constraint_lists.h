@@ -40,6 +40,12 @@ using shared::kConstraintTypes;
 struct Incidence {
     std::vector<IncidenceRange> ranges;  ///< shape [vertexCount]
     std::vector<std::uint32_t> entries;
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(ranges, entries);
+    }
 };
 
 // The vertices of a constraint; the place of each is its slot (see Incidence).

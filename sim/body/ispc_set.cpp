@@ -45,6 +45,13 @@ IspcSet::IspcSet(const SurfaceMesh& mesh, BodyModel& model)
     refillGrid(model);
 }
 
+IspcSet::IspcSet(const SurfaceMesh& mesh, const BodyModel& model, ByteReader& from)
+    : mesh_(mesh), tree_(mesh, livingTriangles(mesh)) {
+    tree_.prepareToUpdate();
+    archive(from);
+    refillGrid(model);
+}
+
 std::optional<CastIspc> IspcSet::cast(const IspcCaster& caster, const BodyModel& model,
                                       int ray) const {
     const int v = vertexOf(ray);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/byte_archive.h"
 #include "sim/body/body_model.h"
 #include "sim/body/ispc_builder.h"
 #include "sim/body/ray_tree.h"
@@ -19,6 +20,9 @@ class IspcSet {
   public:
     /// Casts the ISPCs of all vertices into `model`, which must be complete except for them.
     IspcSet(const SurfaceMesh& mesh, BodyModel& model);
+    /// Reads what write() wrote, for a mesh and model that are as they were then.
+    IspcSet(const SurfaceMesh& mesh, const BodyModel& model, ByteReader& from);
+    void write(ByteWriter& to) { archive(to); }
 
     IspcRays rays() const { return rays_; }
     /// Recasts all, in the directions of `rays`.
@@ -30,6 +34,11 @@ class IspcSet {
 
   private:
     using Editor = RecordEditor<shared::IspcConstraint>;
+
+    template <class Archive>
+    void archive(Archive& io) {
+        io(rays_, waiting_, ofRay_, rayOf_, firstOn_, next_, previous_);
+    }
 
     // A ray is raysPerVertex() times its vertex, plus which of its rays it is.
     int vertexOf(int ray) const { return ray / raysPerVertex(rays_); }

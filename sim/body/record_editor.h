@@ -26,6 +26,12 @@ class IncidenceRooms {
     /// Makes room for new vertices up to `vertexCount`.
     void resize(Incidence& incidence, std::size_t vertexCount);
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(room_, idle_);
+    }
+
   private:
     void grow(Incidence& incidence, std::uint32_t vertex, std::uint32_t least);
     std::uint32_t takeBlock(Incidence& incidence, std::uint32_t room);

@@ -30,6 +30,12 @@ class SkinNormals {
     /// whose triangles give it: those that no cut made or separated, and those at hard edges.
     Vec3 ofCut(const SurfaceMesh& mesh, int vertex) const;
 
+    /// Writes or reads what cuts have added to those of the uncut body (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(later_, hardLater_);
+    }
+
   private:
     /// A triangle at a hard edge, and the normal of the smooth skin on its side.
     struct Side {

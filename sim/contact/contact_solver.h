@@ -85,6 +85,12 @@ struct ContactMemory {
     ContactSettings settings;
     shared::ContactUniforms uniforms{};
     RelativeMotion motion;
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(positions, velocities, settings, uniforms, motion);
+    }
 };
 
 /// Contact of a body with itself, on the GPU: pieces, both walls of a slit, limbs. Vertices against

@@ -116,6 +116,12 @@ class BoxTree {
     /// The most nodes that a search has on its stack.
     static constexpr int kMostInSearch = kMaxDepth + kMostRoots + 2;
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(joining_, nodes_, items_, canEdit_, placeOf_, reordered_, roots_, freePairs_, motion_);
+    }
+
   private:
     // A box may be wider than needed by this share of its diagonal.
     static constexpr double kSlack = 0.1;

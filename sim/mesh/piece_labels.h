@@ -58,6 +58,13 @@ class PieceLabels {
     /// Whether a piece had several shells when the labels were made.
     bool hasCavities() const { return hasCavities_; }
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(ofVertex_, pieces_, counted_, measures_, hasCavities_, shares_, placeOfVertex_,
+           partOfTriangle_);
+    }
+
   private:
     /// A triangle as it was counted.
     struct Counted {

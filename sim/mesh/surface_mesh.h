@@ -26,6 +26,15 @@ class VertexSource {
 /// The kind of a triangle: loaded skin, or a wall made by a cut.
 enum class SurfaceKind : std::uint8_t { skin = 0, wall = 1 };
 
+/// The corner of a triangle that follows one, counter-clockwise.
+inline int cornerAfter(int corner) {
+    return corner == 2 ? 0 : corner + 1;
+}
+/// The corner of a triangle before one.
+inline int cornerBefore(int corner) {
+    return corner == 0 ? 2 : corner - 1;
+}
+
 /// A closed triangle mesh with half-edge adjacency, made to be cut.
 ///
 /// Half-edge h = 3 * triangle + corner runs from that corner to the next one. Every half-edge has a
@@ -187,11 +196,16 @@ class SurfaceMesh {
     /// Members of a group, in the order in which they joined.
     const std::vector<int>& copiesOfGroup(int group) const { return copyMembers_[group]; }
 
+    /// Writes or reads all of it (ByteArchive); nothing of it may be stale.
+    template <class Archive>
+    void archive(Archive& io) {
+        io(old_, positions_, restPositions_, velocities_, outgoing_, triangles_, twins_, kinds_,
+           wallLabels_, copyGroup_, copyMembers_, originalVertices_, aliveTriangles_, openStroke_);
+    }
+
   private:
     // Without divisions by three but the one that tells the triangle.
     static int cornerOf(int h) { return h - 3 * triangleOf(h); }
-    static int cornerAfter(int corner) { return corner == 2 ? 0 : corner + 1; }
-    static int cornerBefore(int corner) { return corner == 0 ? 2 : corner - 1; }
 
     void reserve(std::size_t vertices, std::size_t triangles);
     int groupOf(int v);

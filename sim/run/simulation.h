@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +67,9 @@ class Simulation {
     /// A checkpoint of the present: body, time, parameters, blade, history.
     Moment moment();
     void goTo(const Moment& moment);
+    /// Continues from stored bytes (bytesOf()), with nothing to undo. False, and reset, where they
+    /// are of other models or cut short.
+    bool goTo(const std::vector<std::byte>& bytes);
 
     int stepCount() const;  ///< steps done
     /// Grows whenever the body may have moved or changed its topology.

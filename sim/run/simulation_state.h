@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/byte_archive.h"
 #include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/box_edit.h"
 #include "sim/run/parts/simulation_parts.h"
@@ -37,6 +38,7 @@ struct Simulation::State {
 
     Moment moment();
     void goTo(const Moment::Content& then);
+    void goTo(const std::vector<std::byte>& bytes);
 
     const SimulationSetup setup;
     RunningBody body;
@@ -77,6 +79,7 @@ struct Simulation::State {
     template <class Kind>
     std::string carryOut(const Kind& command) = delete;
     std::shared_ptr<const UncutBody> preparedAs(const std::vector<PlacedModel>& models);
+    std::shared_ptr<const UncutBody> uncutOf(ByteReader& from);
     std::string apply(BoxEdit edit);
     void setBoxes(std::vector<StaticBox> now);
     void putBladeAway();

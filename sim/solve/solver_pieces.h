@@ -31,11 +31,22 @@ class VertexPages {
     /// Places that changed since the last call, ascending.
     std::vector<std::uint32_t> takeChangedPlaces();
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(places_, placeOf_, pieces_, freePages_, changed_);
+    }
+
   private:
     struct Piece {
         std::vector<std::uint32_t> pages;
         std::vector<std::uint32_t> holes;  ///< the last one is filled first
         std::size_t vertices = 0;
+
+        template <class Archive>
+        void archive(Archive& io) {
+            io(pages, holes, vertices);
+        }
     };
 
     void put(std::uint32_t vertex, Piece& piece);

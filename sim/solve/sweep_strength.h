@@ -53,6 +53,13 @@ class SweepStrength {
     /// that it seldom changes. With plain PBD that of the defaults.
     int iterationsFor(const Params& params, double speed) const;
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(countedFor_, diagonal_, constraints_, edges_, ispcs_, bends_, hasSlit_, wavesPerSpeed_,
+           thickness_, edgeLength_);
+    }
+
   private:
     /// Constraints of nearly the same strength.
     struct Alike {

@@ -32,6 +32,12 @@ class VolumeTargets {
 
     std::span<const VolumeTarget> targets() const { return targets_; }
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(pieces_, offsets_, targets_, noted_);
+    }
+
   private:
     /// The share that may be left of the offsets of noted pieces.
     double commonShare(double time) const;

@@ -37,6 +37,10 @@ struct Cutter::State {
     cut::CutBody body;
     cut::Stroke stroke{};
 
+    template <class Archive>
+    void archive(Archive& io) {
+        io(body.pieces, body.surface, stroke.number, stroke.transit, stroke.madeWalls);
+    }
     /// Takes note of what the solver moved since the last call.
     void noteMotion() {
         if (!body.triangles.isStill()) {
@@ -56,6 +60,18 @@ Cutter::~Cutter() = default;
 Cutter::Cutter(Cutter&&) noexcept = default;
 Cutter::Cutter(const Cutter& other) : state_(std::make_unique<State>(*other.state_)) {}
 Cutter& Cutter::operator=(Cutter&&) noexcept = default;
+
+void Cutter::write(ByteWriter& to) const {
+    assert(!inStroke());
+    state_->archive(to);
+}
+
+Cutter::Cutter(const Cutter& uncut, ByteReader& from)
+    : state_(std::make_unique<State>(
+          State{cut::CutBody(uncut.state_->body.mesh, uncut.state_->body.settings)})) {
+    state_->body.edgeLengths = uncut.state_->body.edgeLengths;
+    state_->archive(from);
+}
 
 void Cutter::begin(const Blade& blade) {
     state_->noteMotion();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/byte_archive.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"
@@ -30,6 +31,12 @@ class Cutter {
     /// A copy continues on the same mesh, in its state at the time of the copy, bit for bit.
     Cutter(const Cutter& other);
     Cutter& operator=(const Cutter&) = delete;
+
+    /// Writes what the mesh does not tell of a cutter between two strokes.
+    void write(ByteWriter& to) const;
+    /// A cutter of the present mesh between two strokes, which reads that. `uncut`: of the uncut
+    /// body.
+    Cutter(const Cutter& uncut, ByteReader& from);
 
     /// Does in advance what the first steps would do, so that none of them takes long. O(n log n).
     void prepare();

@@ -50,6 +50,12 @@ class GroupedPieces {
     /// The lowest vertex of each of these groups, ascending. O(n), where there is one.
     std::vector<int> lowestVertices(std::set<int> numbers) const;
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(labels_, groupOfPiece_, hold_);
+    }
+
   private:
     const SurfaceMesh& mesh_;
     PieceLabels labels_;

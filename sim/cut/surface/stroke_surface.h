@@ -48,6 +48,12 @@ class StrokeSurface {
     /// deeper than `reach` [m].
     std::optional<Vec3> insidePosition(const Vec3& rest, const Vec3& position, double reach) const;
 
+    /// Writes or reads all of it (ByteArchive): samples depend on how the tree is divided.
+    template <class Archive>
+    void archive(Archive& io) {
+        io(vertexCount_, triangles_, changed_, tree_);
+    }
+
   private:
     /// A triangle of the surface when the stroke began.
     struct FormerTriangle {

@@ -23,6 +23,11 @@ class Hands {
         Vec3 from = Vec3::Zero();  ///< at the start of the coming step [m]
         Vec3 to = Vec3::Zero();    ///< at its end
         std::vector<Held> held;
+
+        template <class Archive>
+        void archive(Archive& io) {
+            io(number, from, to, held);
+        }
     };
 
     /// Each returns "", or one sentence if nothing changed. A hand that holds something releases
@@ -39,6 +44,12 @@ class Hands {
 
     /// The springs of the coming step of `timeStep` [s]; moves the hands to their targets.
     std::vector<shared::PullRecord> advance(double timeStep);
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(hands_);
+    }
 
   private:
     Hand* find(int number);

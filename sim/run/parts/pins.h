@@ -23,6 +23,12 @@ class Pins {
     /// Ascending.
     const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(vertices_, positions_);
+    }
+
   private:
     using RestPosition = std::array<double, 3>;
     static RestPosition restPositionOf(const SurfaceMesh& mesh, std::uint32_t vertex);

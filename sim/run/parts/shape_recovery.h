@@ -48,6 +48,12 @@ class ShapeRecovery {
     /// The motion of the vertices of these pieces in the coming step. Ends finished recoveries.
     std::vector<shared::PullRecord> advance(const Body& body);
 
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(recoveries_);
+    }
+
   private:
     struct Recovery {
         bool draws = false;

@@ -44,6 +44,13 @@ struct BodyMemory {
         }
         strokes.back() = stroke;
     }
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(volumeTargets, hands, pins, recovery, measure, sweeps, subdivisions, strokes,
+           mayHaveCollapsed, crumpled, stillFor, foldedSteps, closed);
+    }
 };
 
 /// The body of a simulation between two steps, with the state of cutting and solving. A restored

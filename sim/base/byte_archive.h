@@ -1,0 +1,168 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace kerf {
+
+/// A value whose bytes in memory are all of it: numbers, vectors of Eigen, structs of these.
+template <class T>
+concept Flat = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
+
+/// Visits what values consist of, in a fixed order, to write them as bytes or to read them again.
+/// A class takes part by a function template `archive(io)` that calls `io` with all its members.
+/// `Medium` has raw(data, bytes), count(size), which returns the number of elements, and kReads.
+template <class Medium>
+class ByteArchive : public Medium {
+  public:
+    using Medium::Medium;
+
+    template <class... T>
+    void operator()(T&... values) {
+        static_assert(!Medium::kReads || !(std::is_const_v<T> || ...), "nothing could be read");
+        (visit(const_cast<std::remove_const_t<T>&>(values)), ...);
+    }
+
+  private:
+    template <class T>
+    void visit(T& value) {
+        if constexpr (requires { value.archive(*this); }) {
+            value.archive(*this);
+        } else {
+            static_assert(Flat<T>, "this needs archive()");
+            Medium::raw(&value, sizeof value);
+        }
+    }
+    template <class T>
+    void visit(std::vector<T>& list) {
+        resize(list);
+        if constexpr (Flat<T>) {
+            Medium::raw(list.data(), list.size() * sizeof(T));
+        } else {
+            visitEach(list);
+        }
+    }
+    template <class T, std::size_t size>
+    void visit(std::array<T, size>& list) {
+        visitEach(list);
+    }
+    void visit(std::string& text) {
+        resize(text);
+        Medium::raw(text.data(), text.size());
+    }
+    template <class T>
+    void visit(std::optional<T>& value) {
+        if (Medium::count(value.has_value() ? 1 : 0) == 0) {
+            value.reset();
+            return;
+        }
+        if constexpr (Medium::kReads) {
+            value.emplace();
+        }
+        visit(*value);
+    }
+    template <class Key, class T>
+    void visit(std::map<Key, T>& table) {
+        visitAs<std::vector<std::pair<Key, T>>>(table);
+    }
+    template <class Key, class T>
+    void visit(std::unordered_map<Key, T>& table) {
+        visitAs<std::vector<std::pair<Key, T>>>(table);
+    }
+    template <class T>
+    void visit(std::set<T>& values) {
+        visitAs<std::vector<T>>(values);
+    }
+    template <class First, class Second>
+    void visit(std::pair<First, Second>& both) {
+        visit(both.first);
+        visit(both.second);
+    }
+
+    template <class List>
+    void visitEach(List& list) {
+        for (auto& element : list) {
+            visit(element);
+        }
+    }
+    /// By way of a list.
+    template <class List, class Container>
+    void visitAs(Container& container) {
+        List list(container.begin(), container.end());
+        visit(list);
+        if constexpr (Medium::kReads) {
+            container = Container(list.begin(), list.end());
+        }
+    }
+    template <class List>
+    void resize(List& list) {
+        const std::size_t size = Medium::count(list.size());
+        if constexpr (Medium::kReads) {
+            list.resize(size);
+        }
+    }
+};
+
+/// Appends to `bytes`.
+class ToBytes {
+  public:
+    static constexpr bool kReads = false;
+
+    std::vector<std::byte> bytes;
+
+    void raw(const void* data, std::size_t size) {
+        const auto* from = static_cast<const std::byte*>(data);
+        bytes.insert(bytes.end(), from, from + size);
+    }
+    std::size_t count(std::size_t size) {
+        raw(&size, sizeof size);
+        return size;
+    }
+};
+
+/// Takes from bytes, which must outlive it. Throws std::out_of_range where they end too early.
+class FromBytes {
+  public:
+    static constexpr bool kReads = true;
+
+    explicit FromBytes(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
+
+    bool isAtEnd() const { return at_ == bytes_.size(); }
+    void raw(void* data, std::size_t size) {
+        if (size > bytes_.size() - at_) {
+            throw std::out_of_range("too few bytes");
+        }
+        if (size > 0) {
+            std::memcpy(data, bytes_.data() + at_, size);
+        }
+        at_ += size;
+    }
+    /// A count cannot exceed the bytes that follow.
+    std::size_t count(std::size_t) {
+        std::size_t size = 0;
+        raw(&size, sizeof size);
+        if (size > bytes_.size() - at_) {
+            throw std::out_of_range("too few bytes");
+        }
+        return size;
+    }
+
+  private:
+    const std::vector<std::byte>& bytes_;
+    std::size_t at_ = 0;
+};
+
+using ByteWriter = ByteArchive<ToBytes>;
+using ByteReader = ByteArchive<FromBytes>;
+
+}  // namespace kerf

@@ -1,0 +1,177 @@
+// Moments that another simulation continues from: bit for bit, as if it had done it all.
+#include "sim/run/stored_moment.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/run/undo/undo_history.h"
+#include "tests/support/shapes.h"
+#include "tests/support/simulation_fixture.h"
+
+namespace kerf {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// All that a moment has to carry: auto iterations, true moduli, sleep, contact.
+Params newScene() {
+    Params params;
+    params.iterations = kAutoIterations;
+    params.trueModulus = 1;
+    params.sleeps = 1;
+    params.floor = -0.6;
+    params.youngsModulus = 2e4;
+    params.wallCoarsening = 3;
+    return params;
+}
+
+/// The same random work for several simulations.
+class Work {
+  public:
+    explicit Work(unsigned seed) : random_(seed) {}
+
+    /// A stroke, then some steps.
+    void cut(Simulation& simulation) {
+        const double x = uniform(-0.35, 0.35);
+        const double slant = uniform(-0.2, 0.2);
+        const double depth = uniform(0.2, 1.6);
+        for (int i = 0; i <= 12; ++i) {
+            const double y = 0.8 - depth * i / 12;
+            simulation.execute(MoveBlade{{{x, y, -1}, {x + slant, y, 1}}});
+            simulation.step();
+        }
+        simulation.execute(LiftBlade{});
+        for (int left = std::uniform_int_distribution(1, 12)(random_); left > 0; --left) {
+            simulation.step();
+        }
+    }
+    /// One of the other things that people do.
+    void change(Simulation& simulation) {
+        switch (std::uniform_int_distribution(0, 4)(random_)) {
+            case 0:
+                simulation.execute(SetParam{"youngs_modulus", uniform(1e4, 1e5)});
+                break;
+            case 1:
+                simulation.execute(Grab{60, {uniform(-0.4, 0.4), 0.4, 0}, 0.2});
+                simulation.execute(Drag{60, {0.3, 0.9, 0}});
+                break;
+            case 2:
+                simulation.execute(Pin{Ball{{0.4, uniform(-0.3, 0.3), 0}, 0.2}, true});
+                break;
+            case 3:
+                simulation.execute(AddBox{{{uniform(-0.5, 0.5), -0.5, 0}, {0.2, 0.2, 0.2}}});
+                break;
+            default:
+                simulation.execute(SetParam{"ispc_stiffness", uniform(0, 1)});
+                break;
+        }
+    }
+
+  private:
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution(low, high)(random_);
+    }
+
+    std::mt19937 random_;
+};
+
+class StoredMomentTest : public test::SimulationTest {
+  protected:
+    static Simulation begun() { return {test::cubeSphere(6, 0.5), newScene()}; }
+    static Bytes bytesNow(Simulation& simulation) {
+        const std::optional<Bytes> bytes = bytesOf(simulation.moment());
+        EXPECT_TRUE(bytes);
+        return bytes.value_or(Bytes{});
+    }
+};
+
+TEST_F(StoredMomentTest, AnotherSimulationContinuesWithTheSameBits) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Simulation first = begun();
+        Work before(seed);
+        for (unsigned i = 0; i < seed % 4; ++i) {
+            before.cut(first);
+            before.change(first);
+        }
+        Simulation second = begun();
+        ASSERT_TRUE(second.goTo(bytesNow(first)));
+        EXPECT_EQ(second.stepCount(), first.stepCount());
+        EXPECT_EQ(second.report().time, first.report().time);
+        EXPECT_EQ(second.report().pieces, first.report().pieces);
+        EXPECT_EQ(second.report().volumeRatio, first.report().volumeRatio);
+        EXPECT_EQ(second.hands().size(), first.hands().size());
+        ASSERT_EQ(second.stateHashes().parts, first.stateHashes().parts);
+        for (Simulation* one : {&first, &second}) {
+            Work after(seed + 100);
+            after.cut(*one);
+            after.change(*one);
+            after.cut(*one);
+        }
+        ASSERT_EQ(second.stateHashes().parts, first.stateHashes().parts);
+    }
+}
+
+TEST_F(StoredMomentTest, APlacedModelComesBackWhereItWas) {
+    const auto placed = [] {
+        Simulation one = begun();
+        Placement turned;
+        turned.rotate = {0, 0, 30};
+        turned.scale = 1.2;
+        EXPECT_EQ(one.execute(Place{turned}), "");
+        Work(7).cut(one);
+        return one;
+    };
+    Simulation first = placed();
+    Simulation second = begun();
+    ASSERT_TRUE(second.goTo(bytesNow(first)));
+    EXPECT_EQ(second.placement().scale, 1.2);
+    for (Simulation* one : {&first, &second}) {
+        Work(8).cut(*one);
+    }
+    EXPECT_EQ(second.stateHash(), first.stateHash());
+}
+
+TEST_F(StoredMomentTest, WhatWasDoneBeforeIsNotUndone) {
+    Simulation first = begun();
+    Work(3).cut(first);
+    Simulation second = begun();
+    second.setUndoBudget(std::size_t{1} << 30);
+    ASSERT_TRUE(second.goTo(bytesNow(first)));
+    EXPECT_FALSE(second.history().canUndo());
+    const std::string then = second.stateHash();
+    Work(4).cut(second);
+    EXPECT_EQ(second.execute(Undo{}), "");
+    EXPECT_NE(second.stateHash(), then);  // where the blade came near
+    EXPECT_FALSE(second.history().canUndo());
+}
+
+TEST_F(StoredMomentTest, NothingIsStoredWhileABladeIsPlaced) {
+    Simulation one = begun();
+    one.execute(MoveBlade{{{0, 0.8, -1}, {0, 0.8, 1}}});
+    EXPECT_FALSE(bytesOf(one.moment()));
+    one.step();
+    EXPECT_FALSE(bytesOf(one.moment()));
+    one.execute(LiftBlade{});
+    one.step();
+    EXPECT_TRUE(bytesOf(one.moment()));
+}
+
+TEST_F(StoredMomentTest, WhatDoesNotFitIsRefused) {
+    Simulation first = begun();
+    Work(5).cut(first);
+    const Bytes bytes = bytesNow(first);
+    Simulation other(test::cubeSphere(5, 0.5), newScene());
+    EXPECT_FALSE(other.goTo(bytes));
+    Simulation second = begun();
+    const std::string atStart = second.stateHash();
+    for (const std::size_t size : {std::size_t{0}, bytes.size() / 3, bytes.size() - 1}) {
+        EXPECT_FALSE(second.goTo(Bytes(bytes.begin(), bytes.begin() + size))) << size;
+        EXPECT_EQ(second.stateHash(), atStart);
+    }
+    EXPECT_TRUE(second.goTo(bytes));
+}
+
+}  // namespace
+}  // namespace kerf
