@@ -290,6 +290,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
         layoutPanels(io.DisplaySize.x, io.DisplaySize.y, scale, model.settings, timed);
     noteCovered(model.settings, layout);
     freeView_ = layout.view;
+    timeline_ = layout.timeline;
     drawOverlay(model.view.overlay, scale);
     if (model.settings.showControls) {
         drawControls(model, layout.controls, actions);
@@ -356,9 +357,7 @@ bool Interface::ownsPointer() const {
 bool Interface::pointsBesideQuestion() const {
     context_.makeCurrent();
     const ImVec2 at = ImGui::GetIO().MousePos;
-    const bool inView = at.x >= freeView_.x && at.x < freeView_.x + freeView_.width &&
-                        at.y >= freeView_.y && at.y < freeView_.y + freeView_.height;
-    return inView && questionBox_.leavesOpen(at.x, at.y);
+    return freeView_.holds(at.x, at.y) && questionBox_.leavesOpen(at.x, at.y);
 }
 
 Cursor Interface::cursor() const {
@@ -386,6 +385,13 @@ bool Interface::ownsKeyboard() const {
     context_.makeCurrent();
     return closesPopup_ || ImGui::GetIO().WantTextInput || fileDialog_.isOpen() ||
            questionBox_.isOpen();
+}
+
+bool Interface::ownsKey(Key key) const {
+    constexpr std::array kTimelineKeys{Key::home, Key::end, Key::left, Key::right};
+    context_.makeCurrent();
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    return std::ranges::count(kTimelineKeys, key) > 0 && timeline_.holds(at.x, at.y);
 }
 
 }  // namespace kerf::ui

@@ -39,6 +39,8 @@ class Interface {
     bool pointsBesideQuestion() const;
     /// Whether the keyboard belonged to a panel in the last update.
     bool ownsKeyboard() const;
+    /// Whether a key belonged to the time line in the last update, under the pointer.
+    bool ownsKey(Key key) const;
     /// Whether a panel's item is held with the pointer.
     bool isDragging() const;
 
@@ -63,6 +65,7 @@ class Interface {
     ItemRects itemRects_;
     std::vector<Rect> covered_;
     Rect freeView_;
+    Rect timeline_;
     bool closesPopup_ = false;  ///< Esc was pressed for it only
 };
 

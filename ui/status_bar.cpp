@@ -11,10 +11,16 @@ namespace kerf::ui {
 namespace {
 
 std::string stateOf(const PanelModel& model) {
+    if (model.transport.seeking) {
+        return "seeking";
+    }
     if (model.transport.stroking) {
         return "cutting";
     }
-    return model.transport.playing ? "playing" : "paused";
+    if (model.transport.playing) {
+        return "playing";
+    }
+    return model.transport.pulling ? "pulling" : "paused";
 }
 
 /// How often pieces ran away and were taken back, where any did.

@@ -23,7 +23,7 @@ namespace {
 constexpr double kForever = 1e9;        // [s]
 constexpr double kWorkPause = 0.05;     // between two pictures while a thread works [s]
 constexpr double kWorkPictures = 0.25;  // the same while a step is under way and nothing moves [s]
-constexpr int kMostSeekSteps = 64;      // per picture, while they are fast
+constexpr int kMostSeekSteps = 1000;    // between two pictures, while they are fast
 
 using State = Editor::State;
 
@@ -153,7 +153,8 @@ void drawScene(State& s) {
     }
     const BusyScene now = s.scene.meanwhile();
     const render::FieldRange range = s.picture.fieldRange();
-    if (!now || now.isWhole()) {
+    const bool seeks = now && now.seekSteps() > 0 && s.clock.byTheClock();
+    if (!now || (now.isWhole() && !seeks)) {
         const bool rests = now && now.running() && s.clock.byTheClock() && s.picture.rests();
         s.picture.draw(now, s.view, s.panels.covered(s.view.width, s.view.height),
                        s.redraw.takeScene(!rests));
@@ -168,6 +169,9 @@ void drawScene(State& s) {
 void advance(State& s, double elapsedSeconds) {
     s.clock.elapse(elapsedSeconds);
     s.picture.measure();
+    if (s.onceSought && s.scene.meanwhile().seekSteps() == 0) {
+        s.apply(*std::exchange(s.onceSought, std::nullopt));
+    }
     s.workOff();
     if (s.scene != nullptr && !s.scene.underWay()) {
         beginSteps(s);

@@ -55,6 +55,7 @@ void cancelWork(State& s) {
     if (scene.stroke().pending() == 0) {
         scene.playing() = false;
         scene.stopSeeking();
+        s.onceSought.reset();
     }
     stopTools(s);
 }
@@ -66,14 +67,20 @@ bool movesBody(const UndoEntry& entry) {
 
 /// Says what that changed: many a change shows in the model only later.
 void stepThroughHistory(State& s, const Command& undoOrRedo) {
-    if (std::holds_alternative<Undo>(undoOrRedo) ? s.undoesScene() : s.redoesScene()) {
+    const bool back = std::holds_alternative<Undo>(undoOrRedo);
+    if (back ? s.undoesScene() : s.redoesScene()) {
+        return;
+    }
+    if (back && s.scene->timeline().hasForgotten()) {
+        s.scene->recallHistory();
+        s.offers.comingBack = true;
+        s.onceSought = ui::ActionId::undo;
         return;
     }
     if (!s.execute(undoOrRedo)) {
         return;
     }
     const UndoHistory& history = s.scene->simulation().history();
-    const bool back = std::holds_alternative<Undo>(undoOrRedo);
     if (back ? !history.canRedo() : !history.canUndo()) {
         return;  // it was forgotten to keep to the budget
     }
@@ -440,7 +447,11 @@ struct Answer {
     void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
         const auto file = gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json");
-        s.askBefore("Open " + wanted.name, [&s = s, file] { s.open(file); });
+        s.askBefore("Open " + wanted.name, [&s = s, file] {
+            OpeningOrder order = orderOf(file, s.ends);
+            order.atEnd = false;  // It is to be watched.
+            s.open(std::move(order));
+        });
     }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }

@@ -41,12 +41,22 @@ ui::FieldLegend fieldLegend(State& s, bool inView) {
     return legend;
 }
 
+ui::WorkState seekWork(const BusyScene& now, int steps, double perStep) {
+    const int target = now.seekTarget();
+    return {now.document().name + ": going to step " + std::to_string(target),
+            "Step " + std::to_string(target - steps), steps * perStep,
+            1 - static_cast<double>(steps) / std::max(1, target)};
+}
+
 /// A stroke by its poses; and what else takes long, which has no end that could be told.
 ui::WorkState sceneWork(const State& s) {
     const BusyScene now = s.scene.meanwhile();
     const double perStep = std::max(s.clock.secondsPerStep(), s.scene.seconds());
     if (!now) {
         return {};
+    }
+    if (const int steps = now.seekSteps(); steps > 0) {
+        return seekWork(now, steps, perStep);
     }
     const StrokeProgress cut = now.stroke().progress();
     const auto left = static_cast<double>(cut.poses - cut.done);
@@ -89,6 +99,8 @@ void Editor::State::describe(bool withOverlay) {
     panels.describe();
     if (const BusyScene now = scene.meanwhile()) {
         model.transport.playing = now.playing();
+        model.transport.seeking = now.seekSteps() > 0;
+        model.transport.pulling = now.pulling();
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
             model.view.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);

@@ -65,6 +65,10 @@ void followOpening(State& s) {
             if (!order.file.empty() && order.change.empty()) {
                 s.chooser.addRecent(order.file);
             }
+            if (order.atEnd) {
+                s.scene->goToEnd();
+                s.offers.comingBack = s.scene->timeline().seekSteps() > 0;
+            }
             if (order.shown) {
                 order.shown();
             }
@@ -318,8 +322,9 @@ void Editor::State::save(const ChosenFile& chosen) {
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                                        isTest ? SavedAs::test : SavedAs::session);
-    work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
-                     : startSaving(chosen.file, std::move(saved)));
+    work.save(isTest
+                  ? startSavingTest(chosen.file, std::move(saved))
+                  : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(), ends));
 }
 
 int Editor::State::savePicture(render::Image image, const std::string& name) {

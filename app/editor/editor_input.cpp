@@ -35,7 +35,7 @@ BusyScene sceneInHand(State& s, bool presses = false) {
 }
 
 void onKey(State& s, ui::Key key, const ui::Modifiers& modifiers) {
-    if (s.panels.interface.ownsKeyboard()) {
+    if (s.panels.interface.ownsKeyboard() || s.panels.interface.ownsKey(key)) {
         return;
     }
     if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {

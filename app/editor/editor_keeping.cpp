@@ -18,7 +18,7 @@ void goOnFrom(State& s, const LeftWork& left) {
     OpeningOrder order = orderOf(left);
     order.shown = [&s, journal = left.journal] {
         s.keeping.begin(journal);
-        s.scene->seek(s.scene->document().session.steps);
+        s.scene->goToEnd();
         s.offers.comingBack = true;
     };
     s.offers.putOff();
@@ -96,6 +96,7 @@ void Editor::State::leaveScene() {
     sceneHistory.clear();
     work.onceSaved = nullptr;
     offers.comingBack = false;
+    onceSought.reset();
     work.stopPlacing();
     scene.set(nullptr);
     clock.stop();

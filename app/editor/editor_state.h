@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct Editor::State {
           materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
+          ends(options.storedEnds, options.driver),
           offers(options.journals),
           driverCheck(options.driverReports, options.driver) {
         view.resize(options.width, options.height);
@@ -63,8 +65,10 @@ struct Editor::State {
     MaterialShelf materials;
     FileWork work;
     WorkKeeping keeping;
+    const StoredEnds ends;
     LeftWorkOffers offers;
     DriverCheck driverCheck;
+    std::optional<ui::ActionId> onceSought;  ///< to do when a seek has come to its end
     bool closing = false;
 
     // A picture: editor.cpp.
@@ -98,7 +102,7 @@ struct Editor::State {
     void say(const std::string& problem);
 
     // Files: editor_files.cpp.
-    void open(const std::filesystem::path& file) { open(orderOf(file)); }
+    void open(const std::filesystem::path& file) { open(orderOf(file, ends)); }
     /// Opens a file after a question about unsaved work. A material is applied at once.
     void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, const Mending& mending = {});

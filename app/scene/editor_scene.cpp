@@ -197,6 +197,25 @@ void EditorScene::seek(int step) {
     }
 }
 
+void EditorScene::goToEnd() {
+    if (document().session.events.empty()) {
+        return;
+    }
+    const std::optional<StoredEnd> end = std::exchange(body().document.end, std::nullopt);
+    if (end && timeline().goTo(*end)) {
+        readout().startAnew();
+    } else {
+        seek(document().session.steps);
+    }
+}
+
+void EditorScene::recallHistory() {
+    timeline().recall();
+    stroke().clear();
+    hands().forget();
+    readout().startAnew();
+}
+
 void EditorScene::startRecording() {
     const std::vector<StaticBox> boxes = simulation().boxes();
     const std::vector<PlacedModel> models = rest().uncut().models;

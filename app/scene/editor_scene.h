@@ -61,6 +61,10 @@ class EditorScene {
     /// SceneTimeline::seekSteps() are left to do. Later actions play again from there, until the
     /// user cuts or pulls: then they are discarded.
     void seek(int step);
+    /// Shows an opened session at its end: at once if that is stored, otherwise by seeking.
+    void goToEnd();
+    /// SceneTimeline::recall(), at its first step.
+    void recallHistory();
     /// Restarts, and adds a check of the state from time to time.
     void startRecording();
     /// Whether steps are due: time runs, or a stroke or a seek is in progress.

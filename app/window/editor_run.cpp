@@ -11,6 +11,7 @@
 #include "app/journal/journal_folder.h"
 #include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
+#include "app/session/session.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/context_loss.h"
@@ -22,17 +23,21 @@ namespace {
 
 constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
 
-/// So large a model is opened in the window, where its progress is seen.
-bool isLarge(const std::filesystem::path& file) {
-    constexpr std::uintmax_t kLarge = 8'000'000;  // [bytes]
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    return !error && size > kLarge;
-}
-
 bool isThere(const std::filesystem::path& file) {
     std::error_code error;
     return std::filesystem::is_regular_file(file, error);
+}
+
+/// A large model and a session, which goes to its end, are opened in the window, where their
+/// progress is seen.
+bool takesLong(const std::filesystem::path& file) {
+    constexpr std::uintmax_t kLarge = 8'000'000;  // [bytes]
+    if (file.string().ends_with(kSessionEnding)) {
+        return isThere(file);
+    }
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    return !error && size > kLarge;
 }
 
 /// The document of the command line, or the default one; without that the editor opens empty.
@@ -60,6 +65,7 @@ EditorOptions optionsFor(const Window& window) {
     options.settingsFile = defaultSettingsFile();
     options.recentFiles = recentFilesStore();
     options.journals = defaultJournalFolder();
+    options.storedEnds = defaultStoredEnds();
     options.materials = defaultMaterialFolder();
     options.driverReports = defaultDriverReports();
     options.driver = device.renderer + " " + device.version;
@@ -137,7 +143,7 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
     if (SettingsFile(defaultSettingsFile()).now.softwareRenderer) {
         useSoftwareRenderer();
     }
-    if (file && isLarge(*file)) {
+    if (file && takesLong(*file)) {
         openThroughResets(std::nullopt, file, file);
         return 0;
     }

@@ -10,6 +10,10 @@ struct Rect {
     float y = 0;
     float width = 0;
     float height = 0;
+
+    bool holds(float px, float py) const {
+        return px >= x && px < x + width && py >= y && py < y + height;
+    }
 };
 
 /// The rectangles of the fixed panels; the view fills the whole picture behind them.

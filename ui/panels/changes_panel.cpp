@@ -64,6 +64,15 @@ void drawButton(const PanelModel& model, const char* label, ActionId id, float w
     itemTooltip(describeAction(id));
 }
 
+std::string nameOfStart(const ChangeList& changes) {
+    if (changes.recallable) {
+        return "Earlier changes: undo replays the session first";
+    }
+    return changes.forgotten > 0
+               ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
+               : "Start";
+}
+
 void drawMemory(const ChangeList& changes) {
     char text[64];
     std::snprintf(text, sizeof text, "%.1f of %.0f MB",
@@ -89,11 +98,7 @@ void drawChanges(const PanelModel& model, std::vector<Action>& actions) {
         ImGui::EndChild();
         return;
     }
-    drawState(model,
-              changes.forgotten > 0
-                  ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
-                  : "Start",
-              0, actions);
+    drawState(model, nameOfStart(changes), 0, actions);
     drawRows(model, actions);
     ImGui::EndChild();
 }

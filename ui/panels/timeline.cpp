@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "ui/base/item_rects.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr float kStripHeight = 0.75F;  // of a line
 constexpr float kMarkSize = 0.27F;     // half of it, of a line
 constexpr std::size_t kMostListed = 8;
+constexpr int kFarStep = 10;  // steps, by an arrow key with Shift
 
 /// The steps along a slider, as its knob stands at them.
 class StepScale {
@@ -109,6 +111,21 @@ bool slideStep(int& step, int steps) {
     return moved;
 }
 
+/// Where a key leads while the pointer is over the time line.
+std::optional<int> stepOfKeys(const PlaybackState& playback) {
+    const auto pressed = [](ImGuiKey key) { return keyPressed(key, true); };
+    if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
+        return std::nullopt;
+    }
+    if (pressed(ImGuiKey_Home) || pressed(ImGuiKey_End)) {
+        return pressed(ImGuiKey_Home) ? 0 : playback.steps;
+    }
+    const int way = (pressed(ImGuiKey_RightArrow) ? 1 : 0) - (pressed(ImGuiKey_LeftArrow) ? 1 : 0);
+    const int far = ImGui::GetIO().KeyShift ? kFarStep : 1;
+    return way == 0 ? std::nullopt
+                    : std::optional(std::clamp(playback.step + way * far, 0, playback.steps));
+}
+
 const char* adviceOn(const PlaybackState& playback) {
     if (!playback.goesBack) {
         return "What is done is kept here, to go back to it";
@@ -125,8 +142,9 @@ StepScale drawSlider(const SessionPanelState& session, std::vector<Action>& acti
     int step = std::min(playback.step, playback.steps);
     ImGui::SetNextItemWidth(-1);
     ImGui::BeginDisabled(!playback.goesBack || playback.steps == 0);
-    if (slideStep(step, playback.steps)) {
-        actions.emplace_back(SeekTo{step});
+    const std::optional<int> byKey = playback.goesBack ? stepOfKeys(playback) : std::nullopt;
+    if (slideStep(step, playback.steps) || byKey) {
+        actions.emplace_back(SeekTo{byKey.value_or(step)});
     }
     ImGui::EndDisabled();
     noteItem("scrubber");

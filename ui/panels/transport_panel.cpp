@@ -116,7 +116,8 @@ void drawTransport(const TransportState& transport, const PlaybackState& playbac
     const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
     drawTransportButtons(transport, actions);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("step %d, %.3f s", transport.step, transport.time);
+    ImGui::TextDisabled("step %d, %.3f s%s", transport.step, transport.time,
+                        transport.restarted ? " since restart" : "");
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(transport.speed, actions);

@@ -54,7 +54,7 @@ constexpr std::array kOtherActions{
               "Save the scene alone, on no ground", "File", withBody},
     ActionRow{ActionId::quit, at(Key::q, kControl, "Ctrl+Q"), "Leave", "File", always},
     ActionRow{ActionId::undo, at(Key::z, kControl, "Ctrl+Z"), "Undo", "Edit",
-              [](const PanelModel& m) { return m.changes.done > 0; }},
+              [](const PanelModel& m) { return m.changes.done > 0 || m.changes.recallable; }},
     ActionRow{ActionId::redo, at(Key::z, kControlShift, "Ctrl+Shift+Z"), "Redo", "Edit",
               [](const PanelModel& m) { return m.changes.done < m.changes.rows.size(); }, nullptr,
               at(Key::y, kControl, "Ctrl+Y")},

@@ -17,6 +17,7 @@ struct ChangeList {
     std::vector<ChangeRow> rows;  ///< oldest first
     std::size_t done = 0;         ///< number of applied ones; the others are undone
     int forgotten = 0;            ///< older ones that were dropped
+    bool recallable = false;      ///< undo brings older ones back first, by playing the session
     std::size_t bytes = 0;
     std::size_t budget = 0;  ///< [bytes]
 };

@@ -6,10 +6,13 @@ namespace kerf::ui {
 struct TransportState {
     bool playing = false;
     bool recording = false;
+    bool seeking = false;   ///< steps are computed to go to another one
+    bool pulling = false;   ///< a hand moves the body while time is paused
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
     double speed = 1;       ///< of simulated time against the clock
     int step = 0;
-    double time = 0;  ///< simulated [s]
+    double time = 0;         ///< simulated, since the last restart [s]
+    bool restarted = false;  ///< there was one
 };
 
 }  // namespace kerf::ui

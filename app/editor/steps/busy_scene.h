@@ -2,6 +2,7 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "sim/run/undo/undo_history.h"
@@ -31,9 +32,11 @@ class BusyScene {
     const std::vector<Bounds>& pieceBounds() const { return scene_->simulation().pieceBounds(); }
     const auto& faultMarks() const { return scene_->readout().faultMarks(); }
     bool running() const { return scene_->running(); }
+    bool pulling() const { return scene_->hands().pulling(); }
     bool recording() const { return scene_->recorder().recording(); }
     bool takesPictures() const { return scene_->recorder().takesPictures(); }
     int seekSteps() const { return scene_->timeline().seekSteps(); }
+    int seekTarget() const { return scene_->simulation().stepCount() + seekSteps(); }
     int deeds() const { return scene_->recorder().deeds(); }
     /// Whether a thread computes something for the panels or the colours.
     bool workingOut() const {

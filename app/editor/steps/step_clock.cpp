@@ -13,6 +13,7 @@ namespace {
 constexpr double kMostDue = 4;                // steps, at speed 1
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 constexpr double kNeededBudgetSeconds = 0.1;  // the same for steps without which a hand waits
+constexpr double kSeekBudgetSeconds = 0.2;    // the same for those that are not drawn
 
 }  // namespace
 
@@ -37,8 +38,11 @@ int StepClock::takeDue(double timeStep) {
 void StepClock::run(EditorScene& scene, int needed, int due) {
     const WorkWatch watch;
     int done = 0;
+    const bool seeks = scene.timeline().seekSteps() > 0;
     const auto mayGoOn = [&] {
-        const double budget = done < needed ? kNeededBudgetSeconds : kStepBudgetSeconds;
+        const double budget = done < needed ? kNeededBudgetSeconds
+                              : seeks       ? kSeekBudgetSeconds
+                                            : kStepBudgetSeconds;
         return !byTheClock_ || done == 0 || watch.seconds() < budget;
     };
     for (; done < std::max(needed, due) && mayGoOn(); ++done) {

@@ -28,6 +28,7 @@ struct EditorOptions {
     std::filesystem::path settingsFile;
     std::filesystem::path recentFiles;  ///< see RecentFiles; empty keeps none
     std::filesystem::path journals;     ///< the folder of journals; empty keeps none
+    std::filesystem::path storedEnds;   ///< see StoredEnds; empty keeps none
     std::filesystem::path materials;    ///< the folder of the user's own; empty for none
     /// The folder of reports on drivers; empty: none is examined.
     std::filesystem::path driverReports;

@@ -7,6 +7,7 @@
 #include "app/regression/test_maker.h"
 #include "sim/base/text.h"
 #include "sim/run/start/prepared_body.h"
+#include "sim/run/stored_moment.h"
 
 namespace kerf::app {
 namespace {
@@ -37,6 +38,13 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
     return files.size() == 1
                ? "Exported " + first
                : "Exported " + counted(files.size(), "file", "files") + ", " + first + " the first";
+}
+
+/// So that the session reopens at once.
+void keepEnd(const std::filesystem::path& file, const SavedEnd& end, const StoredEnds& ends) {
+    if (std::optional<std::vector<std::byte>> moment = bytesOf(end.moment)) {
+        ends.keep(file, {*std::move(moment), end.hash, end.start.step, end.start.time});
+    }
 }
 
 }  // namespace
@@ -78,12 +86,16 @@ std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, S
         });
 }
 
-std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved) {
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved,
+                                        std::optional<SavedEnd> end, const StoredEnds& ends) {
     return std::make_unique<FileSaving>(
         "Saving " + file.filename().string(),
-        [file, saved = std::move(saved)](WorkProgress& progress) {
+        [file, saved = std::move(saved), end = std::move(end), ends](WorkProgress& progress) {
             progress.enter("Writing");
             writeOutputFile(file, formatSession(saved.session, file.parent_path()));
+            if (end) {
+                keepEnd(file, *end, ends);
+            }
             return "Saved " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
         });
 }

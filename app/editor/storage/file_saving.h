@@ -26,7 +26,8 @@ struct FileSaving : BackgroundJob<std::string> {
 std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& document,
                                         Simulation& simulation, const render::BodyLook& look);
 /// Begins to write a session.
-std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved);
+std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved,
+                                        std::optional<SavedEnd> end, const StoredEnds& ends);
 /// Begins to write a material.
 std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
                                                 Material material);

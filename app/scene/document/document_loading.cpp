@@ -45,9 +45,15 @@ ReadOptions editorReading(const MemoryMeans& means) {
     return options;
 }
 
-OpeningOrder orderOf(const std::filesystem::path& file) {
-    return {"Opening " + file.filename().string(), file,
-            [file](const ReadOptions& options) { return openDocument(file, options); }};
+OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends) {
+    OpeningOrder order{"Opening " + file.filename().string(), file,
+                       [file, ends](const ReadOptions& options) {
+                           Document document = openDocument(file, options);
+                           document.end = ends.of(file);
+                           return document;
+                       }};
+    order.atEnd = true;
+    return order;
 }
 
 DocumentLoading::DocumentLoading(OpeningOrder order, const Mending& mending)

@@ -45,11 +45,12 @@ struct OpeningOrder {
     /// Its name as a change of the open scene, such as "Remesh", which is kept for undo. Empty: it
     /// is another document.
     std::string change = {};
+    bool atEnd = false;  ///< a session is shown at its end, see EditorScene::goToEnd()
 };
 /// The editor's options for reading models: with their faults, if the search is short.
 ReadOptions editorReading(const MemoryMeans& means);
-/// The order to open a model or a session.
-OpeningOrder orderOf(const std::filesystem::path& file);
+/// The order to open a model, or a session at its end.
+OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends);
 
 /// Loads a document into the editor: reads and prepares it on a separate thread, then uploads it a
 /// portion each frame. The open scene continues meanwhile.

@@ -7,6 +7,7 @@
 
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
+#include "app/scene/document/stored_ends.h"
 #include "app/session/session.h"
 #include "render/scene/camera.h"
 #include "sim/mesh/surface_mesh.h"
@@ -27,6 +28,7 @@ struct Document {
     repair::Faults faults = {};                     ///< see ModelMesh
     std::vector<std::string> objects = {};          ///< of the file of a scene of one model
     bool inFile = true;                             ///< false: no file holds this scene
+    std::optional<StoredEnd> end = {};              ///< of a session, if it is known
 };
 
 /// The memory for opening and cutting it in the editor.

@@ -134,7 +134,8 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.parameters.sweeps = &sweeps_;
     model.parameters.iterations = report.iterations;
     model.transport.playing = timeline_.playing;
-    model.transport.step = simulation.stepCount() - timeline_.start().step;
+    model.transport.step = simulation.stepCount();
+    model.transport.restarted = timeline_.start().step > 0;
     model.transport.time = timeline_.time();
     describeChanges(model.changes);
     model.body.vertices = report.vertices;
@@ -157,6 +158,7 @@ void SceneReadout::describeChanges(ui::ChangeList& list) const {
     }
     list.done = history.done();
     list.forgotten = history.forgotten();
+    list.recallable = timeline_.hasForgotten();
     list.bytes = history.bytes();
     list.budget = history.budget();
 }

@@ -8,8 +8,11 @@
 namespace kerf::app {
 
 bool Keyframes::wants(int step, std::size_t bytes) const {
-    const bool fits = byStep_.empty() || 2 * bytes <= kKeyframeBudget;
-    return step % spacing_ == 0 && !byStep_.contains(step) && fits;
+    return step % spacing_ == 0 && !byStep_.contains(step) && fits(bytes);
+}
+
+bool Keyframes::fits(std::size_t bytes) const {
+    return byStep_.empty() || 2 * bytes <= kKeyframeBudget;
 }
 
 void Keyframes::keep(int step, Keyframe keyframe, std::size_t bytes) {

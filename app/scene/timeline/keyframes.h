@@ -33,6 +33,8 @@ class Keyframes {
     /// Whether one is due before step `step`, for a body whose copy takes `bytes`: of a very large
     /// one only the first.
     bool wants(int step, std::size_t bytes) const;
+    /// Whether one of such a body fits beside the first.
+    bool fits(std::size_t bytes) const;
     void keep(int step, Keyframe keyframe, std::size_t bytes);
     bool empty() const { return byStep_.empty(); }
     /// The last one at or before `step`; null for none.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/scene/timeline/keyframes.h"
 #include "app/scene/timeline/session_journal.h"
 #include "app/session/simulation_driver.h"
 
@@ -13,6 +14,13 @@ struct SavedSession {
     Session session;
     /// Events that were changed or dropped, and why: one sentence; empty for none.
     std::string remark;
+};
+
+/// The state at the end of a saved session.
+struct SavedEnd {
+    Moment moment;
+    std::string hash;  ///< the state hash
+    CountStart start;
 };
 
 /// The purpose for which a session is saved.

@@ -41,6 +41,14 @@ SavedSession SceneRecorder::savedSession(const render::Camera& camera,
     return saved;
 }
 
+std::optional<SavedEnd> SceneRecorder::savedEnd() {
+    Simulation& now = body_.simulation;
+    if (now.stepCount() != stepsAsSaved() || now.blade()) {
+        return std::nullopt;
+    }
+    return SavedEnd{now.moment(), now.stateHash(), timeline_.start()};
+}
+
 Session SceneRecorder::sessionWithoutEvents(const render::Camera& camera,
                                             const render::ChosenColors& colors) const {
     const Session& opened = body_.document.session;
@@ -83,8 +91,7 @@ int SceneRecorder::stepsAsSaved() const {
 bool SceneRecorder::endsNow() const {
     const int step = body_.simulation.stepCount();
     if (const SessionPlayback* const playback = timeline_.playback()) {
-        return timeline_.hasChanged() && step > body_.document.session.steps &&
-               step == playback->steps();
+        return step > body_.document.session.steps && step == playback->steps();
     }
     return step > 0 && !isUntouched();
 }

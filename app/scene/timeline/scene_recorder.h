@@ -29,6 +29,8 @@ class SceneRecorder {
     /// view. Other documents get `camera`, unless useView() set one.
     SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors,
                               SavedAs purpose = SavedAs::session);
+    /// The state at the end of that session, if it is the present one, and no blade is placed.
+    std::optional<SavedEnd> savedEnd();
     /// The changes since the last call of the events of savedSession(), without its last check; all
     /// of them if `whole`.
     SessionChange takeChange(bool whole);

@@ -1,6 +1,7 @@
 #include "app/scene/timeline/scene_timeline.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "app/scene/timeline/hooks.h"
@@ -25,6 +26,7 @@ void SceneTimeline::startAnew() {
     playing = false;
     start_ = {};
     seekTarget_.reset();
+    undoBegins_.reset();
     body_.followPlacement();
     beginPlayback();
 }
@@ -186,15 +188,19 @@ bool SceneTimeline::play(JournalEntry& entry) {
 // --- Seeking -----------------------------------------------------------------------------------
 
 void SceneTimeline::keepKeyframe() {
+    const std::size_t bytes = snapshotBytes(body_.simulation.mesh());
+    if (keyframes_.wants(body_.simulation.stepCount(), bytes)) {
+        addKeyframe(bytes);
+    }
+}
+
+void SceneTimeline::addKeyframe(std::size_t bytes) {
     Simulation& simulation = body_.simulation;
     const int step = simulation.stepCount();
-    const std::size_t bytes = snapshotBytes(simulation.mesh());
-    if (keyframes_.wants(step, bytes)) {
-        keyframes_.keep(
-            step,
-            {simulation.moment(), journal_.commandsDone(step), body_.driver.strokePoses(), start_},
-            bytes);
-    }
+    keyframes_.keep(
+        step,
+        {simulation.moment(), journal_.commandsDone(step), body_.driver.strokePoses(), start_},
+        bytes);
 }
 
 std::optional<SceneTimeline::Jump> SceneTimeline::seek(int step) {
@@ -231,6 +237,41 @@ SceneTimeline::Jump SceneTimeline::goTo(int step, const Keyframe& keyframe) {
     return {before != keyframe.start.step};
 }
 
+/// Then also the start is kept, to seek back.
+bool SceneTimeline::goTo(const StoredEnd& end) {
+    keepKeyframe();
+    Simulation& simulation = body_.simulation;
+    if (!playback_ || !simulation.goTo(end.moment) || simulation.stateHash() != end.hash ||
+        simulation.stepCount() != playback_->steps()) {
+        simulation.reset();
+        return false;
+    }
+    body_.followPlacement();
+    start_ = {end.startStep, end.startTime};
+    journal_.goTo(simulation.stepCount(), journal_.entries().size());
+    undoBegins_ = simulation.stepCount();
+    if (const std::size_t bytes = snapshotBytes(simulation.mesh()); keyframes_.fits(bytes)) {
+        addKeyframe(bytes);
+    }
+    return true;
+}
+
+bool SceneTimeline::hasForgotten() const {
+    return undoBegins_ && body_.simulation.stepCount() >= *undoBegins_ &&
+           !body_.simulation.history().canUndo();
+}
+
+void SceneTimeline::recall() {
+    const int now = body_.simulation.stepCount();
+    if (!playback_) {
+        playPast();
+    }
+    undoBegins_.reset();
+    keyframes_.changedAt(0, std::numeric_limits<std::size_t>::max());
+    goTo(0, *keyframes_.before(0));
+    seekTarget_ = now;
+}
+
 int SceneTimeline::seekSteps() const {
     return seekTarget_ ? std::max(0, *seekTarget_ - body_.simulation.stepCount()) : 0;
 }
@@ -246,7 +287,7 @@ SceneTimeline::StepEnd SceneTimeline::endStep() {
         seekTarget_.reset();
     }
     const int step = body_.simulation.stepCount();
-    if (playback_ && step > playback_->steps() && hasChanged()) {
+    if (playback_ && step > playback_->steps()) {
         playback_->extendTo(step);
     } else if (playback_ && step == playback_->steps()) {
         return endSession();

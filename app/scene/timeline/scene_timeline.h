@@ -76,6 +76,13 @@ class SceneTimeline {
     /// Seeks to `step` of the playback, or to the last keyframe before it: seekSteps() are left to
     /// do. None if nothing was done at once.
     std::optional<Jump> seek(int step);
+    /// Goes to the stored end of the opened session. False, and at its start, if it doesn't fit.
+    bool goTo(const StoredEnd& end);
+    /// Whether what was done before a stored end could be undone only after recall().
+    bool hasForgotten() const;
+    /// Begins to play all that was done again, which brings the undo history back: seekSteps() are
+    /// left to do.
+    void recall();
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
 
@@ -94,6 +101,7 @@ class SceneTimeline {
     void beginPlayback();
     std::vector<PlayedAction> movesOnTheirWay() const;
     bool play(JournalEntry& entry);
+    void addKeyframe(std::size_t bytes);
     void tell(std::string message);
     Jump goTo(int step, const Keyframe& keyframe);
     StepEnd endSession();
@@ -105,6 +113,7 @@ class SceneTimeline {
     std::optional<SessionPlayback> playback_;
     Keyframes keyframes_;
     std::optional<int> seekTarget_;
+    std::optional<int> undoBegins_;  ///< the step of a stored end
     CountStart start_;
 };
 

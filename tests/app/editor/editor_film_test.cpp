@@ -24,8 +24,7 @@ class EditorFilmTest : public EditorTest {
                                                         std::to_string(steps) + R"(,
             "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
                        {"step": 6, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
-        editor->open(folder / "slice.kerf.json");
-        waitForWork();
+        openAtStart(folder / "slice.kerf.json");
         settle();
     }
     /// Opens the dialog and names the film.

@@ -100,6 +100,13 @@ class EditorTest : public test::GlTest {
         ASSERT_FALSE(editor->working());
         frames(1);
     }
+    /// Opens a session and goes back to its start.
+    void openAtStart(const std::filesystem::path& file) {
+        editor->open(file);
+        waitForWork();
+        settle();
+        tap(Key::r);
+    }
     void tap(Key key, const ui::Modifiers& modifiers = {}) {
         editor->post(ui::KeyChange{key, true, modifiers});
         editor->post(ui::KeyChange{key, false, {}});

@@ -208,8 +208,7 @@ TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
         "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
                    {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
                    {"step": 41, "type": "lift"}]})");
-    editor->open(folder / "slice.kerf.json");
-    waitForWork();
+    openAtStart(folder / "slice.kerf.json");
     editor->scene()->seek(20);
     settle();
     tap(Key::v);

@@ -51,8 +51,7 @@ TEST_F(EditorMemoryTest, ASessionOfSeveralModelsIsCountedAsAWhole) {
         "model": {"builtin": "sphere80"}, "more_models": [
             {"builtin": "sphere80", "placement": {"translate": [3, 0, 0]}}],
         "params": {"true_modulus": 1}, "steps": 1, "events": []})");  // as the scene of one
-    editor->open(folder / "two.kerf.json");
-    waitForWork();
+    openAtStart(folder / "two.kerf.json");
     EXPECT_TRUE(panels().toast.isError) << panels().toast.text;
     EXPECT_EQ(editor->title(), "Kerf - sphere80 - 1 piece");
 }

@@ -25,8 +25,7 @@ class EditorSessionTest : public EditorTest {
                        {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
                        {"step": 41, "type": "lift"},
                        {"step": 60, "type": "check", "hash": "0123456789abcdef"}]})");
-        editor->open(folder / "slice.kerf.json");
-        waitForWork();
+        openAtStart(folder / "slice.kerf.json");
         settle();
     }
     void goTo(int step) {
@@ -290,8 +289,7 @@ TEST_F(EditorSessionTest, TheWindowGoesOnWhileALongTestIsSavedAndCancellingLeave
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
         "steps": 1000000,
         "events": [{"step": 9, "type": "screenshot", "file": "9.png"}]})");
-    editor->open(folder / "long.kerf.json");
-    waitForWork();
+    openAtStart(folder / "long.kerf.json");
     askForTest("mine", false);
     const auto isReplaying = [&] {
         frames(1);

@@ -112,7 +112,9 @@ TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_EQ(panels().transport.step, 0);
+    EXPECT_EQ(panels().transport.time, 0);
+    EXPECT_TRUE(panels().transport.restarted);
+    EXPECT_EQ(panels().transport.step, panels().session.playback.step) << "as the time line says";
     EXPECT_EQ(panels().body.triangles, 768);
     EXPECT_TRUE((*panels().plots.history)[ui::Reading::volumePercent].empty());
 }
@@ -321,8 +323,7 @@ TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
                    {"step": 41, "type": "lift"},
                    {"step": 45, "type": "check", "pieces": 2},
                    {"step": 50, "type": "check", "hash": "0123456789abcdef"}]})");
-    editor->open(folder / "slice.kerf.json");
-    waitForWork();
+    openAtStart(folder / "slice.kerf.json");
     settle();
     const auto scrubTo = [&](double share) {
         const ui::Rect bar = editor->itemRects().at("scrubber");
@@ -529,7 +530,7 @@ TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
     EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("missing.obj"));
 }
 
-TEST_F(EditorTest, ADroppedSessionIsPlayed) {
+TEST_F(EditorTest, ADroppedSessionOpensAtItsEndAndPlaysFromItsStart) {
     test::writeText(folder / "slice.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
         "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
@@ -538,6 +539,10 @@ TEST_F(EditorTest, ADroppedSessionIsPlayed) {
                    {"step": 41, "type": "lift"}]})");
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
     waitForWork();
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
+    EXPECT_EQ(panels().session.playback.step, 60);
+    tap(Key::r);
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
     EXPECT_THAT(panels().help.hint.text, ::testing::HasSubstr("play the session"));
     tap(Key::space);
@@ -553,8 +558,7 @@ TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
         "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
         "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
                    {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
-    editor->open(folder / "slice.kerf.json");
-    waitForWork();
+    openAtStart(folder / "slice.kerf.json");
     tap(Key::space);
     frames(5);
     tap(Key::v);

@@ -1,0 +1,209 @@
+// A saved session opens where it was left off.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "app/scene/editor_scene.h"
+#include "app/scene/timeline/scene_recorder.h"
+#include "app/scene/timeline/scene_timeline.h"
+#include "app/session/session.h"
+#include "sim/run/undo/undo_history.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/support/run_kerf.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+class EditorReopenTest : public EditorTest {
+  protected:
+    EditorOptions options() override { return optionsOf("a driver"); }
+    EditorOptions optionsOf(const std::string& driver) {
+        EditorOptions options = EditorTest::options();
+        options.storedEnds = folder / "ends";
+        options.driver = driver;
+        return options;
+    }
+    EditorScene& scene() { return *editor->scene(); }
+    std::string hash() { return scene().simulation().stateHash(); }
+    bool canUndo() { return scene().simulation().history().canUndo(); }
+
+    /// Cuts a model, lets it fall, and saves a session. Returns its file.
+    std::filesystem::path saveHalves() {
+        std::filesystem::create_directory(folder / "models");
+        test::writeText(folder / "models/ball.kerf.json", R"({
+            "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+            "placement": {"scale": 0.5},
+            "params": {"gravity": [0, 0, 0], "floor": -0.6, "iterations": 4}, "steps": 10})");
+        editor->open(folder / "models/ball.kerf.json");
+        waitForWork();
+        drag(kTop, kBottom, 10);
+        settle();
+        tap(Key::space, {.shift = true});
+        frames(25);
+        tap(Key::space);
+        settle();
+        saveByKeys();
+        return onlySession();
+    }
+    std::filesystem::path onlySession() {
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+            if (entry.path().string().ends_with(kSessionEnding)) {
+                return entry.path();
+            }
+        }
+        return {};
+    }
+    void reopen(const std::filesystem::path& file, const std::string& driver = "a driver") {
+        start(optionsOf(driver));
+        editor->open(file);
+        waitForWork();
+        settle();
+        frames(1);
+    }
+    std::filesystem::path storedEnd() {
+        return std::filesystem::directory_iterator(folder / "ends")->path();
+    }
+    void expectAt(int step, const std::string& state) {
+        EXPECT_EQ(panels().session.playback.step, step);
+        EXPECT_EQ(hash(), state);
+        EXPECT_FALSE(panels().transport.playing);
+        EXPECT_THAT(editor->title(), HasSubstr("2 pieces"));
+    }
+};
+
+TEST_F(EditorReopenTest, FromItsStoredEndWithoutAStep) {
+    const auto file = saveHalves();
+    const std::string then = hash();
+    const int step = panels().session.playback.step;
+    reopen(file);
+    expectAt(step, then);
+    EXPECT_FALSE(canUndo()) << "nothing was played";
+    EXPECT_TRUE(panels().changes.recallable);
+}
+
+TEST_F(EditorReopenTest, ByPlayingWhereNoEndIsStored) {
+    const auto file = saveHalves();
+    const std::string then = hash();
+    const int step = panels().session.playback.step;
+    reopen(file, "another driver");
+    expectAt(step, then);
+    EXPECT_TRUE(canUndo());
+    EXPECT_FALSE(panels().changes.recallable);
+}
+
+TEST_F(EditorReopenTest, ByPlayingWhereTheStoredEndIsDamaged) {
+    const auto file = saveHalves();
+    const std::string then = hash();
+    const int step = panels().session.playback.step;
+    const auto size = std::filesystem::file_size(storedEnd());
+    for (const auto kept : {std::uintmax_t{10}, size / 2, size - 30}) {
+        std::filesystem::resize_file(storedEnd(), kept);
+        reopen(file);
+        expectAt(step, then);
+        EXPECT_TRUE(canUndo()) << kept;
+    }
+}
+
+TEST_F(EditorReopenTest, ASessionThatWasEditedIsPlayed) {
+    const auto file = saveHalves();
+    const int step = panels().session.playback.step;
+    std::ofstream(file, std::ios::app) << "\n";
+    reopen(file);
+    EXPECT_EQ(panels().session.playback.step, step);
+    EXPECT_TRUE(canUndo());
+}
+
+TEST_F(EditorReopenTest, UndoPlaysItFirst) {
+    const auto file = saveHalves();
+    const auto undoAll = [&] {
+        std::vector<std::string> states;
+        for (int i = 0; i < 3; ++i) {
+            tap(Key::z, {.control = true});
+            settle();
+            frames(2);
+            states.push_back(hash());
+        }
+        return states;
+    };
+    const std::vector<std::string> before = undoAll();
+    reopen(file);
+    EXPECT_EQ(undoAll(), before);
+    EXPECT_FALSE(panels().changes.recallable);
+    EXPECT_EQ(editor->title().find("2 pieces"), std::string::npos);
+}
+
+TEST_F(EditorReopenTest, TheTimeLineGoesToItsStartAndBack) {
+    const auto file = saveHalves();
+    const std::string then = hash();
+    const int step = panels().session.playback.step;
+    reopen(file);
+    const ui::Rect bar = editor->itemRects().at("scrubber");
+    moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
+    frames(1);
+    const auto goBy = [&](Key key, const ui::Modifiers& modifiers = {}) {
+        tap(key, modifiers);
+        settle();
+        frames(1);
+        return panels().session.playback.step;
+    };
+    EXPECT_EQ(goBy(Key::home), 0);
+    EXPECT_THAT(editor->title(), HasSubstr("1 piece"));
+    EXPECT_EQ(goBy(Key::right), 1);
+    EXPECT_EQ(goBy(Key::right, {.shift = true}), 11);
+    EXPECT_EQ(goBy(Key::left), 10);
+    EXPECT_EQ(goBy(Key::end), step);
+    EXPECT_EQ(hash(), then);
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    EXPECT_EQ(goBy(Key::home), step) << "elsewhere it turns the view";
+}
+
+TEST_F(EditorReopenTest, WhatIsDoneThenReplays) {
+    const auto file = saveHalves();
+    const auto expectItReplays = [&] {
+        const Document& document = scene().document();
+        const Session session =
+            scene().recorder().savedSession(document.camera, document.session.colors).session;
+        test::writeText(folder / "models/on.kerf.json", formatSession(session, folder.path()));
+        EXPECT_EQ(replayedHash(readSession(folder / "models/on.kerf.json"),
+                               {document.mesh, document.looks}),
+                  hash());
+    };
+    reopen(file);
+    const int end = panels().session.playback.steps;
+    tap(Key::space);
+    frames(10);
+    tap(Key::space);
+    settle();
+    EXPECT_GE(panels().session.playback.steps, end + 10) << "it goes on in time";
+    expectItReplays();
+    drag(kTop + Vec2(40, 0), kBottom + Vec2(-40, 0), 8);
+    settle();
+    EXPECT_THAT(editor->title(), ::testing::Not(HasSubstr("2 pieces")));
+    expectItReplays();
+}
+
+TEST_F(EditorReopenTest, ALongSessionTellsHowFarItIsAndCanBeCancelled) {
+    test::writeText(folder / "long.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 1}, "steps": 5000,
+        "events": [{"step": 2000, "type": "set", "name": "iterations", "value": 2}]})");
+    editor->open(folder / "long.kerf.json");
+    for (int i = 0; i < 4000 && panels().session.playback.step < 1000; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        frame();
+    }
+    EXPECT_TRUE(panels().transport.seeking);
+    EXPECT_THAT(panels().work.title, HasSubstr("going to step 5000"));
+    tap(Key::z, {.control = true});
+    EXPECT_LT(panels().session.playback.step, 5000);
+    click("work.cancel");
+    settle();
+    EXPECT_FALSE(panels().transport.seeking);
+    EXPECT_LT(panels().session.playback.step, 5000);
+    EXPECT_EQ(panels().session.playback.steps, 5000) << "nothing was lost";
+}
+
+}  // namespace
+}  // namespace kerf::app
