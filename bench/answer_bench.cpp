@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
+#include "app/editor/view/start_scenes.h"
 #include "app/scene/editor_scene.h"
 #include "bench/model_file.h"
 #include "gpu/context.h"
@@ -102,7 +103,7 @@ class AnswerBench {
     explicit AnswerBench(int triangles)
         : triangles_(triangles),
           file_("kerf_answer_bench", triangles),
-          editor_(options(), app::openDefaultDocument()) {}
+          editor_(options(), app::openDocument(app::findStartScene("citrus")->session())) {}
 
     void run() {
         open();

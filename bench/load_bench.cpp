@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
+#include "app/editor/view/start_scenes.h"
 #include "bench/model_file.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"
@@ -68,7 +69,7 @@ void benchLoading(int triangles) {
     options.width = kWidth;
     options.height = kHeight;
     options.quality = render::Quality::light;
-    app::Editor editor(options, app::openDefaultDocument());
+    app::Editor editor(options, app::openDocument(app::findStartScene("citrus")->session()));
     Turning turning(editor);
     sortedFrames(turning, 5);  // to warm up
     const double ordinary = sortedFrames(turning, kOrdinaryFrames)[kOrdinaryFrames / 2];

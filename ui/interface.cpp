@@ -256,6 +256,50 @@ void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>
     ImGui::End();
 }
 
+/// Texts that may hold names of people's files, in any script.
+void noteNames(const PanelModel& model, PanelContext& context) {
+    context.note(model.name);
+    context.note(model.toast.text);
+    context.note(model.question.title + model.question.text);
+    context.note(model.work.title);
+    context.note(model.files.name + model.files.problem);
+    std::ranges::for_each(model.files.rows, [&](const FileRow& row) { context.note(row.name); });
+    for (const auto* links : {&model.files.crumbs, &model.files.bookmarks}) {
+        std::ranges::for_each(*links, [&](const FolderLink& link) { context.note(link.label); });
+    }
+    for (const std::string& line : model.files.preview) {
+        context.note(line);
+    }
+    for (const std::filesystem::path& file : model.files.recent) {
+        context.note(file.native());
+    }
+    std::ranges::for_each(model.log, [&](const LogLine& line) { context.note(line.text); });
+    std::ranges::for_each(model.model.models, [&](const ModelState& m) { context.note(m.name); });
+}
+
+/// Panels, bars, and what is drawn over the view.
+void drawAroundView(const PanelModel& model, const Layout& layout, float scale,
+                    std::vector<Action>& actions) {
+    drawOverlay(model.view.overlay, scale);
+    if (model.settings.showControls) {
+        drawControls(model, layout.controls, actions);
+    }
+    if (model.settings.showReadings) {
+        drawReadings(model, layout.plots, actions);
+    }
+    drawEdges(model.settings, layout, scale, actions);
+    drawPanelsHint(model.settings, layout.view, actions);
+    if (!model.name.empty() || model.looks.showsFaulty) {
+        drawLegend(model.looks, model.display, layout.view, scale);
+        drawAxes(model.view.axes, layout.view, scale, actions);
+    }
+    if (layout.timeline.height > 0) {
+        drawTimeline(model.session, layout.timeline, actions);
+    }
+    drawStatusBar(model, layout.status);
+    drawHint(model, layout.view, actions);
+}
+
 }  // namespace
 
 Interface::Interface(Theme theme, float scale) : context_(theme, scale) {
@@ -272,6 +316,8 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     io.DisplaySize = {std::max(static_cast<float>(width), kLeastScale * kLeastWidth),
                       std::max(static_cast<float>(height), kLeastScale * kLeastHeight)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(elapsedSeconds));
+    noteNames(model, context_);
+    context_.loadNoted();
     closesPopup_ = false;
     for (const InputEvent& event : events) {
         feed(event);
@@ -291,24 +337,11 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     noteCovered(model.settings, layout);
     freeView_ = layout.view;
     timeline_ = layout.timeline;
-    drawOverlay(model.view.overlay, scale);
-    if (model.settings.showControls) {
-        drawControls(model, layout.controls, actions);
+    if (model.help.start.cards != nullptr && !model.looks.showsFaulty) {
+        startPage_.draw(model.help.start, model.files.recent, actions);
+    } else {
+        drawAroundView(model, layout, scale, actions);
     }
-    if (model.settings.showReadings) {
-        drawReadings(model, layout.plots, actions);
-    }
-    drawEdges(model.settings, layout, scale, actions);
-    drawPanelsHint(model.settings, layout.view, actions);
-    if (!model.name.empty() || model.looks.showsFaulty) {
-        drawLegend(model.looks, model.display, layout.view, scale);
-        drawAxes(model.view.axes, layout.view, scale, actions);
-    }
-    if (timed) {
-        drawTimeline(model.session, layout.timeline, actions);
-    }
-    drawStatusBar(model, layout.status);
-    drawHint(model, layout.view, actions);
     drawWork(model.work, layout.view, actions);
     drawHelp(model, actions);
     fileDialog_.draw(model.files, actions);

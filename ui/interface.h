@@ -10,6 +10,7 @@
 #include "ui/base/panel_context.h"
 #include "ui/file_dialog.h"
 #include "ui/question_box.h"
+#include "ui/start_page.h"
 #include "ui/state/action.h"
 #include "ui/state/panel_model.h"
 
@@ -62,6 +63,7 @@ class Interface {
     PanelContext context_;
     FileDialog fileDialog_;
     QuestionBox questionBox_;
+    StartPage startPage_;
     ItemRects itemRects_;
     std::vector<Rect> covered_;
     Rect freeView_;

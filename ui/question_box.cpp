@@ -1,11 +1,8 @@
 #include "ui/question_box.h"
 
-#include <glad/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <utility>
 
 #include "ui/base/item_rects.h"
@@ -39,22 +36,12 @@ bool beginInMiddle(const std::string& title, bool wanted) {
     return beginModal(title, std::min(34 * ImGui::GetFontSize(), 0.9F * display), 0, wanted);
 }
 
-gpu::Texture textureOf(const render::Image& image) {
-    gpu::Texture texture(GL_RGBA8, image.width, image.height);
-    glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                        image.pixels.data());
-    return texture;
-}
-
 }  // namespace
 
 void QuestionBox::drawPicture() {
     const float most = ImGui::GetContentRegionAvail().x;
-    const auto width = static_cast<float>(picture_.width());
-    const auto height = static_cast<float>(picture_.height());
-    const float scale = std::min(1.0F, most / width);
-    ImGui::Image(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.id())),
-                 {scale * width, scale * height});
+    const float scale = std::min(1.0F, most / picture_.width());
+    ImGui::Image(picture_.id(), {scale * picture_.width(), scale * picture_.height()});
     noteItem("question.picture");
     ImGui::Spacing();
 }
@@ -73,7 +60,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
         return;
     }
     if (justOpened) {
-        picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
+        picture_ = question.picture ? Picture(*question.picture) : Picture();
         ImGui::OpenPopup(kQuestionWindow);
     }
     aside_ = question.aside;
@@ -84,7 +71,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     const ImVec2 at = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     place_ = {at.x, at.y, size.x, size.y};
-    if (picture_.id() != 0) {
+    if (picture_) {
         drawPicture();
     }
     ImGui::PushTextWrapPos(0);

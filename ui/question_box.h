@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gpu/framebuffer.h"
-#include "render/scene/image.h"
 #include "ui/base/layout.h"
+#include "ui/base/picture.h"
 #include "ui/state/action.h"
 #include "ui/state/question.h"
 
@@ -25,7 +24,7 @@ class QuestionBox {
   private:
     void drawPicture();
 
-    gpu::Texture picture_;
+    Picture picture_;
     bool open_ = false;
     bool aside_ = false;
     Rect place_;  ///< of the last box [px]

@@ -185,6 +185,8 @@ Editor::Editor(const EditorOptions& options, std::optional<Document> document)
     : state_(std::make_unique<State>(options)) {
     if (document) {
         state_->show(UploadedDocument(prepareDocument(std::move(*document))));
+    } else {
+        state_->panels.startOpen = true;
     }
     if (!options.notice.empty()) {
         state_->toast.show(options.notice, true);
@@ -213,6 +215,17 @@ void Editor::setScale(float scale) {
     }
 }
 
+void Editor::keepPlace(const ui::WindowPlace& place) {
+    SettingsFile& settings = state_->panels.settings;
+    if (!settings.problem().empty()) {
+        return;  // What can't be read is the user's to mend.
+    }
+    settings.now.place = place;
+    if (const std::string problem = settings.save(); !problem.empty()) {
+        spdlog::error("{}", problem);
+    }
+}
+
 void Editor::frame(double elapsedSeconds) {
     State& s = *state_;
     s.sparingly([&] { s.makePicture(elapsedSeconds); });
@@ -238,6 +251,9 @@ void Editor::State::makePicture(double elapsedSeconds) {
     s.followFiles();
     if (s.scene != nullptr) {
         s.sceneHistory.follow(s.scene.meanwhile().history());
+    }
+    if (s.scene == nullptr && s.work.opening() == nullptr && !s.view.faulty && !s.panels.asked) {
+        s.panels.startOpen = true;
     }
     if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
         s.redraw.panels();
@@ -343,6 +359,7 @@ EditorScene* Editor::scene() {
 }
 
 void Editor::open(const std::filesystem::path& file) {
+    state_->panels.startOpen = false;
     state_->open(file);
 }
 

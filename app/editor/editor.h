@@ -35,6 +35,8 @@ class Editor {
     void resize(int width, int height);
     /// Changes the scale of the display, when the window moves to another one; 1 = 96 dpi.
     void setScale(float scale);
+    /// Keeps the place of the window in the settings, when it closes.
+    void keepPlace(const ui::WindowPlace& place);
     /// Makes one frame, `elapsedSeconds` after the previous one.
     void frame(double elapsedSeconds);
     /// Continues the scene's work, if no frame is due before it is done. False if one is, or

@@ -34,11 +34,27 @@ void stopTools(State& s) {
     s.redraw.scene();
 }
 
+/// A scene that is open waits behind it.
+void showStart(State& s) {
+    if (s.scene != nullptr) {
+        if (s.view.holds()) {
+            stopTools(s);
+        }
+        s.scene.meanwhile().playing() = false;
+    }
+    s.hideFaulty();
+    s.chooser.lookForRecent();
+    s.panels.startOpen = true;
+    s.redraw.scene();
+}
+
 void cancel(State& s) {
     if (s.panels.helpOpen) {
         s.panels.helpOpen = false;
     } else if (s.view.faulty) {
         s.hideFaulty();
+    } else if (s.panels.startOpen && s.scene != nullptr && s.work.opening() == nullptr) {
+        s.panels.startOpen = false;
     } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
         s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
@@ -267,6 +283,7 @@ using ui::DisplaySettings;
 using ui::FilePurpose;
 
 constexpr std::array kOtherHandlers{
+    Handler{ActionId::newScene, Needs::nothing, showStart},
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::addModel, Needs::scene,
             [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
@@ -416,10 +433,10 @@ void placeBox(State& s) {
 
 void perform(State& s, ActionId id) {
     const Needs needs = handlerOf(id).needs;
-    if (needs == Needs::nothing || s.scene != nullptr) {
+    if (needs == Needs::nothing) {
         handlerOf(id).perform(s);
-    }
-    if (needs != Needs::nothing && s.scene != nullptr) {
+    } else if (s.scene != nullptr && !s.panels.startOpen) {
+        handlerOf(id).perform(s);
         s.redraw.scene();
     }
 }
@@ -453,6 +470,7 @@ struct Answer {
             s.open(std::move(order));
         });
     }
+    void operator()(const ui::OpenStartScene& wanted) const { s.openStartScene(wanted.name); }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
     template <class OnBody>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
+#include "app/editor/view/start_scenes.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "sim/base/text.h"
@@ -141,6 +142,18 @@ void Editor::State::open(OpeningOrder order, const Mending& mending) {
     work.open(std::move(order), mending);
 }
 
+void Editor::State::openStartScene(const std::string& name) {
+    const StartScene* const wanted = findStartScene(name);
+    if (wanted == nullptr) {
+        return;
+    }
+    OpeningOrder order = orderOf(wanted->session());
+    order.title = std::string("Opening ") + wanted->title;
+    order.file.clear();  // none of the recent files
+    order.shown = [this, wanted] { guide.suggest(wanted->tip); };
+    askBefore("Open " + std::string(wanted->title), [this, order] { open(order); });
+}
+
 void Editor::State::removeModel(int model) {
     Session start = scene->body().start();
     takeModelOut(start, model);
@@ -164,6 +177,7 @@ void Editor::State::show(UploadedDocument uploaded) {
     keeping.begin();
     view.begin(*scene);
     beginScene();
+    panels.startOpen = false;
     if (scene->document().guess && !scene->document().guess->certain) {
         panels.unfold("model");  // The guess is a question, too.
     }

@@ -106,6 +106,8 @@ struct Editor::State {
     /// Opens a file after a question about unsaved work. A material is applied at once.
     void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, const Mending& mending = {});
+    /// Opens a scene of the start page, after a question about unsaved work.
+    void openStartScene(const std::string& name);
     void removeModel(int model);
     void show(UploadedDocument uploaded);
     /// Called after another scene was opened.

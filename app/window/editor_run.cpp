@@ -28,31 +28,14 @@ bool isThere(const std::filesystem::path& file) {
     return std::filesystem::is_regular_file(file, error);
 }
 
-/// A large model and a session, which goes to its end, are opened in the window, where their
-/// progress is seen.
-bool takesLong(const std::filesystem::path& file) {
-    constexpr std::uintmax_t kLarge = 8'000'000;  // [bytes]
-    if (file.string().ends_with(kSessionEnding)) {
-        return isThere(file);
-    }
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    return !error && size > kLarge;
-}
-
-/// The document of the command line, or the default one; without that the editor opens empty.
+/// The document of the command line; without one the editor begins with the start page.
 std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
-    if (file) {
-        Document document = openDocument(*file, editorReading(memoryMeans()));
-        RecentFiles(recentFilesStore()).add(*file);
-        return document;
-    }
-    try {
-        return openDefaultDocument();
-    } catch (const InputError& error) {
-        spdlog::warn("{}", error.what());
+    if (!file) {
         return std::nullopt;
     }
+    Document document = openDocument(*file, editorReading(memoryMeans()));
+    RecentFiles(recentFilesStore()).add(*file);
+    return document;
 }
 
 EditorOptions optionsFor(const Window& window) {
@@ -99,7 +82,7 @@ void runLoop(Window& window, Editor& editor) {
 void openWindow(std::optional<Document> document,
                 const std::optional<std::filesystem::path>& stillToOpen,
                 const std::string& notice = "") {
-    Window window("Kerf");
+    Window window("Kerf", SettingsFile(defaultSettingsFile()).now.place);
     gpu::ProgramBinaries::ours() = {gpu::programBinariesFolder(), KERF_VERSION};
     EditorOptions options = optionsFor(window);
     options.notice = notice;
@@ -109,11 +92,12 @@ void openWindow(std::optional<Document> document,
     }
     window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
     runLoop(window, editor);
+    editor.keepPlace(window.place());
     window.onInput(nullptr);
 }
 
-/// The same, and again where the driver is reset meanwhile: the new window opens `file`, or the
-/// default, and offers what the journal has kept of the work. Throws gpu::ContextLost where resets
+/// The same, and again where the driver is reset meanwhile: the new window opens `file`, and
+/// offers what the journal has kept of the work. Throws gpu::ContextLost where resets
 /// follow each other fast.
 void openThroughResets(std::optional<Document> document,
                        std::optional<std::filesystem::path> stillToOpen,
@@ -131,7 +115,7 @@ void openThroughResets(std::optional<Document> document,
                 throw;
             }
             notice = "The graphics driver was reset. Kerf has begun anew, and offers what it kept.";
-            document = file ? std::nullopt : firstDocument(std::nullopt);
+            document.reset();
             stillToOpen = file;
         }
     }

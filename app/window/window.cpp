@@ -1,16 +1,20 @@
 #include "app/window/window.h"
 
+#include <dlfcn.h>
 #include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
+#include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <spdlog/spdlog.h>
 
 #include "app/files/io/file_io.h"
+#include "app/window/monitor.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
 
@@ -32,6 +36,38 @@ std::string lastGlfwError() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text != nullptr ? text : "no reason given";
+}
+
+std::vector<Monitor> monitorsNow() {
+    int count = 0;
+    GLFWmonitor** const all = glfwGetMonitors(&count);
+    std::vector<Monitor> monitors;
+    for (int i = 0; i < count; ++i) {
+        Monitor monitor;
+        glfwGetMonitorPos(all[i], &monitor.x, &monitor.y);
+        glfwGetMonitorPhysicalSize(all[i], &monitor.wide, &monitor.high);
+        if (const GLFWvidmode* const mode = glfwGetVideoMode(all[i])) {
+            monitor.width = mode->width;
+            monitor.height = mode->height;
+            monitors.push_back(monitor);
+        }
+    }
+    return monitors;
+}
+
+/// Whether the desktop names a scale, which GLFW reports: on X by the resource Xft.dpi. The
+/// functions are those of the libraries that GLFW has loaded; it may be built without X.
+bool namesScale() {
+    using GetDisplay = void* (*)();
+    using GetResources = const char* (*)(void*);
+    const auto display = reinterpret_cast<GetDisplay>(dlsym(RTLD_DEFAULT, "glfwGetX11Display"));
+    const auto resources =
+        reinterpret_cast<GetResources>(dlsym(RTLD_DEFAULT, "XResourceManagerString"));
+    if (display == nullptr || resources == nullptr || display() == nullptr) {
+        return true;
+    }
+    const char* const text = resources(display());
+    return text != nullptr && std::strstr(text, "Xft.dpi") != nullptr;
 }
 
 [[noreturn]] void failToOpen(const std::string& reason) {
@@ -103,6 +139,9 @@ struct Window::State {
     ui::Modifiers modifiers;  ///< as of the last event that told them
     std::array<GLFWcursor*, ui::kCursors> cursors{};
     ui::Cursor cursor = ui::Cursor::arrow;  ///< that is shown
+    ui::WindowPlace place;                  ///< the last one that was not maximized
+    bool scaleNamed = true;                 ///< see namesScale()
+    float ownScale = 1;                     ///< of the monitor, where it is not
 
     static State& of(GLFWwindow* window) {
         return *static_cast<State*>(glfwGetWindowUserPointer(window));
@@ -122,8 +161,10 @@ struct Window::State {
     static void onFocus(GLFWwindow* window, int focused);
     static void onRefresh(GLFWwindow* window);
     static void onResize(GLFWwindow* window, int width, int height);
+    static void onPlace(GLFWwindow* window, int x, int y);
 
-    void open(const std::string& name);
+    void open(const std::string& name, const ui::WindowPlace& former);
+    void followPlace();
     void prepareContext() const;
     void connect();
 };
@@ -191,20 +232,45 @@ void Window::State::onRefresh(GLFWwindow* window) {
 
 void Window::State::onResize(GLFWwindow* window, int /*width*/, int /*height*/) {
     of(window).damaged = true;
+    of(window).followPlace();
 }
 
-void Window::State::open(const std::string& name) {
+void Window::State::onPlace(GLFWwindow* window, int /*x*/, int /*y*/) {
+    of(window).followPlace();
+}
+
+void Window::State::followPlace() {
+    place.maximized = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
+    ui::WindowPlace now{.maximized = place.maximized};
+    glfwGetWindowPos(window, &now.x, &now.y);
+    glfwGetWindowSize(window, &now.width, &now.height);
+    for (const Monitor& monitor : monitorsNow()) {
+        ownScale = isReachable(now, {&monitor, 1}) ? scaleOf(monitor) : ownScale;
+    }
+    if (!now.maximized && glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_FALSE) {
+        place = now;
+    }
+}
+
+void Window::State::open(const std::string& name, const ui::WindowPlace& former) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, gpu::kNeededMajor);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, gpu::kNeededMinor);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     // The picture is drawn off-screen: the window needs neither depth nor samples of its own.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where it is offered
-    int width = kPreferredWidth;
-    int height = kPreferredHeight;
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    const std::vector<Monitor> monitors = monitorsNow();
+    scaleNamed = namesScale();
+    ownScale = monitors.empty() ? 1 : scaleOf(monitors.front());
+    float scale = ownScale;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr && scaleNamed) {
+        glfwGetMonitorContentScale(monitor, &scale, nullptr);
+    }
+    const bool placed = isReachable(former, monitors);
+    int width = placed ? former.width : static_cast<int>(kPreferredWidth * scale);
+    int height = placed ? former.height : static_cast<int>(kPreferredHeight * scale);
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr && !placed) {
         int x = 0;
         int y = 0;
         int areaWidth = 0;
@@ -213,12 +279,19 @@ void Window::State::open(const std::string& name) {
         width = areaWidth > 0 ? std::min(width, areaWidth) : width;
         height = areaHeight > 0 ? std::min(height, areaHeight) : height;
     }
+    glfwWindowHint(GLFW_VISIBLE, placed ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, placed && former.maximized ? GLFW_TRUE : GLFW_FALSE);
     window = glfwCreateWindow(width, height, name.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         failToOpen(lastGlfwError());
     }
     glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
+    if (placed) {
+        place = former;
+        glfwSetWindowPos(window, former.x, former.y);
+        glfwShowWindow(window);
+    }
     title = name;
     try {
         render::Image icon = windowIcon();
@@ -249,13 +322,16 @@ void Window::State::connect() {
     glfwSetWindowFocusCallback(window, onFocus);
     glfwSetWindowRefreshCallback(window, onRefresh);
     glfwSetFramebufferSizeCallback(window, onResize);
+    glfwSetWindowPosCallback(window, onPlace);
+    followPlace();
 }
 
 render::Image windowIcon() {
     return readPicture(gpu::dataPath("assets/window/icon.png"));
 }
 
-Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
+Window::Window(const std::string& title, const ui::WindowPlace& former)
+    : state_(std::make_unique<State>()) {
     if (gpu::isContextForbidden()) {
         failToOpen("KERF_FORCE_NO_GL is set");
     }
@@ -263,7 +339,7 @@ Window::Window(const std::string& title) : state_(std::make_unique<State>()) {
         failToOpen(lastGlfwError());
     }
     try {
-        state_->open(title);
+        state_->open(title, former);
         state_->prepareContext();
         state_->connect();
     } catch (...) {
@@ -293,9 +369,15 @@ int Window::height() const {
 }
 
 float Window::scale() const {
-    float scale = 1;
-    glfwGetWindowContentScale(state_->window, &scale, nullptr);
+    float scale = state_->ownScale;
+    if (state_->scaleNamed) {
+        glfwGetWindowContentScale(state_->window, &scale, nullptr);
+    }
     return std::clamp(scale, 0.5F, 4.0F);
+}
+
+const ui::WindowPlace& Window::place() const {
+    return state_->place;
 }
 
 void Window::setTitle(const std::string& title) {

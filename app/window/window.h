@@ -10,6 +10,7 @@
 #include "render/scene/image.h"
 #include "ui/base/cursor.h"
 #include "ui/base/input.h"
+#include "ui/base/settings.h"
 
 namespace kerf::app {
 
@@ -21,9 +22,9 @@ render::Image windowIcon();
 /// only forwards input to a function, and shows finished frames. One at a time.
 class Window {
   public:
-    /// Uses the screen's work area up to 1600 x 900. Throws gpu::ContextError without a window or
-    /// OpenGL 4.5.
-    explicit Window(const std::string& title);
+    /// Takes its former place if that is still on a monitor, otherwise the work area up to 1600 x
+    /// 900 at scale 1. Throws gpu::ContextError without a window or OpenGL 4.5.
+    explicit Window(const std::string& title, const ui::WindowPlace& former = {});
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -34,8 +35,11 @@ class Window {
     int width() const;
     /// Height of the picture [px]; 0 while the window is hidden.
     int height() const;
-    /// Scale of the display, 1 = 96 dpi.
+    /// Scale of the display, 1 = 96 dpi: as the desktop names it, otherwise by scaleOf() the
+    /// monitor.
     float scale() const;
+    /// The present place, for the next start.
+    const ui::WindowPlace& place() const;
 
     void setTitle(const std::string& title);
     void setCursor(ui::Cursor cursor);

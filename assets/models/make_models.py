@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""Makes Kerf's five builtin models. Needs Debian's python3 and python3-numpy, nothing else.
+"""Makes Kerf's models. Needs Debian's python3 and python3-numpy, nothing else.
 
     /usr/bin/python3 assets/models/make_models.py [FOLDER [NAME...]]
 
-writes sphere20.obj, sphere80.obj, sphere768.obj, banana.obj and octopus.obj (or those named) into
-FOLDER (default: the folder of this script) and prints a line of figures for each. The result is the same, byte for
-byte, each time: array arithmetic is limited to + - * / and sqrt, and there is no randomness.
+writes those of MODELS (or those named) into FOLDER (default: the folder of this script) and prints
+a line of figures for each. The result is the same, byte for byte, each time: array arithmetic is
+limited to + - * / and sqrt, and there is no randomness.
 
-The spheres are written down directly. Banana and octopus are described by an implicit function
-(negative inside), contoured by marching tetrahedra and remeshed to even triangles on that surface.
-Lengths in metres, +y up.
+Spheres, orange and cloth are written down directly. The others are described by an implicit
+function (negative inside), contoured by marching tetrahedra and remeshed to even triangles on that
+surface. Lengths in metres, +y up.
 """
 
 import math
@@ -560,6 +560,165 @@ def octopus():
     return Remesher(project(shape, points), faces, shape, OCTOPUS_EDGE).run()
 
 
+# ---------------------------------------------------------------- scenes of the start page
+
+ORANGE_RADIUS = 0.04
+ORANGE_PARTS = 11
+
+
+def geodesic(parts):
+    """A ball of radius 1: an icosahedron with `parts` edges along each of its own."""
+    corners, faces = icosahedron()
+    index, points, finer = {}, [], []
+
+    def vertex(*shares):
+        key = tuple(sorted((corner, share) for corner, share in shares if share > 0))
+        if key not in index:
+            index[key] = len(points)
+            points.append(sum(share * corners[corner] for corner, share in key))
+        return index[key]
+
+    for a, b, c in faces:
+        def at(i, j):
+            return vertex((a, parts - i - j), (b, i), (c, j))
+        for i in range(parts):
+            for j in range(parts - i):
+                finer.append((at(i, j), at(i + 1, j), at(i, j + 1)))
+                if i + j < parts - 1:
+                    finer.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
+    return on_sphere(points, 1.0), finer
+
+
+def orange():
+    """A ball, a little flattened, with a dimple where the stalk was."""
+    points, faces = geodesic(ORANGE_PARTS)
+    x, y, z = points.T
+    away = np.minimum((x * x + z * z) / 0.07, 1)
+    dimple = np.where(y > 0, 0.09, 0.03) * (1 - away) ** 2
+    return ORANGE_RADIUS * np.stack([x, y * (0.94 - dimple), z], axis=-1), faces
+
+
+def ellipsoid(points, centre, radii):
+    """(value, gradient); the value is a distance to first order."""
+    scaled = (points - np.array(centre)) / np.array(radii)
+    slope = scaled / np.array(radii)
+    size, steepness = length(scaled), np.maximum(length(slope), 1e-9)
+    return size * (size - 1) / steepness, slope / steepness[:, None]
+
+
+def remeshed(shape, low, high, step, edge):
+    points, faces = contour(shape, low, high, step)
+    return Remesher(project(shape, points), faces, shape, edge).run()
+
+
+# Centres and radii [m] of the right, the middle and the left lobe, which lie on a table.
+LIVER_LOBES = [((-0.040, 0.0, 0.004), (0.075, 0.036, 0.066)),
+               ((0.018, 0.0, -0.010), (0.066, 0.031, 0.050)),
+               ((0.075, -0.004, -0.016), (0.056, 0.020, 0.036))]
+LIVER_NOTCH = ((0.034, -0.012, 0.054), (0.006, 0.040, 0.030))
+
+
+def liver_shape(points):
+    value = ellipsoid(points, *LIVER_LOBES[0])
+    for lobe in LIVER_LOBES[1:]:
+        value = smooth_union(value, ellipsoid(points, *lobe), 0.03)
+    f, g = value
+    up = np.tile(np.array([0.0, 1.0, 0.0]), (len(points), 1))
+    # Without what lies below the table, and without the notch: the union of what is outside.
+    outside = smooth_union((-f, -g), (points[:, 1] + 0.018, up), 0.016)
+    outside = smooth_union(outside, ellipsoid(points, *LIVER_NOTCH), 0.014)
+    return -outside[0], -outside[1]
+
+
+def liver():
+    return remeshed(liver_shape, (-0.13, -0.04, -0.09), (0.15, 0.05, 0.09), 0.005, 0.0056)
+
+
+JELLY_HALF, JELLY_ROUND, JELLY_EDGE = 0.035, 0.009, 0.0041
+
+
+def jelly_shape(points):
+    """A cube with rounded edges."""
+    out = np.abs(points) - (JELLY_HALF - JELLY_ROUND)
+    most = out.max(axis=1)
+    beyond = np.maximum(out, 0)
+    flat = np.where(out == most[:, None], 1.0, 0.0)
+    direction = np.where((most > 0)[:, None], unit(beyond), flat)
+    value = np.where(most > 0, length(beyond), most) - JELLY_ROUND
+    return value, direction * np.where(points < 0, -1.0, 1.0)
+
+
+def jelly():
+    reach = 1.3 * JELLY_HALF
+    return remeshed(jelly_shape, [-reach] * 3, [reach] * 3, JELLY_EDGE, JELLY_EDGE)
+
+
+EGG_HEIGHT, EGG_RADIUS, EGG_WALL, EGG_EDGE = 0.044, 0.033, 0.006, 0.0036
+
+
+def egg_shape(inset):
+    """The surface of an egg that lies this much within its shell [m]."""
+    tall, wide = EGG_HEIGHT - inset, EGG_RADIUS - inset
+
+    def shape(points):
+        x, y, z = points.T
+        lean = 1 - 0.16 * y / tall
+        round_ = x * x + z * z
+        f = round_ / (wide * lean) ** 2 + (y / tall) ** 2 - 1
+        across = 2 / (wide * lean) ** 2
+        along = 2 * y / tall ** 2 + across * round_ * 0.16 / (tall * lean)
+        g = np.stack([x * across, along, z * across], axis=-1)
+        steep = np.maximum(length(g), 1 / tall)
+        return f / steep, g / steep[:, None]
+
+    return shape
+
+
+def egg():
+    """Hollow: a second surface inside, which faces the hollow."""
+    points, faces = [], []
+    for inset in (0, EGG_WALL):
+        more, around = remeshed(egg_shape(inset), (-0.05,) * 3, (0.05,) * 3, EGG_EDGE, EGG_EDGE)
+        faces += [tuple(len(points) + v for v in (face if inset == 0 else face[::-1]))
+                  for face in around]
+        points += list(more)
+    return np.array(points), faces
+
+
+CLOTH_SIDE, CLOTH_THICKNESS, CLOTH_CELLS = 0.30, 0.005, 32
+
+
+def cloth():
+    """A square sheet with a thickness, of rows of triangles that are nearly equilateral."""
+    rows = CLOTH_CELLS + 4  # lower than wide
+    grid, quads, rim = [], [], []
+    for r in range(rows + 1):
+        shift = 0.5 if r % 2 else 0.0
+        row = [0.0] + [c + shift for c in range(1 - r % 2, CLOTH_CELLS)] + [float(CLOTH_CELLS)]
+        row = sorted(set(row))
+        grid.append([(c / CLOTH_CELLS - 0.5, r / rows - 0.5) for c in row])
+    first = [sum(len(row) for row in grid[:r]) for r in range(rows + 2)]
+    count = first[-1]
+    for r in range(rows):
+        a, b = 0, 0  # along this row and the next
+        while a < len(grid[r]) - 1 or b < len(grid[r + 1]) - 1:
+            ahead = a < len(grid[r]) - 1 and (
+                b == len(grid[r + 1]) - 1 or grid[r][a + 1][0] <= grid[r + 1][b + 1][0])
+            third = first[r] + a + 1 if ahead else first[r + 1] + b + 1
+            quads.append((first[r] + a, first[r + 1] + b, third))
+            a, b = (a + 1, b) if ahead else (a, b + 1)
+    last = [first[r] + len(grid[r]) - 1 for r in range(rows + 1)]
+    rim = (list(range(first[0], last[0])) + last[:-1] + list(range(last[rows], first[rows], -1))
+           + first[rows:0:-1])
+    flat = [p for row in grid for p in row]
+    points = [(CLOTH_SIDE * u, y * CLOTH_THICKNESS / 2, CLOTH_SIDE * w) for y in (1, -1)
+              for u, w in flat]
+    faces = quads + [(b + count, a + count, c + count) for a, b, c in quads]
+    for a, b in zip(rim, rim[1:] + rim[:1]):
+        faces += [(a, b, b + count), (a, b + count, a + count)]
+    return np.array(points), faces
+
+
 # ---------------------------------------------------------------- output
 
 def centred(points):
@@ -599,11 +758,13 @@ def make(name):
         return on_sphere(points), faces
     if name == "sphere768":
         return cube_sphere(8)
-    points, faces = banana() if name == "banana" else octopus()
+    points, faces = SHAPES[name]()
     return centred(points), faces
 
 
-MODELS = ["sphere20", "sphere80", "sphere768", "banana", "octopus"]
+SHAPES = {"banana": banana, "octopus": octopus, "orange": orange, "liver": liver, "jelly": jelly,
+          "egg": egg, "cloth": cloth}
+MODELS = ["sphere20", "sphere80", "sphere768", *SHAPES]
 
 
 def main():

@@ -7,6 +7,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/storage/settings_file.h"
+#include "app/editor/view/start_scenes.h"
 #include "app/files/io/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
@@ -191,7 +192,8 @@ void takePlots(const Look& look, const std::filesystem::path& folder) {
 
 /// What a newcomer sees first.
 void takeFirstMinute(const Look& look, const std::filesystem::path& folder) {
-    Photographer window(look, {}, folder, app::openDefaultDocument());
+    Photographer window(look, {}, folder,
+                        app::openDocument(app::findStartScene("citrus")->session()));
     window.takeWindow("first");
     window.drag({0.5, 0.4}, {0.5, 0.6});
     window.takeWindow("incision");
@@ -210,7 +212,8 @@ void takeFirstMinute(const Look& look, const std::filesystem::path& folder) {
 void takeDialogs(const Look& look, const std::filesystem::path& folder) {
     ui::Settings settings;
     settings.folded = {"experiments", "simulation"};
-    Photographer window(look, settings, folder, app::openDefaultDocument());
+    Photographer window(look, settings, folder,
+                        app::openDocument(app::findStartScene("citrus")->session()));
     window.takeControls("display");
     window.tap(ui::Key::g);
     window.takeWindow("guillotine");

@@ -14,7 +14,7 @@ PanelContext::PanelContext(Theme theme, float scale)
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     applyTheme(theme, scale);
-    loadFont(scale);
+    loadFont(scale, letters_);
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
         ImGui::DestroyContext(context_);
         throw std::runtime_error("the interface cannot use this OpenGL driver: update it");
@@ -42,10 +42,22 @@ void PanelContext::restyle(Theme theme, float scale) {
     makeCurrent();
     applyTheme(theme, scale);
     if (otherSize) {
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        loadFont(scale);
-        ImGui_ImplOpenGL3_CreateFontsTexture();
+        reloadFont();
     }
+}
+
+void PanelContext::loadNoted() {
+    if (letters_.wanted()) {
+        reloadFont();
+    }
+}
+
+void PanelContext::reloadFont() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    do {
+        loadFont(scale_, letters_);
+    } while (letters_.findMore(*ImGui::GetIO().Fonts));
+    ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 }  // namespace kerf::ui

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string_view>
+
+#include "ui/base/further_letters.h"
 #include "ui/base/theme.h"
 
 struct ImGuiContext;
@@ -21,8 +24,15 @@ class PanelContext {
     /// Changes theme and scale from the next update on, at no cost if nothing changes.
     void restyle(Theme theme, float scale);
     float scale() const { return scale_; }
+    /// Notes the letters of a text that is to be drawn.
+    void note(std::string_view text) { letters_.note(text); }
+    /// Loads noted letters that the font lacks; call it before a frame begins.
+    void loadNoted();
 
   private:
+    void reloadFont();
+
+    FurtherLetters letters_;
     ImGuiContext* context_ = nullptr;
     Theme theme_ = Theme::dark;
     float scale_ = 1;

@@ -8,6 +8,17 @@
 
 namespace kerf::ui {
 
+/// Where the window is on the desktop [px]; unknown without a width. Maximized, it is the place
+/// before.
+struct WindowPlace {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    bool maximized = false;
+    bool operator==(const WindowPlace&) const = default;
+};
+
 /// The user's preferences for the window: kept in a file by the editor
 /// (app/editor/storage/settings_file.h), never part of a session. Lengths hold at scale 1 (96 dpi).
 struct Settings {
@@ -16,6 +27,7 @@ struct Settings {
 
     Theme theme = Theme::dark;
     MouseScheme mouse = MouseScheme::kerf;
+    WindowPlace place;
     double uiScale = 1;  ///< over the display's own
     bool showControls = true;
     bool showReadings = true;
@@ -36,6 +48,6 @@ struct Settings {
 };
 
 /// Scales to choose from.
-inline constexpr double kUiScales[] = {0.75, 1, 1.25, 1.5, 2};
+inline constexpr double kUiScales[] = {0.75, 1, 1.25, 1.5, 2, 2.5, 3, 4};
 
 }  // namespace kerf::ui

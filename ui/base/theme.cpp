@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "gpu/data_path.h"
+#include "ui/base/further_letters.h"
 
 namespace kerf::ui {
 namespace {
 
 constexpr const char* kSystemFont = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontPixels = 15;
+constexpr float kHeadingPixels = 24;
 
 constexpr Palette kDark{
     .hues = {IM_COL32(86, 180, 233, 255), IM_COL32(230, 159, 0, 255), IM_COL32(0, 176, 128, 255),
@@ -175,11 +177,12 @@ void applyTheme(Theme theme, float scale) {
     style.ScaleAllSizes(scale);
 }
 
-void loadFont(float scale) {
+void loadFont(float scale, FurtherLetters& letters) {
     // Latin, Greek (for micro), general punctuation, arrows and geometric shapes.
     static constexpr ImWchar kRanges[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010,
                                           0x2044, 0x2190, 0x21FF, 0x2212, 0x2212,
                                           0x2248, 0x2265, 0x25A0, 0x25FF, 0};
+    static constexpr ImWchar kHeadingRanges[] = {0x0020, 0x007E, 0};
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     const std::filesystem::path font = fontFile();
@@ -187,12 +190,18 @@ void loadFont(float scale) {
         ImFontConfig config;
         config.OversampleH = 2;
         atlas.AddFontFromFileTTF(font.c_str(), kFontPixels * scale, &config, kRanges);
+        letters.merge(atlas, font, kFontPixels * scale);
+        atlas.AddFontFromFileTTF(font.c_str(), kHeadingPixels * scale, nullptr, kHeadingRanges);
         return;
     }
     spdlog::warn("{} is missing: install fonts-dejavu-core for a legible interface", kSystemFont);
     ImFontConfig config;
     config.SizePixels = 13 * scale;
     atlas.AddFontDefault(&config);
+}
+
+ImFont* headingFont() {
+    return ImGui::GetIO().Fonts->Fonts.back();
 }
 
 }  // namespace kerf::ui

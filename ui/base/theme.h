@@ -6,6 +6,8 @@
 
 namespace kerf::ui {
 
+class FurtherLetters;
+
 /// The two looks of the window.
 enum class Theme { dark, light };
 
@@ -44,7 +46,9 @@ void applyTheme(Theme theme, float scale);
 void usePalette(Theme theme);
 
 /// Loads DejaVu Sans (that of the archive, or of Debian's fonts-dejavu-core) at 15 px times
-/// `scale`, or ImGui's bitmap font if it is missing, which is logged.
-void loadFont(float scale);
+/// `scale`, or ImGui's bitmap font if it is missing, which is logged; and further letters.
+void loadFont(float scale, FurtherLetters& letters);
+/// The larger font of headings, of basic Latin letters.
+ImFont* headingFont();
 
 }  // namespace kerf::ui

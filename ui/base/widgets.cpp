@@ -28,7 +28,8 @@ std::string_view withoutLast(std::string_view text) {
     return text;
 }
 
-/// The text with dots where something is left out; nothing at all where not even that has room.
+}  // namespace
+
 std::string shortenedTo(float width, std::string_view text) {
     std::string shown(text);
     while (!text.empty() && widthOf(shown) > width) {
@@ -37,8 +38,6 @@ std::string shortenedTo(float width, std::string_view text) {
     }
     return shown;
 }
-
-}  // namespace
 
 void beginPanel(const char* name, const Rect& rect, bool withMenu) {
     ImGui::SetNextWindowPos({rect.x, rect.y});

@@ -45,6 +45,9 @@ void placePopupBelowItem();
 /// The width of a button with this text [px].
 float buttonWidth(std::string_view label);
 
+/// The text with an ellipsis at its end if it is wider than `width` [px]; "" if not even that fits.
+std::string shortenedTo(float width, std::string_view text);
+
 /// Draws a text at the right end of the line or the table's cell.
 void textRight(std::string_view text);
 

@@ -102,6 +102,10 @@ struct ExportMeasures {};
 struct OpenExperiment {
     std::string name;
 };
+/// Opens a scene of the start page, by StartCard::name.
+struct OpenStartScene {
+    std::string name;
+};
 /// The pointer hovers over a row of the piece list, -1 for none.
 struct HoverPiece {
     int piece = -1;
@@ -123,7 +127,7 @@ using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
                  PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial, SaveMaterial, PlaceBox,
                  ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
-                 RemoveMeasure, ExportMeasures, OpenExperiment, HoverPiece, FramePiece, ShowPiece,
-                 ExportPieces, AnswerQuestion, FileAction>;
+                 RemoveMeasure, ExportMeasures, OpenExperiment, OpenStartScene, HoverPiece,
+                 FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

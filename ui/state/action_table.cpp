@@ -36,6 +36,7 @@ bool draws(const PanelModel& model) {
 
 /// All actions except those that select a tool, in the order of the menus.
 constexpr std::array kOtherActions{
+    ActionRow{ActionId::newScene, at(Key::n, kControl, "Ctrl+N"), "New...", "File", always},
     ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open a model or a session...",
               "File", always},
     ActionRow{ActionId::addModel, at(Key::o, kControlShift, "Ctrl+Shift+O"),

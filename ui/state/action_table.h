@@ -19,6 +19,7 @@ struct PanelModel;
 /// The name of something that a key, a row of a menu or a button asks for, in the order of
 /// actionTable(). The handlers in app/editor/editor_actions.cpp do it.
 enum class ActionId : std::uint8_t {
+    newScene,
     openFile,
     addModel,
     saveSession,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/state/action.h"
+#include "ui/state/start_state.h"
 
 namespace kerf::ui {
 
@@ -22,6 +23,7 @@ struct Hint {
 /// Help that is offered.
 struct HelpState {
     Hint hint;
+    StartState start;
     bool open = false;  ///< the page of keys
 };
 

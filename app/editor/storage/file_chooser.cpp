@@ -168,12 +168,12 @@ bool FileChooser::followPreview() {
 }
 
 void FileChooser::describe(ui::PanelModel& model) const {
-    model.files.recent = recent_.files();
     if (browser_) {
         model.files = browser_->state();
         model.files.adds = what_ == BrowseFor::addition;
         model.files.preview = preview_.lines();
     }
+    model.files.recent = recent_.files();
 }
 
 }  // namespace kerf::app

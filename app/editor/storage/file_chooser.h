@@ -49,6 +49,8 @@ class FileChooser {
     bool isOpen() const { return browser_.has_value(); }
     /// Does an action of the dialog. Returns the file once one is chosen.
     std::optional<ChosenFile> take(const ui::FileAction& action);
+    /// Checks which of the recent files are still there.
+    void lookForRecent() { recent_.look(); }
     /// Puts a file first among the recent ones.
     void addRecent(const std::filesystem::path& file) { recent_.add(file); }
 

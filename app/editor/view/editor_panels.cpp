@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editor/view/start_scenes.h"
 #include "ui/base/layout.h"
 #include "ui/plots/plot_picture.h"
 
@@ -38,6 +39,7 @@ void EditorPanels::describe() {
     model.settings.showReadings &= !hidden;
     model.plots.view = plotView;
     model.help.open = helpOpen;
+    model.help.start = {startOpen ? startCards() : nullptr, !model.name.empty()};
     model.view.device = device;
     if (asked) {
         model.question = asked->question;

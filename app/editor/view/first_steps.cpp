@@ -52,13 +52,7 @@ void FirstSteps::follow(const Situation& now) {
 }
 
 Hint FirstSteps::hint(const Situation& now) const {
-    if (!now.open) {
-        return {
-            "Drop a model (OBJ, PLY, STL) or a session here to open it, or choose an experiment "
-            "at the left.",
-            {{ActionId::openFile, "Open a file"}}};
-    }
-    if (now.touching || now.cutting) {
+    if (!now.open || now.touching || now.cutting) {
         return {};
     }
     if (now.playing) {
@@ -132,6 +126,7 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
 void NewcomerGuide::begin(const EditorScene& scene) {
     cutWatch_ = {};
     piecesAtFirst_ = scene.simulation().report().pieces;
+    tip_.clear();
 }
 
 Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView& view) const {
@@ -160,11 +155,14 @@ bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
     cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);
     now.outcome = cutWatch_.outcome();
     firstSteps_.follow(now);
+    if (now.cutting || now.touching || now.playing) {
+        tip_.clear();
+    }
     return now.outcome != before;
 }
 
 ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
-    return firstSteps_.hint(situationOf(scene, view));
+    return tip_.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{tip_, {}};
 }
 
 }  // namespace kerf::app

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/editor/view/editor_view.h"
 #include "ui/state/panel_model.h"
@@ -88,6 +89,8 @@ class NewcomerGuide {
     bool follow(const EditorScene& scene, const EditorView& view);
     /// Drops the last stroke: this document was just opened.
     void begin(const EditorScene& scene);
+    /// Suggests what to try in this document, until something was tried. "" suggests nothing.
+    void suggest(std::string tip) { tip_ = std::move(tip); }
     /// The present hint; `scene` is null if nothing is open.
     ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
 
@@ -97,6 +100,7 @@ class NewcomerGuide {
     CutWatch cutWatch_;
     FirstSteps firstSteps_;
     int piecesAtFirst_ = 1;
+    std::string tip_;
 };
 
 }  // namespace kerf::app

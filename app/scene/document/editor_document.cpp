@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "app/scene/document/editor_budgets.h"
+#include "app/session/material.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session.h"
-#include "gpu/data_path.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
@@ -52,6 +52,15 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
             std::move(model.facts.objects)};
 }
 
+/// A new model is of soft silicone, as models that are made to be cut: it carries every size that
+/// guessUnits() leaves, and yields to a hand. What has colours of its own keeps them.
+void giveMaterial(Session& session, const OwnLooks& looks) {
+    const Material material = findMaterial("silicone", {});
+    applyMaterial(session.params, material);
+    session.material = material.name;
+    session.colors = looks.colored() ? session.colors : material.colors;
+}
+
 Document openModel(const std::filesystem::path& file, const ReadOptions& options) {
     MeshReport report;
     ReadOptions ours = options;
@@ -69,6 +78,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
         throw InputError(file.string() + ": " + problem);
     }
     session.params = suitedTo(placed.diagonal(), ofNewScene(session.params));
+    giveMaterial(session, model.looks);
     Document document =
         finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
     document.guess = guess;
@@ -175,12 +185,6 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
 
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
     return isJson(file) ? openSession(file, options) : openModel(file, options);
-}
-
-Document openDefaultDocument() {
-    Document document = openSession(gpu::dataPath("assets/sessions/drop-in.kerf.json"), {});
-    document.session.params = ofNewScene(document.session.params);
-    return document;
 }
 
 }  // namespace kerf::app

@@ -48,8 +48,4 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
 /// A scene of one model, whose file has `objects` objects, with a model for each.
 Session parted(Session scene, int objects);
 
-/// Opens what the editor shows without a file, assets/sessions/drop-in.kerf.json. Throws
-/// InputError.
-Document openDefaultDocument();
-
 }  // namespace kerf::app

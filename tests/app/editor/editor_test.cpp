@@ -580,16 +580,5 @@ TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
     EXPECT_EQ(first, run());
 }
 
-TEST_F(EditorTest, AnEmptyEditorInvitesAFile) {
-    Editor empty(plainOptions(), std::nullopt);
-    empty.frame(kFrameSeconds);
-    empty.post(ui::KeyChange{Key::space, true, {}});
-    empty.post(ui::PointerMove{480, 270, {}});
-    empty.post(ui::ButtonChange{Button::left, true, {}});
-    empty.frame(kFrameSeconds);
-    EXPECT_EQ(empty.title(), "Kerf");
-    EXPECT_THAT(empty.panels().help.hint.text, ::testing::HasSubstr("Drop a model"));
-}
-
 }  // namespace
 }  // namespace kerf::app

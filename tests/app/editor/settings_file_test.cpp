@@ -20,6 +20,7 @@ ui::Settings unusual() {
     settings.piecesShare = 0.1;
     settings.plots = {"energy"};
     settings.folded = {};
+    settings.place = {-1200, 40, 1500, 900, true};
     return settings;
 }
 
@@ -34,6 +35,8 @@ TEST(Settings, WhatIsWrongIsNamed) {
          {std::pair{R"({"theme": "pink"})", "theme"}, std::pair{R"({"theme": 3})", "theme"},
           std::pair{R"({"mouse": "maya"})", "mouse"}, std::pair{R"({"mouse": 1})", "mouse"},
           std::pair{R"({"ui_scale": 99})", "ui_scale"},
+          std::pair{R"({"window": [1, 2, 3]})", "window"},
+          std::pair{R"({"window": [1, 2, 3, 1e9]})", "window"},
           std::pair{R"({"ui_scale": "1"})", "ui_scale"},
           std::pair{R"({"show_controls": 1})", "show_controls"},
           std::pair{R"({"plots": "frames"})", "plots"}, std::pair{R"({"plots": [1]})", "plots"}}) {

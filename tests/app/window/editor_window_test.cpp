@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/files/import/model_source.h"
+#include "gpu/data_path.h"
 #include "render/scene/image.h"
 #include "render/scene/picture_comparison.h"
 #include "sim/repair/soup_inspection.h"
@@ -244,7 +245,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
-    Editor editor(options(), openDefaultDocument());
+    Editor editor(options(), openDocument(gpu::dataPath("assets/sessions/drop-in.kerf.json")));
     Acts::settle(editor);
     Acts acts;
     addStroke(acts, editor.itemRects(), kPictureWidth, kPictureHeight);

@@ -13,9 +13,11 @@ export XDG_CACHE_HOME="$folder/cache"
 export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0"
 
 # Starts the editor and gives its window the keyboard. Arguments: what its title begins with (else
-# "Kerf - "), and those of the editor.
+# "Kerf - "), and those of the editor (else a session with a ball).
 openEditor() {
-    "$kerf" "${@:2}" 2>errors.txt &
+    local ball
+    ball=$(dirname "$kerf")/../assets/sessions/drop-in.kerf.json
+    "$kerf" "${@:2}" $([ $# -gt 1 ] || echo "$ball") 2>errors.txt &
     editor=$!
     trap 'kill "$editor" 2>/dev/null' EXIT
     findWindow "${1:-Kerf - }"

@@ -1,0 +1,166 @@
+// The start page: scenes and recent files to begin with.
+#include <algorithm>
+
+#include "app/editor/storage/recent_files.h"
+#include "app/editor/view/start_scenes.h"
+#include "app/files/io/file_io.h"
+#include "app/session/material.h"
+#include "tests/app/editor/editor_fixture.h"
+
+namespace kerf::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class EditorStart : public EditorTest {
+  protected:
+    EditorOptions options() override {
+        EditorOptions options = EditorTest::options();
+        options.recentFiles = folder / "recent";
+        return options;
+    }
+    void startEmpty() {
+        editor = std::make_unique<Editor>(options(), std::nullopt);
+        frames(2);
+    }
+    bool showsPage() const { return editor->itemRects().contains("start.citrus"); }
+    void cutAcross() {
+        drag(kTop, kBottom, 20);
+        settle();
+    }
+};
+
+TEST_F(EditorStart, WithoutAFileThePageIsShownAlone) {
+    startEmpty();
+    EXPECT_EQ(editor->title(), "Kerf");
+    EXPECT_TRUE(showsPage());
+    EXPECT_FALSE(editor->itemRects().contains("transport.play"));
+    tap(Key::escape);
+    tap(Key::space);
+    EXPECT_TRUE(showsPage()) << "nothing else is there";
+}
+
+TEST_F(EditorStart, ACardOpensItsSceneAndTellsWhatToTry) {
+    startEmpty();
+    click("start.jelly");
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - jelly - 1 piece");
+    EXPECT_FALSE(showsPage());
+    EXPECT_EQ(panels().help.hint.text, findStartScene("jelly")->tip);
+    EXPECT_TRUE(panels().files.recent.empty()) << "it is no file of a person's";
+    cutAcross();
+    EXPECT_EQ(editor->title(), "Kerf - jelly - 2 pieces");
+    EXPECT_THAT(panels().help.hint.text, StartsWith("2 pieces"));
+}
+
+TEST_F(EditorStart, ArrowsAndEnterChooseACard) {
+    startEmpty();
+    tap(Key::right);
+    tap(Key::down);
+    frames(1);
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - egg - 1 piece") << "below the second card";
+}
+
+TEST_F(EditorStart, NewShowsItOverTheScene) {
+    editor->scene();
+    tap(Key::n, {.control = true});
+    frames(2);
+    EXPECT_TRUE(showsPage());
+    const std::string before = editor->title();
+    tap(Key::v);
+    EXPECT_EQ(panels().parameters.now.gravity, Vec3::Zero()) << "keys of the scene wait";
+    tap(Key::escape);
+    frames(2);
+    EXPECT_FALSE(showsPage());
+    tap(Key::n, {.control = true});
+    frames(2);
+    moveTo(3, 3);
+    press(true);
+    press(false);
+    frames(3);
+    EXPECT_FALSE(showsPage()) << "a click beside it";
+    EXPECT_EQ(editor->title(), before);
+}
+
+TEST_F(EditorStart, OpeningAsksAboutUnsavedWork) {
+    cutAcross();
+    tap(Key::n, {.control = true});
+    frames(2);
+    click("start.egg");
+    EXPECT_THAT(panels().question.title, HasSubstr("Hollow egg"));
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
+TEST_F(EditorStart, RecentFilesThatAreGoneAreLeftOut) {
+    const std::filesystem::path here = folder / "here.kerf.json";
+    writeOutputFile(here, R"({"format": "kerf-session", "version": 1,
+                              "model": {"builtin": "sphere80"}, "steps": 1, "events": []})");
+    RecentFiles store(folder / "recent");
+    writeOutputFile(folder / "gone.obj", "");
+    store.add(folder / "gone.obj");
+    store.add(here);
+    std::filesystem::remove(folder / "gone.obj");
+    startEmpty();
+    EXPECT_FALSE(editor->itemRects().contains("start.recent.gone.obj"));
+    click("start.recent.here.kerf.json");
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - here - 1 piece");
+}
+
+TEST_F(EditorStart, ItFitsEveryWindow) {
+    for (const auto& [width, height, scale] :
+         {std::tuple{640, 360, 1.0F}, {800, 600, 1.0F}, {1280, 720, 1.0F}, {3840, 2160, 2.0F}}) {
+        startEmpty();
+        editor->resize(width, height);
+        editor->setScale(scale);
+        frames(3);
+        const auto inWindow = [&, w = float(width)](const ui::Rect& r) {
+            return r.x >= 0 && r.x + r.width <= w && r.width > 60 * scale;
+        };
+        for (const StartScene& scene : startScenes()) {
+            EXPECT_TRUE(inWindow(editor->itemRects().at(std::string("start.") + scene.name)))
+                << scene.name << " in " << width << " x " << height;
+        }
+        const ui::Rect page = editor->itemRects().at("start");
+        EXPECT_GE(page.y, 0);
+        EXPECT_LE(page.y + page.height, height);
+    }
+}
+
+/// Each scene opens with a material by name, weight and a true modulus, and is cut as its line
+/// says.
+TEST_F(EditorStart, EverySceneIsCut) {
+    for (const StartScene& scene : startScenes()) {
+        SCOPED_TRACE(scene.name);
+        EXPECT_GT(readPicture(scene.picture()).width, 0);
+        EXPECT_LE(std::filesystem::file_size(scene.picture()), 44'000U);
+        Document document = openDocument(scene.session());
+        EXPECT_EQ(document.note, "");
+        EXPECT_GE(document.mesh.triangleCount(), 2000);
+        const Params& params = document.session.params;
+        EXPECT_EQ(params.trueModulus, 1);
+        EXPECT_LT(params.gravity.y(), 0);
+        EXPECT_TRUE(isMadeOf(params, findMaterial(document.session.material, {})));
+        const int triangles = document.mesh.triangleCount();
+        start(options(), std::move(document));
+        const bool incised = scene.name == std::string("liver");
+        if (incised) {
+            tap(Key::s);
+            const ui::Rect view = ui::layoutPanels(float(kWidth), float(kHeight), 1, {}, true).view;
+            const Vec2 middle(view.x + view.width / 2, view.y + view.height / 2);
+            drag(middle - Vec2(25, 0), middle + Vec2(25, 0), 20);
+            settle();
+        } else {
+            cutAcross();
+        }
+        const std::size_t pieces = panels().pieces.rows.size();
+        EXPECT_TRUE(incised ? pieces == 1 : pieces >= 2) << pieces;
+        EXPECT_GT(editor->scene()->simulation().report().triangles, triangles);
+    }
+}
+
+}  // namespace
+}  // namespace kerf::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/scene/image.h"
+
+namespace kerf::ui {
+
+/// A scene that the start page offers.
+struct StartCard {
+    std::string name;                              ///< "citrus", for OpenStartScene
+    std::string title;                             ///< "Citrus"
+    std::string tip;                               ///< what to try, one sentence
+    std::shared_ptr<const render::Image> picture;  ///< null if it can't be read
+};
+
+/// The page of scenes and recent files to start from.
+struct StartState {
+    std::shared_ptr<const std::vector<StartCard>> cards;  ///< null while the page is closed
+    bool overScene = false;                               ///< a scene is open behind it
+};
+
+}  // namespace kerf::ui
