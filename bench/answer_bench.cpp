@@ -103,7 +103,7 @@ class AnswerBench {
     explicit AnswerBench(int triangles)
         : triangles_(triangles),
           file_("kerf_answer_bench", triangles),
-          editor_(options(), app::openDocument(app::findStartScene("citrus")->session())) {}
+          editor_(options(), app::openDocument(app::startSession("citrus"))) {}
 
     void run() {
         open();

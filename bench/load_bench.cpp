@@ -69,7 +69,7 @@ void benchLoading(int triangles) {
     options.width = kWidth;
     options.height = kHeight;
     options.quality = render::Quality::light;
-    app::Editor editor(options, app::openDocument(app::findStartScene("citrus")->session()));
+    app::Editor editor(options, app::openDocument(app::startSession("citrus")));
     Turning turning(editor);
     sortedFrames(turning, 5);  // to warm up
     const double ordinary = sortedFrames(turning, kOrdinaryFrames)[kOrdinaryFrames / 2];

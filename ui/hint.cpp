@@ -19,7 +19,7 @@ void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& ac
         return;
     }
     const float line = ImGui::GetFontSize();
-    const float y = model.name.empty() ? view.y + view.height / 2 : view.y + view.height - 2 * line;
+    const float y = view.y + view.height - 2 * line;
     if (!hint.choices.empty()) {
         drawOffer("hint", hint, view, y + line / 2,
                   {.accent = palette().blade, .opacity = 1, .takesInput = true}, actions);

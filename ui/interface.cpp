@@ -258,23 +258,17 @@ void drawReadings(const PanelModel& model, const Rect& rect, std::vector<Action>
 
 /// Texts that may hold names of people's files, in any script.
 void noteNames(const PanelModel& model, PanelContext& context) {
-    context.note(model.name);
-    context.note(model.toast.text);
-    context.note(model.question.title + model.question.text);
-    context.note(model.work.title);
-    context.note(model.files.name + model.files.problem);
-    std::ranges::for_each(model.files.rows, [&](const FileRow& row) { context.note(row.name); });
-    for (const auto* links : {&model.files.crumbs, &model.files.bookmarks}) {
-        std::ranges::for_each(*links, [&](const FolderLink& link) { context.note(link.label); });
+    const FileDialogState& files = model.files;
+    context.note(model.name + model.toast.text + model.question.title + model.question.text +
+                 model.work.title + files.name + files.problem + files.folder.string());
+    std::ranges::for_each(files.rows, [&](const FileRow& row) { context.note(row.name); });
+    for (const FolderLink& link : files.bookmarks) {
+        context.note(link.label);
     }
-    for (const std::string& line : model.files.preview) {
-        context.note(line);
-    }
-    for (const std::filesystem::path& file : model.files.recent) {
+    for (const std::filesystem::path& file : files.recent) {
         context.note(file.native());
     }
     std::ranges::for_each(model.log, [&](const LogLine& line) { context.note(line.text); });
-    std::ranges::for_each(model.model.models, [&](const ModelState& m) { context.note(m.name); });
 }
 
 /// Panels, bars, and what is drawn over the view.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/base/item_rects.h"
+#include "ui/base/picture.h"
 #include "ui/base/widgets.h"
 
 namespace kerf::ui {
@@ -40,8 +41,10 @@ bool beginInMiddle(const std::string& title, bool wanted) {
 
 void QuestionBox::drawPicture() {
     const float most = ImGui::GetContentRegionAvail().x;
-    const float scale = std::min(1.0F, most / picture_.width());
-    ImGui::Image(picture_.id(), {scale * picture_.width(), scale * picture_.height()});
+    const auto width = static_cast<float>(picture_.width());
+    const auto height = static_cast<float>(picture_.height());
+    const float scale = std::min(1.0F, most / width);
+    ImGui::Image(idOf(picture_), {scale * width, scale * height});
     noteItem("question.picture");
     ImGui::Spacing();
 }
@@ -60,7 +63,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
         return;
     }
     if (justOpened) {
-        picture_ = question.picture ? Picture(*question.picture) : Picture();
+        picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
         ImGui::OpenPopup(kQuestionWindow);
     }
     aside_ = question.aside;
@@ -71,7 +74,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     const ImVec2 at = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     place_ = {at.x, at.y, size.x, size.y};
-    if (picture_) {
+    if (picture_.id() != 0) {
         drawPicture();
     }
     ImGui::PushTextWrapPos(0);

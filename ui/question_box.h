@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "gpu/framebuffer.h"
+#include "render/scene/image.h"
 #include "ui/base/layout.h"
-#include "ui/base/picture.h"
 #include "ui/state/action.h"
 #include "ui/state/question.h"
 
@@ -24,7 +25,7 @@ class QuestionBox {
   private:
     void drawPicture();
 
-    Picture picture_;
+    gpu::Texture picture_;
     bool open_ = false;
     bool aside_ = false;
     Rect place_;  ///< of the last box [px]

@@ -217,12 +217,9 @@ void Editor::setScale(float scale) {
 
 void Editor::keepPlace(const ui::WindowPlace& place) {
     SettingsFile& settings = state_->panels.settings;
-    if (!settings.problem().empty()) {
-        return;  // What can't be read is the user's to mend.
-    }
-    settings.now.place = place;
-    if (const std::string problem = settings.save(); !problem.empty()) {
-        spdlog::error("{}", problem);
+    if (settings.problem().empty()) {  // else it is the user's to mend
+        settings.now.place = place;
+        keepSettings(*state_);
     }
 }
 

@@ -470,7 +470,7 @@ struct Answer {
             s.open(std::move(order));
         });
     }
-    void operator()(const ui::OpenStartScene& wanted) const { s.openStartScene(wanted.name); }
+    void operator()(const ui::OpenStartScene& wanted) const { s.openStartScene(wanted.card); }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
     template <class OnBody>

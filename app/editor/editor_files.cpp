@@ -142,16 +142,13 @@ void Editor::State::open(OpeningOrder order, const Mending& mending) {
     work.open(std::move(order), mending);
 }
 
-void Editor::State::openStartScene(const std::string& name) {
-    const StartScene* const wanted = findStartScene(name);
-    if (wanted == nullptr) {
-        return;
-    }
-    OpeningOrder order = orderOf(wanted->session());
-    order.title = std::string("Opening ") + wanted->title;
+void Editor::State::openStartScene(std::size_t card) {
+    const ui::StartCard& wanted = startCards()->at(card);
+    OpeningOrder order = orderOf(startSession(wanted.name));
+    order.title = "Opening " + wanted.title;
     order.file.clear();  // none of the recent files
-    order.shown = [this, wanted] { guide.suggest(wanted->tip); };
-    askBefore("Open " + std::string(wanted->title), [this, order] { open(order); });
+    order.shown = [this, tip = wanted.tip] { guide.suggest(tip); };
+    askBefore("Open " + wanted.title, [this, order] { open(order); });
 }
 
 void Editor::State::removeModel(int model) {

@@ -107,7 +107,7 @@ struct Editor::State {
     void openAsked(const std::filesystem::path& file);
     void open(OpeningOrder order, const Mending& mending = {});
     /// Opens a scene of the start page, after a question about unsaved work.
-    void openStartScene(const std::string& name);
+    void openStartScene(std::size_t card);
     void removeModel(int model);
     void show(UploadedDocument uploaded);
     /// Called after another scene was opened.

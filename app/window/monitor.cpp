@@ -1,49 +1,35 @@
 #include "app/window/monitor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace kerf::app {
-namespace {
 
-constexpr double kDpi = 96;
-constexpr double kMillimetres = 25.4;  // in an inch
-constexpr double kLeastDpi = 50;
-constexpr double kMostDpi = 500;
-constexpr double kStep = 0.25;
-constexpr double kTolerance = 0.05;  // so that 191 dpi are twice 96
-constexpr double kLargest = 4;
-
-// What monitors report that know only the ratio of their sides.
-constexpr std::array<std::pair<int, int>, 6> kRatios{
-    {{16, 9}, {16, 10}, {160, 90}, {160, 100}, {1600, 900}, {1600, 1000}}};
-
-}  // namespace
-
-float scaleOf(const Monitor& monitor) {
-    if (monitor.wide <= 0 || monitor.high <= 0 ||
-        std::ranges::find(kRatios, std::pair(monitor.wide, monitor.high)) != kRatios.end()) {
+float scaleOf(int width, int height, int wide, int high) {
+    constexpr double kMillimetres = 25.4;  // in an inch
+    constexpr double kTolerance = 0.05;    // so that 191 dpi are twice 96
+    // Monitors that know only the ratio of their sides report 16 x 9, 160 x 90 or 1600 x 900.
+    const bool ratio = wide % 16 == 0 && (wide / 16 == 1 || wide / 16 == 10 || wide / 16 == 100) &&
+                       (9 * wide == 16 * high || 10 * wide == 16 * high);
+    if (wide <= 0 || high <= 0 || ratio) {
         return 1;
     }
-    const double across = monitor.width * kMillimetres / monitor.wide;
-    const double down = monitor.height * kMillimetres / monitor.high;
-    const double dpi = std::min(across, down);
-    if (!(dpi >= kLeastDpi && std::max(across, down) <= kMostDpi)) {
+    const double across = width * kMillimetres / wide;
+    const double down = height * kMillimetres / high;
+    if (std::min(across, down) < 50 || std::max(across, down) > 500) {
         return 1;
     }
-    const double scale = std::floor((dpi / kDpi + kTolerance) / kStep) * kStep;
-    return static_cast<float>(std::clamp(scale, 1.0, kLargest));
+    const double scale = std::floor(4 * (std::min(across, down) / 96 + kTolerance)) / 4;
+    return static_cast<float>(std::clamp(scale, 1.0, 4.0));
 }
 
-bool isReachable(const ui::WindowPlace& place, std::span<const Monitor> monitors) {
+const Monitor* monitorOf(const ui::WindowPlace& place, std::span<const Monitor> monitors) {
     const int middle = place.x + place.width / 2;
-    return place.width > 0 && place.height > 0 &&
-           std::ranges::any_of(monitors, [&](const Monitor& m) {
-               return middle >= m.x && middle < m.x + m.width && place.y >= m.y &&
-                      place.y < m.y + m.height;
-           });
+    const auto found = std::ranges::find_if(monitors, [&](const Monitor& m) {
+        return middle >= m.x && middle < m.x + m.width && place.y >= m.y &&
+               place.y < m.y + m.height;
+    });
+    return found == monitors.end() || place.width <= 0 ? nullptr : &*found;
 }
 
 }  // namespace kerf::app

@@ -38,36 +38,35 @@ std::string lastGlfwError() {
     return text != nullptr ? text : "no reason given";
 }
 
-std::vector<Monitor> monitorsNow() {
-    int count = 0;
-    GLFWmonitor** const all = glfwGetMonitors(&count);
-    std::vector<Monitor> monitors;
-    for (int i = 0; i < count; ++i) {
-        Monitor monitor;
-        glfwGetMonitorPos(all[i], &monitor.x, &monitor.y);
-        glfwGetMonitorPhysicalSize(all[i], &monitor.wide, &monitor.high);
-        if (const GLFWvidmode* const mode = glfwGetVideoMode(all[i])) {
-            monitor.width = mode->width;
-            monitor.height = mode->height;
-            monitors.push_back(monitor);
-        }
-    }
-    return monitors;
-}
-
 /// Whether the desktop names a scale, which GLFW reports: on X by the resource Xft.dpi. The
 /// functions are those of the libraries that GLFW has loaded; it may be built without X.
 bool namesScale() {
-    using GetDisplay = void* (*)();
-    using GetResources = const char* (*)(void*);
-    const auto display = reinterpret_cast<GetDisplay>(dlsym(RTLD_DEFAULT, "glfwGetX11Display"));
+    const auto display = reinterpret_cast<void* (*)()>(dlsym(RTLD_DEFAULT, "glfwGetX11Display"));
     const auto resources =
-        reinterpret_cast<GetResources>(dlsym(RTLD_DEFAULT, "XResourceManagerString"));
+        reinterpret_cast<const char* (*)(void*)>(dlsym(RTLD_DEFAULT, "XResourceManagerString"));
     if (display == nullptr || resources == nullptr || display() == nullptr) {
         return true;
     }
     const char* const text = resources(display());
     return text != nullptr && std::strstr(text, "Xft.dpi") != nullptr;
+}
+
+/// The first one first.
+std::vector<Monitor> monitorsNow() {
+    int count = 0;
+    GLFWmonitor** const all = glfwGetMonitors(&count);
+    std::vector<Monitor> monitors(count);
+    for (int i = 0; i < count; ++i) {
+        Monitor& m = monitors[i];
+        glfwGetMonitorWorkarea(all[i], &m.x, &m.y, &m.width, &m.height);
+        int wide = 0;
+        int high = 0;
+        glfwGetMonitorPhysicalSize(all[i], &wide, &high);
+        if (const GLFWvidmode* const mode = glfwGetVideoMode(all[i]); mode && !namesScale()) {
+            m.scale = scaleOf(mode->width, mode->height, wide, high);
+        }
+    }
+    return monitors;
 }
 
 [[noreturn]] void failToOpen(const std::string& reason) {
@@ -140,8 +139,7 @@ struct Window::State {
     std::array<GLFWcursor*, ui::kCursors> cursors{};
     ui::Cursor cursor = ui::Cursor::arrow;  ///< that is shown
     ui::WindowPlace place;                  ///< the last one that was not maximized
-    bool scaleNamed = true;                 ///< see namesScale()
-    float ownScale = 1;                     ///< of the monitor, where it is not
+    float scale = 1;                        ///< of its monitor, where the desktop names none
 
     static State& of(GLFWwindow* window) {
         return *static_cast<State*>(glfwGetWindowUserPointer(window));
@@ -240,16 +238,17 @@ void Window::State::onPlace(GLFWwindow* window, int /*x*/, int /*y*/) {
 }
 
 void Window::State::followPlace() {
-    place.maximized = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE;
-    ui::WindowPlace now{.maximized = place.maximized};
+    ui::WindowPlace now{.maximized = glfwGetWindowAttrib(window, GLFW_MAXIMIZED) == GLFW_TRUE};
     glfwGetWindowPos(window, &now.x, &now.y);
     glfwGetWindowSize(window, &now.width, &now.height);
-    for (const Monitor& monitor : monitorsNow()) {
-        ownScale = isReachable(now, {&monitor, 1}) ? scaleOf(monitor) : ownScale;
+    const std::vector<Monitor> monitors = monitorsNow();
+    if (const Monitor* const monitor = monitorOf(now, monitors)) {
+        scale = monitor->scale;
     }
     if (!now.maximized && glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_FALSE) {
         place = now;
     }
+    place.maximized = now.maximized;
 }
 
 void Window::State::open(const std::string& name, const ui::WindowPlace& former) {
@@ -261,35 +260,25 @@ void Window::State::open(const std::string& name, const ui::WindowPlace& former)
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where it is offered
     const std::vector<Monitor> monitors = monitorsNow();
-    scaleNamed = namesScale();
-    ownScale = monitors.empty() ? 1 : scaleOf(monitors.front());
-    float scale = ownScale;
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr && scaleNamed) {
-        glfwGetMonitorContentScale(monitor, &scale, nullptr);
-    }
-    const bool placed = isReachable(former, monitors);
-    int width = placed ? former.width : static_cast<int>(kPreferredWidth * scale);
-    int height = placed ? former.height : static_cast<int>(kPreferredHeight * scale);
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr && !placed) {
-        int x = 0;
-        int y = 0;
-        int areaWidth = 0;
-        int areaHeight = 0;
-        glfwGetMonitorWorkarea(monitor, &x, &y, &areaWidth, &areaHeight);
-        width = areaWidth > 0 ? std::min(width, areaWidth) : width;
-        height = areaHeight > 0 ? std::min(height, areaHeight) : height;
-    }
-    glfwWindowHint(GLFW_VISIBLE, placed ? GLFW_FALSE : GLFW_TRUE);
-    glfwWindowHint(GLFW_MAXIMIZED, placed && former.maximized ? GLFW_TRUE : GLFW_FALSE);
+    const Monitor* const again = monitorOf(former, monitors);
+    const Monitor area = again ? *again : monitors.empty() ? Monitor{} : monitors.front();
+    int width = again ? former.width : static_cast<int>(kPreferredWidth * area.scale);
+    int height = again ? former.height : static_cast<int>(kPreferredHeight * area.scale);
+    width = area.width > 0 ? std::min(width, area.width) : width;
+    height = area.height > 0 ? std::min(height, area.height) : height;
+    scale = area.scale;
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, again ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, again ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, again && former.maximized ? GLFW_TRUE : GLFW_FALSE);
     window = glfwCreateWindow(width, height, name.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         failToOpen(lastGlfwError());
     }
     glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
-    if (placed) {
+    if (again != nullptr) {
         place = former;
-        glfwSetWindowPos(window, former.x, former.y);
+        glfwSetWindowPos(window, std::min(former.x, area.x + area.width - width), former.y);
         glfwShowWindow(window);
     }
     title = name;
@@ -369,11 +358,9 @@ int Window::height() const {
 }
 
 float Window::scale() const {
-    float scale = state_->ownScale;
-    if (state_->scaleNamed) {
-        glfwGetWindowContentScale(state_->window, &scale, nullptr);
-    }
-    return std::clamp(scale, 0.5F, 4.0F);
+    float named = 1;
+    glfwGetWindowContentScale(state_->window, &named, nullptr);
+    return std::clamp(named * state_->scale, 0.5F, 4.0F);
 }
 
 const ui::WindowPlace& Window::place() const {

@@ -15,10 +15,10 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SIZE = (480, 300)
-NEARER = {"cloth": 0.86}  # of the distance of the view
-STEPS = {"cloth": 260, "citrus": 420, "egg": 330}  # until the picture
+NEARER = {"cloth": 0.86, "citrus": 0.88}  # of the distance of the view
+STEPS = {"cloth": 260, "citrus": 310, "egg": 330}  # until the picture
 # Cuts before it: the ends of the blade, above and below the model.
-CUTS = {"citrus": [[-0.055, 0.09, 0.06], [0.055, 0.09, -0.06]],
+CUTS = {"citrus": [[-0.03, 0.09, -0.08], [0.03, 0.09, 0.08]],
         "egg": [[-0.05, 0.11, 0.045], [0.05, 0.11, -0.045]]}
 DEPTH = 0.13  # of a cut
 
@@ -54,7 +54,7 @@ def make(kerf, file):
         subprocess.run([kerf, "replay", session, "--out", folder], check=True,
                        stdout=subprocess.DEVNULL)
         subprocess.run(["convert", f"{folder}/picture.png", "-resize", "50%", "-strip", "-dither",
-                        "FloydSteinberg", "-colors", "200", "-define", "png:compression-level=9",
+                        "FloydSteinberg", "-colors", "140", "-define", "png:compression-level=9",
                         f"PNG8:{FOLDER / name_of(file)}.png"], check=True)
 
 

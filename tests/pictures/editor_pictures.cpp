@@ -192,8 +192,7 @@ void takePlots(const Look& look, const std::filesystem::path& folder) {
 
 /// What a newcomer sees first.
 void takeFirstMinute(const Look& look, const std::filesystem::path& folder) {
-    Photographer window(look, {}, folder,
-                        app::openDocument(app::findStartScene("citrus")->session()));
+    Photographer window(look, {}, folder, app::openDocument(app::startSession("citrus")));
     window.takeWindow("first");
     window.drag({0.5, 0.4}, {0.5, 0.6});
     window.takeWindow("incision");
@@ -212,8 +211,7 @@ void takeFirstMinute(const Look& look, const std::filesystem::path& folder) {
 void takeDialogs(const Look& look, const std::filesystem::path& folder) {
     ui::Settings settings;
     settings.folded = {"experiments", "simulation"};
-    Photographer window(look, settings, folder,
-                        app::openDocument(app::findStartScene("citrus")->session()));
+    Photographer window(look, settings, folder, app::openDocument(app::startSession("citrus")));
     window.takeControls("display");
     window.tap(ui::Key::g);
     window.takeWindow("guillotine");

@@ -5,7 +5,6 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace kerf::ui {
 
@@ -17,25 +16,19 @@ class FurtherLetters {
     void note(std::string_view text);
     /// Whether any were noted since the last merge().
     bool wanted() const { return wanted_; }
-    /// Adds them to the last font of the atlas, from `first` and the fonts found so far.
+    /// Adds them to the last font of the atlas, from `first` and fonts of the system.
     void merge(ImFontAtlas& atlas, const std::string& first, float pixels);
-    /// Looks for a font with letters that the atlas lacks after that. Returns whether to load all
-    /// fonts again. Letters that no font has are logged once.
-    bool findMore(ImFontAtlas& atlas);
+    /// Builds the atlas. Logs once that letters have no font. Returns false if a font of the system
+    /// can't be read: none is used from then on.
+    bool build(ImFontAtlas& atlas);
 
   private:
-    struct FontFile {
-        std::string file;
-        int index = 0;  ///< of the font in the file
-        bool operator==(const FontFile&) const = default;
-    };
-    static FontFile match(const std::vector<ImWchar>& letters);
-
     std::set<ImWchar> letters_;
     ImVector<ImWchar> ranges_;  ///< of `letters_`; the atlas refers to it
-    std::vector<FontFile> fonts_;
+    std::set<int> blocks_;      ///< of letters for which a font was looked for
+    std::set<std::string> fonts_;
     bool wanted_ = false;
-    bool told_ = false;  ///< that letters are missing
+    bool told_ = false;
 };
 
 }  // namespace kerf::ui

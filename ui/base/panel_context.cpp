@@ -56,7 +56,7 @@ void PanelContext::reloadFont() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     do {
         loadFont(scale_, letters_);
-    } while (letters_.findMore(*ImGui::GetIO().Fonts));
+    } while (!letters_.build(*ImGui::GetIO().Fonts));
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 

@@ -1,26 +1,26 @@
 #pragma once
 
+#include <glad/gl.h>
 #include <imgui.h>
+
+#include <bit>
+#include <cstdint>
 
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
 
 namespace kerf::ui {
 
-/// A picture to be drawn by Dear ImGui, and its texture. Needs a current OpenGL 4.5 context.
-class Picture {
-  public:
-    Picture() = default;
-    explicit Picture(const render::Image& image);
+/// A texture with a picture, for Dear ImGui. Needs a current OpenGL 4.5 context.
+inline gpu::Texture textureOf(const render::Image& image) {
+    gpu::Texture texture(GL_RGBA8, image.width, image.height);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.pixels.data());
+    return texture;
+}
 
-    /// Whether there is one.
-    explicit operator bool() const { return texture_.id() != 0; }
-    ImTextureID id() const;
-    float width() const { return static_cast<float>(texture_.width()); }
-    float height() const { return static_cast<float>(texture_.height()); }
-
-  private:
-    gpu::Texture texture_;
-};
+inline ImTextureID idOf(const gpu::Texture& texture) {
+    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
 
 }  // namespace kerf::ui

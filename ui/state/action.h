@@ -102,9 +102,9 @@ struct ExportMeasures {};
 struct OpenExperiment {
     std::string name;
 };
-/// Opens a scene of the start page, by StartCard::name.
+/// Opens a scene of the start page, by its place there.
 struct OpenStartScene {
-    std::string name;
+    std::size_t card = 0;
 };
 /// The pointer hovers over a row of the piece list, -1 for none.
 struct HoverPiece {

@@ -10,10 +10,10 @@ namespace kerf::ui {
 
 /// A scene that the start page offers.
 struct StartCard {
-    std::string name;                              ///< "citrus", for OpenStartScene
-    std::string title;                             ///< "Citrus"
-    std::string tip;                               ///< what to try, one sentence
-    std::shared_ptr<const render::Image> picture;  ///< null if it can't be read
+    std::string name;  ///< of its file
+    std::string title;
+    std::string tip;                                         ///< what to try, one sentence
+    std::shared_ptr<const render::Image> picture = nullptr;  ///< null if it can't be read
 };
 
 /// The page of scenes and recent files to start from.

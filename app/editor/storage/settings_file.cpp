@@ -110,16 +110,14 @@ ui::MouseScheme readMouse(const nlohmann::json& value) {
     return static_cast<ui::MouseScheme>(row - ui::kMouseTable.begin());
 }
 
-ui::WindowPlace readPlace(const nlohmann::json& value, bool maximized) {
-    constexpr std::size_t kCount = 4;
-    constexpr int kMost = 100'000;  // [px]
+ui::WindowPlace readPlace(const nlohmann::json& value) {
     const auto fits = [](const nlohmann::json& number) {
-        return number.is_number_integer() && number >= -kMost && number <= kMost;
+        return number.is_number_integer() && number >= -100'000 && number <= 100'000;
     };
-    if (!value.is_array() || value.size() != kCount || !std::ranges::all_of(value, fits)) {
-        fail("window", "expected four whole numbers from -100000 to 100000.");
+    if (!value.is_array() || value.size() != 5 || !std::ranges::all_of(value, fits)) {
+        fail("window", "expected five whole numbers from -100000 to 100000.");
     }
-    return {value[0], value[1], value[2], value[3], maximized};
+    return {value[0], value[1], value[2], value[3], value[4] != 0};
 }
 
 }  // namespace
@@ -129,8 +127,7 @@ std::string formatSettings(const Settings& settings) {
     json["theme"] = settings.theme == ui::Theme::light ? "light" : "dark";
     json["mouse"] = std::string(rowOf(settings.mouse).id);
     if (const ui::WindowPlace& at = settings.place; at.width > 0) {
-        json["window"] = {at.x, at.y, at.width, at.height};
-        json["maximized"] = at.maximized;
+        json["window"] = {at.x, at.y, at.width, at.height, at.maximized ? 1 : 0};
     }
     forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -149,7 +146,7 @@ Settings parseSettings(const std::string& text) {
         settings.mouse = readMouse(json["mouse"]);
     }
     if (json.contains("window")) {
-        settings.place = readPlace(json["window"], json.value("maximized", false));
+        settings.place = readPlace(json["window"]);
     }
     forEachRow([&](const auto& row) {
         if (json.contains(row.key)) {

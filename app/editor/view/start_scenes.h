@@ -2,31 +2,16 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "ui/state/start_state.h"
 
 namespace kerf::app {
 
-/// A scene of the start page: a session and a picture in assets/start.
-struct StartScene {
-    const char* name;   ///< of its files, without endings
-    const char* title;  ///< for people
-    const char* tip;    ///< what to try in it, one sentence
-
-    std::filesystem::path session() const;
-    std::filesystem::path picture() const;
-};
-
-/// All scenes, in the order of the page.
-std::span<const StartScene> startScenes();
-/// The scene of a name; null for an unknown one.
-const StartScene* findStartScene(std::string_view name);
-
-/// The cards of the page with their pictures, which are read once.
+/// The scenes of the start page, in its order, with their pictures, which are read once.
 std::shared_ptr<const std::vector<ui::StartCard>> startCards();
+/// The session of a scene, in assets/start; its picture lies beside it.
+std::filesystem::path startSession(const std::string& name);
 
 }  // namespace kerf::app

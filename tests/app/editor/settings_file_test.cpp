@@ -36,7 +36,7 @@ TEST(Settings, WhatIsWrongIsNamed) {
           std::pair{R"({"mouse": "maya"})", "mouse"}, std::pair{R"({"mouse": 1})", "mouse"},
           std::pair{R"({"ui_scale": 99})", "ui_scale"},
           std::pair{R"({"window": [1, 2, 3]})", "window"},
-          std::pair{R"({"window": [1, 2, 3, 1e9]})", "window"},
+          std::pair{R"({"window": [1, 2, 3, 1000000, 0]})", "window"},
           std::pair{R"({"ui_scale": "1"})", "ui_scale"},
           std::pair{R"({"show_controls": 1})", "show_controls"},
           std::pair{R"({"plots": "frames"})", "plots"}, std::pair{R"({"plots": [1]})", "plots"}}) {

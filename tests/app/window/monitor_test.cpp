@@ -8,30 +8,30 @@ namespace kerf::app {
 namespace {
 
 TEST(MonitorScale, FollowsThePhysicalSize) {
-    EXPECT_EQ(scaleOf({0, 0, 1920, 1080, 527, 296}), 1) << "24 inches";
-    EXPECT_EQ(scaleOf({0, 0, 2560, 1440, 597, 336}), 1) << "27 inches: still a plain one";
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 597, 336}), 1.5F);
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 508, 286}), 2);
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 344, 194}), 2.75F) << "a laptop";
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 1210, 680}), 1) << "a television";
+    EXPECT_EQ(scaleOf(1920, 1080, 527, 296), 1) << "24 inches";
+    EXPECT_EQ(scaleOf(2560, 1440, 597, 336), 1) << "27 inches: still a plain one";
+    EXPECT_EQ(scaleOf(3840, 2160, 597, 336), 1.5F);
+    EXPECT_EQ(scaleOf(3840, 2160, 508, 286), 2);
+    EXPECT_EQ(scaleOf(3840, 2160, 344, 194), 2.75F) << "a laptop";
+    EXPECT_EQ(scaleOf(3840, 2160, 1210, 680), 1) << "a television";
 }
 
 TEST(MonitorScale, IgnoresNonsense) {
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 160, 90}), 1) << "the ratio of the sides";
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 16, 9}), 1);
-    EXPECT_EQ(scaleOf({0, 0, 3840, 2160, 0, 0}), 1);
-    EXPECT_EQ(scaleOf({0, 0, 1920, 1080, 40, 30}), 1);
-    EXPECT_EQ(scaleOf({0, 0, 1920, 1080, 9000, 5000}), 1) << "a projector";
+    EXPECT_EQ(scaleOf(3840, 2160, 160, 90), 1) << "the ratio of the sides";
+    EXPECT_EQ(scaleOf(3840, 2160, 16, 9), 1);
+    EXPECT_EQ(scaleOf(3840, 2160, 0, 0), 1);
+    EXPECT_EQ(scaleOf(1920, 1080, 40, 30), 1);
+    EXPECT_EQ(scaleOf(1920, 1080, 9000, 5000), 1) << "a projector";
 }
 
 TEST(WindowPlace, CountsOnlyWhereAMonitorIs) {
-    const std::array<Monitor, 2> two{{{0, 0, 1920, 1080, 0, 0}, {1920, 0, 1280, 1024, 0, 0}}};
-    EXPECT_TRUE(isReachable({100, 50, 800, 600}, two));
-    EXPECT_TRUE(isReachable({2500, 500, 800, 900}, two)) << "its lower part is outside";
-    EXPECT_FALSE(isReachable({3300, 50, 800, 600}, two));
-    EXPECT_FALSE(isReachable({100, -200, 800, 600}, two)) << "its title can't be reached";
-    EXPECT_FALSE(isReachable({100, 50, 800, 600}, {}));
-    EXPECT_FALSE(isReachable({}, two)) << "unknown";
+    const std::array<Monitor, 2> two{{{0, 0, 1920, 1080}, {1920, 0, 1280, 1024}}};
+    EXPECT_EQ(monitorOf({100, 50, 800, 600}, two), two.data());
+    EXPECT_EQ(monitorOf({2500, 500, 800, 900}, two), &two[1]) << "its lower part is outside";
+    EXPECT_EQ(monitorOf({3300, 50, 800, 600}, two), nullptr);
+    EXPECT_EQ(monitorOf({100, -200, 800, 600}, two), nullptr) << "its title can't be reached";
+    EXPECT_EQ(monitorOf({100, 50, 800, 600}, {}), nullptr);
+    EXPECT_EQ(monitorOf({}, two), nullptr) << "unknown";
 }
 
 }  // namespace
