@@ -333,6 +333,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     timeline_ = layout.timeline;
     if (model.help.start.cards != nullptr && !model.looks.showsFaulty) {
         startPage_.draw(model.help.start, model.files.recent, actions);
+        covered_.clear();
     } else {
         drawAroundView(model, layout, scale, actions);
     }

@@ -7,7 +7,7 @@ namespace kerf::app {
 
 float scaleOf(int width, int height, int wide, int high) {
     constexpr double kMillimetres = 25.4;  // in an inch
-    constexpr double kTolerance = 0.05;    // so that 191 dpi are twice 96
+    constexpr double kTolerance = 0.03;    // so that 190 dpi are twice 96
     // Monitors that know only the ratio of their sides report 16 x 9, 160 x 90 or 1600 x 900.
     const bool ratio = wide % 16 == 0 && (wide / 16 == 1 || wide / 16 == 10 || wide / 16 == 100) &&
                        (9 * wide == 16 * high || 10 * wide == 16 * high);
