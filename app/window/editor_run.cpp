@@ -23,21 +23,6 @@ namespace {
 
 constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
 
-bool isThere(const std::filesystem::path& file) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
-}
-
-/// The document of the command line; without one the editor begins with the start page.
-std::optional<Document> firstDocument(const std::optional<std::filesystem::path>& file) {
-    if (!file) {
-        return std::nullopt;
-    }
-    Document document = openDocument(*file, editorReading(memoryMeans()));
-    RecentFiles(recentFilesStore()).add(*file);
-    return document;
-}
-
 EditorOptions optionsFor(const Window& window) {
     const gpu::DeviceInfo device = gpu::queryDevice();
     EditorOptions options;
@@ -79,16 +64,14 @@ void runLoop(Window& window, Editor& editor) {
     }
 }
 
-void openWindow(std::optional<Document> document,
-                const std::optional<std::filesystem::path>& stillToOpen,
-                const std::string& notice = "") {
+void openWindow(const std::optional<std::filesystem::path>& file, const std::string& notice = "") {
     Window window("Kerf", SettingsFile(defaultSettingsFile()).now.place);
     gpu::ProgramBinaries::ours() = {gpu::programBinariesFolder(), KERF_VERSION};
     EditorOptions options = optionsFor(window);
     options.notice = notice;
-    Editor editor(options, std::move(document));
-    if (stillToOpen) {
-        editor.open(*stillToOpen);
+    Editor editor(options, std::nullopt);
+    if (file) {
+        editor.open(*file);
     }
     window.onInput([&editor](ui::InputEvent event) { editor.post(std::move(event)); });
     runLoop(window, editor);
@@ -99,15 +82,13 @@ void openWindow(std::optional<Document> document,
 /// The same, and again where the driver is reset meanwhile: the new window opens `file`, and
 /// offers what the journal has kept of the work. Throws gpu::ContextLost where resets
 /// follow each other fast.
-void openThroughResets(std::optional<Document> document,
-                       std::optional<std::filesystem::path> stillToOpen,
-                       const std::optional<std::filesystem::path>& file) {
+void openThroughResets(const std::optional<std::filesystem::path>& file) {
     constexpr double kFast = 10;  // [s]
     std::string notice;
     for (;;) {
         const Stopwatch since;
         try {
-            openWindow(std::move(document), stillToOpen, notice);
+            openWindow(file, notice);
             return;
         } catch (const gpu::ContextLost& lost) {
             spdlog::error("{}", lost.what());
@@ -115,8 +96,6 @@ void openThroughResets(std::optional<Document> document,
                 throw;
             }
             notice = "The graphics driver was reset. Kerf has begun anew, and offers what it kept.";
-            document.reset();
-            stillToOpen = file;
         }
     }
 }
@@ -127,23 +106,11 @@ int runEditor(const std::optional<std::filesystem::path>& file) {
     if (SettingsFile(defaultSettingsFile()).now.softwareRenderer) {
         useSoftwareRenderer();
     }
-    if (file && takesLong(*file)) {
-        openThroughResets(std::nullopt, file, file);
-        return 0;
+    std::error_code error;
+    if (file && !std::filesystem::is_regular_file(*file, error)) {
+        openDocument(*file);  // tells so without a window flashing up
     }
-    std::optional<Document> document;
-    try {
-        document = firstDocument(file);
-    } catch (const InputError&) {
-        if (!file || !isThere(*file)) {
-            throw;  // a missing file is told without a window flashing up
-        }
-    } catch (const MemoryShortage&) {
-        document.reset();  // the window tells
-    }
-    // In the window a file that can't be opened is told again, with what can be done about it.
-    const bool failed = !document && file;
-    openThroughResets(std::move(document), failed ? file : std::nullopt, file);
+    openThroughResets(file);
     return 0;
 }
 
