@@ -41,24 +41,18 @@ void drawDim(const std::string& text) {
 
 void drawPreview(const FileDialogState& state) {
     for (std::size_t i = 0; i < state.preview.size(); ++i) {
-        ImGui::PushTextWrapPos(0);
-        if (i == 0) {
-            ImGui::TextUnformatted(state.preview[i].c_str());
-        } else {
-            ImGui::TextDisabled("%s", state.preview[i].c_str());
-        }
-        ImGui::PopTextWrapPos();
+        textWrapped(state.preview[i], i > 0);
     }
 }
 
 const char* adviceFor(FilePurpose purpose) {
     switch (purpose) {
         case FilePurpose::open:
-            return "Type to find, Enter opens, Backspace goes up.";
+            return "Type to search, Enter to open, Backspace to go up a folder.";
         case FilePurpose::saveTest:
-            return "What it comes out like goes into NAME.expected beside it.";
+            return "The expected results are saved beside it, in NAME.expected.";
         case FilePurpose::saveMaterial:
-            return "In this folder it stands in the list of materials.";
+            return "Materials in this folder appear in the list of materials.";
         default:
             return "";
     }
@@ -72,67 +66,74 @@ struct FilmChoice {
 };
 using FilmSize = std::array<int, 2>;
 constexpr std::array kFilmSpeeds{
-    FilmChoice<double>{1, "Real time"}, FilmChoice<double>{0.5, "2 times slower"},
-    FilmChoice<double>{0.25, "4 times slower"}, FilmChoice<double>{0.1, "10 times slower"}};
-constexpr std::array kFilmSizes{FilmChoice<FilmSize>{{0, 0}, "Usual size"},
+    FilmChoice<double>{1, "Real time"}, FilmChoice<double>{0.5, "Half speed"},
+    FilmChoice<double>{0.25, "Quarter speed"}, FilmChoice<double>{0.1, "1/10 speed"}};
+/// The first one is what suits the format.
+constexpr std::array kFilmSizes{FilmChoice<FilmSize>{{0, 0}, "1280 x 720"},
                                 FilmChoice<FilmSize>{{640, 360}, "640 x 360"},
                                 FilmChoice<FilmSize>{{1280, 720}, "1280 x 720"},
                                 FilmChoice<FilmSize>{{1920, 1080}, "1920 x 1080"},
                                 FilmChoice<FilmSize>{{3840, 2160}, "3840 x 2160"},
                                 FilmChoice<FilmSize>{{1080, 1080}, "1080 x 1080"}};
-constexpr std::array kFilmRates{
-    FilmChoice<int>{0, "Usual rate"},   FilmChoice<int>{15, "15 a second"},
-    FilmChoice<int>{24, "24 a second"}, FilmChoice<int>{25, "25 a second"},
-    FilmChoice<int>{30, "30 a second"}, FilmChoice<int>{50, "50 a second"},
-    FilmChoice<int>{60, "60 a second"}};
+constexpr std::array kFilmRates{FilmChoice<int>{0, "30 fps"},  FilmChoice<int>{15, "15 fps"},
+                                FilmChoice<int>{24, "24 fps"}, FilmChoice<int>{25, "25 fps"},
+                                FilmChoice<int>{30, "30 fps"}, FilmChoice<int>{50, "50 fps"},
+                                FilmChoice<int>{60, "60 fps"}};
 
-/// A row of `choices` to choose from. True where another one was chosen.
+/// A row of `choices` to choose from, the first one under the name `usual`. True where another one
+/// was chosen.
 template <class Value, std::size_t kCount>
-bool drawFilmChoice(const std::string& item, const std::array<FilmChoice<Value>, kCount>& choices,
-                    Value& value, const char* tip) {
+bool drawFilmChoice(const std::string& item, std::array<FilmChoice<Value>, kCount> choices,
+                    const char* usual, Value& value, const char* tip) {
+    choices.front().label = usual;
     const auto* const now = std::ranges::find(choices, value, &FilmChoice<Value>::value);
     bool changed = false;
     ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
     const bool open =
         ImGui::BeginCombo(("##" + item).c_str(), now == choices.end() ? "" : now->label);
-    if (open) {
-        for (const FilmChoice<Value>& choice : choices) {
-            if (ImGui::Selectable(choice.label, choice.value == value)) {
-                value = choice.value;
-                changed = true;
-            }
-            noteItem("file." + item + "." + choice.label);
-        }
-        ImGui::EndCombo();
-    } else {
+    if (!open) {
         noteItem("file." + item);
         itemTooltip(tip);
+        return false;
     }
+    for (const FilmChoice<Value>& choice : choices) {
+        if (choice.value != choices.front().value && std::string_view(choice.label) == usual) {
+            continue;
+        }
+        if (ImGui::Selectable(choice.label, choice.value == value)) {
+            value = choice.value;
+            changed = true;
+        }
+        noteItem("file." + item + "." + choice.label);
+    }
+    ImGui::EndCombo();
     return changed;
 }
 
-void drawFilmLook(FilmLook look, std::vector<Action>& actions) {
+void drawFilmLook(const FileDialogState& state, std::vector<Action>& actions) {
+    FilmLook look = state.film;
+    const bool isGif = state.kinds[state.kind].find(".gif") != std::string::npos;
     bool changed = ImGui::Checkbox("Captions", &look.captions);
     noteItem("file.captions");
-    itemTooltip("The time, and what happens");
+    itemTooltip("Show the time and what happens");
     ImGui::SameLine();
     changed = ImGui::Checkbox("Turntable", &look.turntable) || changed;
     noteItem("file.turntable");
-    itemTooltip("The camera turns about the scene once, from the start to the end");
+    itemTooltip("The camera orbits the scene once");
     ImGui::SameLine();
-    changed =
-        drawFilmChoice("speed", kFilmSpeeds, look.speed, "How fast time passes in the film") ||
-        changed;
+    changed = drawFilmChoice("speed", kFilmSpeeds, kFilmSpeeds.front().label, look.speed,
+                             "Playback speed") ||
+              changed;
     ImGui::SameLine();
     FilmSize size{look.width, look.height};
-    changed = drawFilmChoice("size", kFilmSizes, size,
-                             "Pixels of the film. Usual: 1280 x 720, and 640 x 360 of a .gif") ||
+    changed = drawFilmChoice("size", kFilmSizes, isGif ? "640 x 360" : "1280 x 720", size,
+                             "Size in pixels") ||
               changed;
     look.width = size[0];
     look.height = size[1];
     ImGui::SameLine();
-    changed = drawFilmChoice("rate", kFilmRates, look.rate,
-                             "Pictures in a second. Usual: 30, and 25 of a .gif") ||
+    changed = drawFilmChoice("rate", kFilmRates, isGif ? "25 fps" : "30 fps", look.rate,
+                             "Frames per second") ||
               changed;
     if (changed) {
         actions.emplace_back(FileAction(SetFilmLook{look}));
@@ -144,17 +145,17 @@ void drawFilmLook(FilmLook look, std::vector<Action>& actions) {
 std::string_view titleOf(const FileDialogState& dialog) {
     switch (dialog.purpose) {
         case FilePurpose::open:
-            return dialog.adds ? "Add a model to the scene" : "Open a model or a session";
+            return dialog.adds ? "Add model" : "Open model or session";
         case FilePurpose::saveSession:
-            return "Save all since the start as a session";
+            return "Save session";
         case FilePurpose::saveTest:
-            return "Save all since the start as a test";
+            return "Save as test";
         case FilePurpose::exportMesh:
-            return "Export the body as it is";
+            return "Export model";
         case FilePurpose::makeFilm:
-            return "Make a film of all since the start";
+            return "Export video";
         case FilePurpose::saveMaterial:
-            return "Save the values of the body as a material";
+            return "Save material";
         case FilePurpose::none:
             break;
     }
@@ -172,7 +173,7 @@ std::string_view verbOf(const FileDialogState& dialog) {
         case FilePurpose::exportMesh:
             return "Export";
         case FilePurpose::makeFilm:
-            return "Film";
+            return "Export";
         case FilePurpose::none:
             break;
     }
@@ -349,7 +350,7 @@ void FileDialog::drawRows(const FileDialogState& state, std::vector<Action>& act
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Size", ImGuiTableColumnFlags_WidthFixed, 5 * line);
-    ImGui::TableSetupColumn("Changed", ImGuiTableColumnFlags_WidthFixed, 9 * line);
+    ImGui::TableSetupColumn("Modified", ImGuiTableColumnFlags_WidthFixed, 9 * line);
     ImGui::TableHeadersRow();
     // Of a folder with thousands of files only those in view are drawn, and the one to scroll to.
     ImGuiListClipper clipper;
@@ -410,8 +411,8 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
         ImGui::AlignTextToFramePadding();
         ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::orange));
         ImGui::TextUnformatted(state.purpose == FilePurpose::saveTest
-                                   ? "There is a test of this name already. Replace it?"
-                                   : "There is a file of this name already. Replace it?");
+                                   ? "A test with this name already exists. Replace it?"
+                                   : "A file with this name already exists. Replace it?");
         ImGui::PopStyleColor();
         return;
     }
@@ -424,23 +425,23 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
     }
     if (state.purpose == FilePurpose::exportMesh) {
         bool perPiece = state.filePerPiece;
-        if (ImGui::Checkbox("A file per piece", &perPiece)) {
+        if (ImGui::Checkbox("One file per piece", &perPiece)) {
             actions.emplace_back(FileAction(SetFilePerPiece{perPiece}));
         }
         noteItem("file.per_piece");
         ImGui::SameLine();
         bool inScene = state.inScene;
-        if (ImGui::Checkbox("Metres of the scene", &inScene)) {
+        if (ImGui::Checkbox("Scene units (m)", &inScene)) {
             actions.emplace_back(FileAction(SetExportInScene{inScene}));
         }
         noteItem("file.in_scene");
         itemTooltip(
-            "As the body lies in the scene, +y up. Without it the file has the coordinates "
-            "of the model's own file: its unit, axes and place");
+            "On: in metres, placed as in the scene, +Y up. Off: unit, axes and position of the "
+            "model's own file");
         return;
     }
     if (state.purpose == FilePurpose::makeFilm) {
-        drawFilmLook(state.film, actions);
+        drawFilmLook(state, actions);
         return;
     }
     ImGui::AlignTextToFramePadding();
@@ -449,7 +450,7 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
 
 void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& actions) {
     const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state));
-    const char* const leave = state.asksToOverwrite ? "Keep it" : "Cancel";
+    const char* const leave = state.asksToOverwrite ? "Keep existing" : "Cancel";
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb) - buttonWidth(leave) -
                     spacing);

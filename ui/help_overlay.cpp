@@ -7,6 +7,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
+#include "ui/base/widgets.h"
 #include "ui/state/action_table.h"
 #include "ui/state/panel_model.h"
 
@@ -33,10 +34,12 @@ void addRow(std::vector<Group>& groups, std::string_view title, const PointerHin
 std::vector<Group> allGroups(MouseScheme mouse) {
     std::vector<Group> groups;
     for (const PointerHint& row : pointerTable(mouse)) {
-        addRow(groups, "Pointer", row);
+        addRow(groups, "Mouse", row);
     }
     for (const ActionRow& row : actionTable()) {
-        addRow(groups, row.group, {keysOf(row.id), row.label});
+        if (!row.shortcut.text.empty()) {
+            addRow(groups, row.group, {keysOf(row.id), row.label});
+        }
     }
     return groups;
 }
@@ -52,10 +55,10 @@ void drawGroup(const Group& group) {
     for (const PointerHint& row : group.rows) {
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
-        ImGui::TextWrapped("%s", std::string(row.gesture).c_str());
+        textWrapped(row.gesture);
         ImGui::PopStyleColor();
         ImGui::TableNextColumn();
-        ImGui::TextWrapped("%s", std::string(row.label).c_str());
+        textWrapped(row.label);
     }
     ImGui::EndTable();
     ImGui::Spacing();
@@ -100,7 +103,7 @@ void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SetNextWindowPos({display.x / 2, display.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, 0.96F * display.y});
     ImGui::SetNextWindowBgAlpha(0.985F);  // What lies below must not shine through the letters.
-    ImGui::Begin("All keys", nullptr,
+    ImGui::Begin("Keyboard shortcuts", nullptr,
                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 2});

@@ -33,7 +33,7 @@ void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Acti
     if (settings.showsPanels()) {
         return;
     }
-    const std::string label = "Panels   " + std::string(keyOf(ActionId::togglePanels));
+    const std::string label = "Show panels   " + std::string(keyOf(ActionId::togglePanels));
     const Rect place{view.x + bannerPadding(), view.y + bannerPadding(), buttonWidth(label),
                      ImGui::GetFrameHeight()};
     beginBanner("panels", place, {.opacity = 1, .takesInput = true});
@@ -41,7 +41,7 @@ void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Acti
         actions.emplace_back(ActionId::togglePanels);
     }
     noteItem("panels.show");
-    itemTooltip("Brings the menu and the panels back");
+    itemTooltip("Show the menu and the panels");
     endBanner();
 }
 

@@ -125,7 +125,7 @@ using Actions = std::vector<Action>;
 
 /// The sections of the left panel, from top to bottom.
 constexpr std::array kSections{
-    PanelPart{"Experiments of the paper",
+    PanelPart{"Paper experiments",
               [](const PanelModel& m, Actions& to) { drawExperiments(m.experiments, to); },
               "experiments"},
     PanelPart{
@@ -137,9 +137,9 @@ constexpr std::array kSections{
               [](const PanelModel& m, Actions& to) { drawParameters(m.parameters, to); },
               "simulation"},
     PanelPart{"Display", [](const PanelModel& m, Actions& to) { drawDisplay(m, to); }, "display"},
-    PanelPart{"Quality of the cuts", [](const PanelModel& m, Actions& /*to*/) { drawCuts(m.cuts); },
+    PanelPart{"Cut quality", [](const PanelModel& m, Actions& /*to*/) { drawCuts(m.cuts); },
               "cuts"},
-    PanelPart{"Window", [](const PanelModel& m, Actions& to) { drawWindowRows(m.settings, to); },
+    PanelPart{"Settings", [](const PanelModel& m, Actions& to) { drawWindowRows(m.settings, to); },
               "window"},
 };
 

@@ -85,14 +85,13 @@ class ButtonLines {
 void drawOffer(const char* name, const Hint& hint, const Rect& view, float bottom,
                const BannerStyle& style, std::vector<Action>& actions) {
     const float most = view.width - 2 * bannerPadding();
-    const ImVec2 text = ImGui::CalcTextSize(hint.text.c_str(), nullptr, false, most);
+    const std::string lines = wrapped(hint.text, most);
+    const ImVec2 text = ImGui::CalcTextSize(lines.c_str());
     const ButtonLines buttons(hint.choices, most);
     const float width = std::max(text.x, std::min(buttons.width(), most));
     const float height = text.y + buttons.height();
     beginBanner(name, {view.x + (view.width - width) / 2, bottom - height, width, height}, style);
-    ImGui::PushTextWrapPos(bannerPadding() + width + 1);
-    ImGui::TextUnformatted(hint.text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(lines.c_str());
     buttons.draw(name, actions);
     endBanner();
 }

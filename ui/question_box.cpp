@@ -77,9 +77,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     if (picture_.id() != 0) {
         drawPicture();
     }
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(question.text.c_str());
-    ImGui::PopTextWrapPos();
+    textWrapped(question.text);
     ImGui::Spacing();
     drawChoices(question, actions);
     if (!justOpened && keyPressed(ImGuiKey_Enter)) {

@@ -102,7 +102,7 @@ void drawOpener(const Settings& chosen, const PanelSide& side, float scale,
     }
     ImGui::PopStyleVar();
     noteItem(name);
-    itemTooltip("Bring the panel back; Tab shows and hides both");
+    itemTooltip("Show the panel (Tab shows and hides both)");
     ImGui::End();
 }
 

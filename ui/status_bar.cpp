@@ -26,14 +26,14 @@ std::string stateOf(const PanelModel& model) {
 /// How often pieces ran away and were taken back, where any did.
 std::string lossesOf(const PanelModel& model) {
     const auto losses = static_cast<int>((*model.plots.history)[Reading::lostPieces].last());
-    return losses > 0 ? ", " + std::to_string(losses) + " taken back" : "";
+    return losses > 0 ? ", " + std::to_string(losses) + " reset" : "";
 }
 
 }  // namespace
 
 std::string statusText(const PanelModel& model) {
     if (model.name.empty()) {
-        return "Nothing open";
+        return "No file open";
     }
     return model.name + "   |   " + counted(model.pieces.rows.size(), "piece", "pieces") +
            lossesOf(model) + "   |   " + std::to_string(model.body.vertices) + " vertices, " +

@@ -1,6 +1,7 @@
 #include "ui/work_box.h"
 
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,21 @@ void drawCancel(std::vector<Action>& actions) {
 
 }  // namespace
 
+std::string timeText(const WorkState& work) {
+    constexpr double kMinute = 60;
+    if (!work.left) {
+        return fmt::format("{:.0f} s so far", work.seconds);
+    }
+    if (*work.left < 1) {
+        return "almost done";
+    }
+    if (*work.left < 2 * kMinute) {
+        const double step = *work.left < 10 ? 1 : 5;
+        return fmt::format("about {:.0f} s left", step * std::ceil(*work.left / step));
+    }
+    return fmt::format("about {:.0f} min left", *work.left / kMinute);
+}
+
 void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions) {
     if (work.title.empty()) {
         return;
@@ -52,15 +68,18 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                      ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::TextUnformatted(work.title.c_str());
-    if (work.share) {
-        ImGui::ProgressBar(static_cast<float>(*work.share), {-1, 0.3F * line}, "");
+    if (work.all > 0) {
+        const double share = std::min(1.0, work.done / work.all);
+        ImGui::ProgressBar(static_cast<float>(share), {-1, 0.3F * line}, "");
     } else {
         drawRunner(work.seconds);
     }
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s, %.0f s", work.stage.c_str(), work.seconds);
     if (work.mayEnd) {
+        ImGui::TextDisabled("%s, %s", work.stage.c_str(), timeText(work).c_str());
         drawCancel(actions);
+    } else {
+        ImGui::TextDisabled("%s", work.stage.c_str());
     }
     ImGui::End();
 }

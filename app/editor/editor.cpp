@@ -102,6 +102,7 @@ void beginSteps(State& s) {
     EditorScene& scene = *s.scene;
     if (!scene.running()) {
         s.clock.stop();
+        s.scene.stops = false;
         return;
     }
     s.view.display.join();

@@ -3,7 +3,6 @@
 #include "app/editor/editor_state.h"
 #include "app/editor/storage/plot_export.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/free_file.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
@@ -13,6 +12,7 @@
 #include "app/tools/move_tool.h"
 #include "app/tools/retract_tool.h"
 #include "gpu/data_path.h"
+#include "sim/base/text.h"
 #include "ui/base/unit_text.h"
 #include "ui/panels/plots_panel.h"
 #include "ui/state/action_table.h"
@@ -30,7 +30,13 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
+    const int waiting = s.scene.meanwhile().stroke().waiting();
     s.view.cancelTools(s.sceneOfTool(), true);
+    if (waiting > 0) {
+        s.toast.show("Cancelled. " + counted(waiting, "more cut", "more cuts") + " in the queue " +
+                         (waiting == 1 ? "was" : "were") + " dropped.",
+                     false);
+    }
     s.redraw.scene();
 }
 
@@ -74,6 +80,7 @@ void cancelWork(State& s) {
         s.onceSought.reset();
     }
     stopTools(s);
+    s.scene.stops = s.scene.underWay();
 }
 
 /// Whether taking it back moves the body at once.
@@ -101,14 +108,13 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
         return;  // it was forgotten to keep to the budget
     }
     const UndoEntry& entry = back ? history.firstUndone() : history.lastDone();
-    const std::string told =
-        (back ? "Taken back: " : "Done again: ") + ui::withRaisedDigits(entry.name);
+    const std::string told = (back ? "Undone: " : "Redone: ") + ui::withRaisedDigits(entry.name);
     if (const bool next = back && history.canUndo(); !next || movesBody(entry)) {
-        s.toast.show(told + ".", false);
+        s.toast.show(told, false);
     } else {
         s.toast.offer(
-            told + ". The body stays as it is.",
-            {ui::ActionId::undo, "Undo too: " + ui::withRaisedDigits(history.lastDone().name)});
+            told + ". The body keeps its shape.",
+            {ui::ActionId::undo, "Also undo: " + ui::withRaisedDigits(history.lastDone().name)});
     }
 }
 
@@ -180,48 +186,49 @@ void reset(State& s) {
 
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
-    if (!s.scene->recorder().recording()) {
-        s.view.cancelTools(s.restingScene());
-        s.scene->startRecording();
-        s.toast.show("Recording. Ctrl+R stops it and saves a session.", false);
+    if (s.scene->recorder().recording()) {
+        s.scene->recorder().stop();
+        s.browse(ui::FilePurpose::saveSession);
         return;
     }
-    s.scene->recorder().stop();
-    s.save({ui::FilePurpose::saveSession,
-            freeFile(s.chooser.here(), s.scene->document().name, ".kerf.json")});
+    s.askBefore("Start recording", [&s] {
+        s.view.cancelTools(s.restingScene());
+        s.scene->startRecording();
+        s.toast.show("Recording. Press Ctrl+R to stop and save the session.", false);
+    });
+}
+
+void tellAdded(State& s, const std::string& what, int step, const std::string& file = "") {
+    s.toast.show("Added " + what + " at step " + std::to_string(step) + " to the session" +
+                     (file.empty() ? "" : ": " + file),
+                 false);
 }
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s) {
     const JournalPosition place = s.toast.takeOffer().value_or(s.scene->recorder().here());
     const std::string file = s.scene->recorder().addPicture(place);
-    s.toast.show(file + " is a picture of step " + std::to_string(place.step) + " in the session.",
-                 false);
+    tellAdded(s, "a picture", place.step, file);
 }
 
 void addCheck(State& s) {
     s.scene->recorder().addCheck();
-    s.toast.show("The session checks step " + std::to_string(s.scene->recorder().here().step) + ".",
-                 false);
+    tellAdded(s, "a check", s.scene->recorder().here().step);
 }
 
 void addExport(State& s) {
     const std::string file = s.scene->recorder().addExport();
-    s.toast.show(file + " is an export of step " + std::to_string(s.scene->recorder().here().step) +
-                     " in the session.",
-                 false);
+    tellAdded(s, "an export", s.scene->recorder().here().step, file);
 }
 
 void addCamera(State& s) {
     s.scene->recorder().addCamera(s.view.camera.destination());
-    s.toast.show("A film of the session is seen from here at step " +
-                     std::to_string(s.scene->recorder().here().step) + ".",
-                 false);
+    tellAdded(s, "a camera keyframe", s.scene->recorder().here().step);
 }
 
 void useView(State& s) {
     s.scene->recorder().useView(s.view.camera.destination());
-    s.toast.show("The pictures of the session are taken from here.", false);
+    s.toast.show("Session pictures now use this view.", false);
 }
 
 template <AxisView axis>
@@ -266,6 +273,17 @@ void toggleQuality(State& s) {
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
 }
 
+void showAbout(State& s) {
+    const std::filesystem::path& settings = s.panels.settings.file();
+    s.panels.asked = {{.title = "About Kerf",
+                       .text = "Kerf " KERF_VERSION " cuts soft 3D models in real time.\n\n"
+                               "Renderer: " +
+                               s.panels.device + "\nDriver: " + s.panels.driver + "\nSettings: " +
+                               (settings.empty() ? "not saved" : settings.string()),
+                       .choices = {"Close"}},
+                      [](int) {}};
+}
+
 /// What an action needs: nothing; something that is open, of which a picture is drawn anew,
 /// whatever that is doing; or a body that rests between two steps.
 enum class Needs { nothing, scene, body };
@@ -287,7 +305,8 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::addModel, Needs::scene,
             [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
-    Handler{ActionId::saveSession, Needs::scene,
+    Handler{ActionId::saveSession, Needs::scene, [](State& s) { s.saveSession(); }},
+    Handler{ActionId::saveSessionAs, Needs::scene,
             [](State& s) { s.browse(FilePurpose::saveSession); }},
     Handler{ActionId::saveTest, Needs::scene, [](State& s) { s.askAboutTest(); }},
     Handler{ActionId::exportBody, Needs::scene,
@@ -357,6 +376,8 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.panels.plotView = {}; }},
     Handler{ActionId::help, Needs::nothing,
             [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
+    Handler{ActionId::manual, Needs::nothing, [](State& s) { s.work.openManual(); }},
+    Handler{ActionId::about, Needs::nothing, showAbout},
 };
 constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::Tool tool>() {
     return Handler{ui::actionOf(tool), Needs::scene, take<tool>};
@@ -391,7 +412,7 @@ void exportPlots(State& s, bool asPicture) {
     const std::vector<ui::PlotSpec> plots =
         ui::chosenPlots(s.panels.model.plots, s.panels.model.settings);
     if (plots.empty()) {
-        s.toast.show("No plot is chosen that could be saved.", true);
+        s.toast.show("No plots are shown, so there is nothing to save.", true);
     } else if (asPicture) {
         // Drawn here, since that needs OpenGL; encoded and written behind.
         s.savePicture(s.panels.drawPlots(plots), "kerf-plots");
@@ -517,7 +538,7 @@ void Editor::State::apply(const ui::Action& action) {
         hideFaulty();
     }
     if (scene != nullptr && needsBody(action) && comesBack()) {
-        toast.show("Wait a moment: your work is still coming back.", false);
+        toast.show("Your work is still being recovered. Please wait.", false);
     } else if (scene != nullptr && needsBody(action)) {
         scene.waiting.push_back(action);
         workOff();

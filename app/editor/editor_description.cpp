@@ -41,14 +41,14 @@ ui::FieldLegend fieldLegend(State& s, bool inView) {
     return legend;
 }
 
-ui::WorkState seekWork(const BusyScene& now, int steps, double perStep) {
+ui::WorkState seekWork(const BusyScene& now, int steps) {
     const int target = now.seekTarget();
-    return {now.document().name + ": going to step " + std::to_string(target),
-            "Step " + std::to_string(target - steps), steps * perStep,
-            1 - static_cast<double>(steps) / std::max(1, target)};
+    return {fmt::format("{}: going to step {}", now.document().name, target),
+            fmt::format("Step {} of {}", target - steps, target),
+            static_cast<double>(target - steps), static_cast<double>(target)};
 }
 
-/// A stroke by its poses; and what else takes long, which has no end that could be told.
+/// A stroke by its poses; and what else takes long.
 ui::WorkState sceneWork(const State& s) {
     const BusyScene now = s.scene.meanwhile();
     const double perStep = std::max(s.clock.secondsPerStep(), s.scene.seconds());
@@ -56,23 +56,22 @@ ui::WorkState sceneWork(const State& s) {
         return {};
     }
     if (const int steps = now.seekSteps(); steps > 0) {
-        return seekWork(now, steps, perStep);
+        return seekWork(now, steps);
     }
     const StrokeProgress cut = now.stroke().progress();
     const auto left = static_cast<double>(cut.poses - cut.done);
+    if (s.scene.stops && s.scene.underWay() && perStep > kQuietSeconds) {
+        return {.title = "Stopping", .stage = "Stopping after this step...", .mayEnd = false};
+    }
     if (left * perStep > kQuietSeconds) {
-        return {"Cutting", std::to_string(cut.done) + " of " + std::to_string(cut.poses) + " steps",
-                left * perStep, static_cast<double>(cut.done) / static_cast<double>(cut.poses)};
+        return {"Cutting", fmt::format("Step {} of {}", cut.done, cut.poses),
+                static_cast<double>(cut.done), static_cast<double>(cut.poses)};
     }
     if (s.scene.isAt(SceneWork::change) && s.scene.seconds() > kQuietSeconds) {
-        return {.title = "Changing the body",
-                .stage = "Waiting",
-                .seconds = s.scene.seconds(),
-                .mayEnd = false};
+        return {.title = "Updating the model", .stage = "Please wait", .mayEnd = false};
     }
     if (s.scene.isAt(SceneWork::steps) && perStep > kQuietSeconds) {
-        return {fmt::format("A step takes {:.1f} s", perStep), "Computing", s.scene.seconds(),
-                std::min(1.0, s.scene.seconds() / perStep)};
+        return {"Computing", fmt::format("{:.1f} s per step", perStep), s.scene.seconds(), perStep};
     }
     return {};
 }
@@ -119,6 +118,7 @@ void Editor::State::describe(bool withOverlay) {
     if (model.work.title.empty()) {
         model.work = sceneWork(*this);
     }
+    timeLeft.follow(model.work);
     toast.describe(model);
     describeFaults();
 }

@@ -24,9 +24,9 @@ using State = Editor::State;
 
 constexpr const char* kRemesh = "Remesh";
 constexpr const char* kUnite = "Unite pieces";
-constexpr const char* kPart = "Part into models";
+constexpr const char* kPart = "Split into models";
 constexpr const char* kRepair = "Repair";
-constexpr const char* kThicken = "Give it a thickness";
+constexpr const char* kThicken = "Thicken";
 
 ModelReference& referenceOf(Session& session, int model) {
     return model == 0 ? session.model : session.moreModels.at(model - 1).model;
@@ -43,9 +43,8 @@ TriangleFigures figuresOf(const EditorScene& scene) {
 }
 
 std::string changeText(const TriangleFigures& before, const TriangleFigures& now) {
-    return fmt::format("{} became {}, needles {} became {}",
-                       counted(before.triangles, "triangle", "triangles"), now.triangles,
-                       before.needles, now.needles);
+    return fmt::format("{} instead of {}, {} left", counted(now.triangles, "triangle", "triangles"),
+                       before.triangles, counted(now.needles, "sliver", "slivers"));
 }
 
 /// The sentence of a fault with the name of the file alone, and without what a modelling tool could
@@ -68,7 +67,7 @@ struct Help {
 /// A length in the file's unit, for people; of sessions the unit is not told.
 std::string fileLength(double length, const ModelFault& fault, const OpeningOrder& order) {
     if (!isModelFile(order.file) || fault.found() == nullptr) {
-        return fmt::format("{:g} in the unit of its file", length);
+        return fmt::format("{:g} file units", length);
     }
     const UnitGuess guess =
         guessUnits(order.file, repair::boundsOf(fault.found()->soup), fault.found()->units);
@@ -85,14 +84,14 @@ std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
             {{.fillHoles = true}, "Filling " + holes + " would close it", "Fill " + holes});
     } else if (!model.repairs.empty()) {
         helps.push_back({{.repair = true},
-                         "A repair would help (" + kerf::joined(model.repairs, ", ") + ")",
+                         "A repair can fix it (" + kerf::joined(model.repairs, ", ") + ")",
                          kRepair});
     }
     if (model.thickness > 0) {
         helps.insert(
             model.isSheet ? helps.begin() : helps.end(),
             {{.repair = true, .thicken = model.thickness},
-             "As a sheet of " + fileLength(model.thickness, fault, order) + " it could be cut",
+             "With a thickness of " + fileLength(model.thickness, fault, order) + " it can be cut",
              kThicken});
     }
     return helps;
@@ -110,19 +109,19 @@ void closeScene(State& s) {
 void askAboutRepair(State& s) {
     const Mended& mended = *s.sceneHistory.mended;
     s.view.showFaulty(mended.fault, mended.order);
-    s.panels.asked = {
-        {.title = "Taken back: " + mended.change,
-         .text = shortSentence(mended.fault, mended.order) + ". Without that it can't be cut.",
-         .choices = {"Do it again", "Close the model"},
-         .aside = s.view.faulty.has_value()},
-        [&s](int choice) {
-            s.hideFaulty();
-            if (choice == 0) {
-                s.toast.show("Done again: " + s.sceneHistory.mended->change + ".", false);
-            } else {
-                s.askBefore("Close the model", [&s] { closeScene(s); });
-            }
-        }};
+    s.panels.asked = {{.title = "Undone: " + mended.change,
+                       .text = shortSentence(mended.fault, mended.order) +
+                               ". Without this change it can't be cut.",
+                       .choices = {"Redo", "Close model"},
+                       .aside = s.view.faulty.has_value()},
+                      [&s](int choice) {
+                          s.hideFaulty();
+                          if (choice == 0) {
+                              s.toast.show("Redone: " + s.sceneHistory.mended->change, false);
+                          } else {
+                              s.askBefore("Close model", [&s] { closeScene(s); });
+                          }
+                      }};
     s.redraw.scene();
 }
 
@@ -138,17 +137,15 @@ void exchangeModel(State& s, const Session& start, const ModelReference& model,
         s.open(order);
         return;
     }
-    s.panels.asked = {
-        {.title = "The scene begins anew: " + change,
-         .text =
-             "What was cut, and what a session does, goes with the old triangles. Undo brings all "
-             "of it back.",
-         .choices = {"Go on", "Cancel"}},
-        [&s, order](int choice) {
-            if (choice == 0) {
-                s.open(order);
-            }
-        }};
+    s.panels.asked = {{.title = change + " and reset the cuts?",
+                       .text = "Cuts and session events belong to the old triangles and are "
+                               "removed. Undo restores them.",
+                       .choices = {"Continue", "Cancel"}},
+                      [&s, order](int choice) {
+                          if (choice == 0) {
+                              s.open(order);
+                          }
+                      }};
 }
 
 }  // namespace
@@ -176,7 +173,7 @@ void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder&
     panels.asked = {
         {.title = "This model can't be cut as it is",
          .text = shortSentence(fault, order) + ". " + kerf::joined(helps, ". ", &Help::sentence) +
-                 "; the file stays as it is.",
+                 ". The file itself is not changed.",
          .choices = std::move(choices),
          .aside = view.faulty.has_value()},
         [this, fault, order, helps](int choice) {
@@ -211,7 +208,7 @@ void Editor::State::tellOfModel(std::string note) {
     }
     const std::size_t objects = scene->document().objects.size();
     if (scene->document().guess && objects > 1) {
-        note += fmt::format(" Its file has {} objects.", objects);
+        note += fmt::format(" The file contains {} objects.", objects);
     }
     if (!note.empty()) {
         spdlog::info("{}: {}", scene->document().name, note);
@@ -225,20 +222,21 @@ void Editor::State::unitePieces(int model) {
     Session start = scene->body().start();
     ModelReference& reference = referenceOf(start, model);
     reference.repair = true;
-    exchangeModel(*this, start, reference,
-                  fmt::format("Uniting the pieces of {}", reference.name()), kUnite);
+    exchangeModel(*this, start, reference, fmt::format("Uniting pieces of {}", reference.name()),
+                  kUnite);
 }
 
 void Editor::State::partModel() {
     const auto objects = static_cast<int>(scene->document().objects.size());
     if (objects > kMostModels) {
-        toast.show(fmt::format("The file has {} objects, and a scene holds {} models at most.",
-                               objects, kMostModels),
-                   true);
+        toast.show(
+            fmt::format("The file contains {} objects, but a scene can hold at most {} models.",
+                        objects, kMostModels),
+            true);
         return;
     }
     const Session start = parted(scene->body().start(), objects);
-    exchangeModel(*this, start, start.model, "Parting into models", kPart);
+    exchangeModel(*this, start, start.model, "Splitting into models", kPart);
 }
 
 void Editor::State::exchange(UploadedDocument uploaded, const std::string& change) {
@@ -259,8 +257,8 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     view.beginAgain(*scene);
     beginScene();
     const std::string outcome =
-        change == kPart ? fmt::format("{}: {} of them.", change, scene->simulation().modelCount())
-                        : fmt::format("{}: {}.", change, changeText(before, now));
+        change == kPart ? fmt::format("{}: {}", change, scene->simulation().modelCount())
+                        : fmt::format("{}: {}", change, changeText(before, now));
     spdlog::info("{}: {}", scene->document().name, outcome);
     toast.offer(outcome, {ui::ActionId::undo, "Undo"});
 }
@@ -307,7 +305,7 @@ void Editor::State::followExchange() {
     keeping.noteSaved(kept.savedDeeds);
     view.beginAgain(*scene);
     beginScene();
-    toast.show((back ? "Taken back: " : "Done again: ") + kept.name + ".", false);
+    toast.show((back ? "Undone: " : "Redone: ") + kept.name, false);
 }
 
 // --- The history -------------------------------------------------------------------------------
@@ -327,8 +325,8 @@ void Editor::State::goToChange(std::size_t done) {
         scene.waiting.emplace_front(ui::GoToChange{done});
         return;
     }
-    toast.show(history.canUndo() ? "Gone to: " + ui::withRaisedDigits(history.lastDone().name) + "."
-                                 : "Gone to the start of the history.",
+    toast.show(history.canUndo() ? "Now at: " + ui::withRaisedDigits(history.lastDone().name)
+                                 : "Now at the start of the history",
                false);
 }
 
@@ -344,7 +342,7 @@ void Editor::State::describeFaults() {
         model.help.hint = {};
         if (!panels.asked) {
             model.help.hint = {view.faulty->order.file.filename().string() +
-                                   " can't be cut: these are its faults.",
+                                   " can't be cut because of these faults.",
                                {{ui::ActionId::cancel, "Back"}}};
         }
     }

@@ -18,22 +18,19 @@ using State = Editor::State;
 /// The choices of askAboutTest().
 enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
-/// The scene begins anew: who has cut is asked.
-void openAnew(State& s, OpeningOrder order) {
+/// The scene begins anew: who has cut is asked, "Reset and add".
+void openAnew(State& s, OpeningOrder order, const std::string& verb) {
     if (!s.scene->timeline().hasChanged()) {
         s.open(std::move(order));
         return;
     }
-    s.panels.asked = {
-        {order.title + " starts the scene anew",
-         "The cuts and other changes of the models so far go, and undo does not bring them "
-         "back. Save the session first if you want them again.",
-         {"Start anew", "Cancel"}},
-        [&s, order](int choice) {
-            if (choice == 0) {
-                s.open(order);
-            }
-        }};
+    const auto open = [&s, order] { s.open(order); };
+    s.askToSave(
+        {order.title + " resets the scene",
+         "Cuts and other changes are removed, and undo can't restore them. You can continue "
+         "later from a saved session.",
+         {"", verb, "Cancel"}},
+        open, open);
 }
 
 /// Reopens the scene with the model of a file added, or with a model removed.
@@ -43,9 +40,11 @@ void addModel(State& s, const std::filesystem::path& file) {
         return;
     }
     openAnew(
-        s, {"Adding " + file.filename().string(), file,
-            [name = s.scene->document().name, start = s.scene->body().start(), file](
-                const ReadOptions& options) { return openWithModel(name, start, file, options); }});
+        s,
+        {"Adding " + file.filename().string(), file,
+         [name = s.scene->document().name, start = s.scene->body().start(),
+          file](const ReadOptions& options) { return openWithModel(name, start, file, options); }},
+        "Reset and add");
 }
 
 /// The scene stays as it is until the new one stands and the hand is free.
@@ -58,6 +57,8 @@ void followOpening(State& s) {
     try {
         const bool rests = order.change.empty() || (!s.scene.underWay() && s.scene.waiting.empty());
         if (auto uploaded = s.work.advanceOpening(rests && !s.view.holds())) {
+            std::string& note = uploaded->document.note;
+            note = order.remark + (order.remark.empty() || note.empty() ? "" : " ") + note;
             if (order.change.empty()) {
                 s.show(std::move(*uploaded));
             } else {
@@ -102,7 +103,7 @@ void followPlacing(State& s) {
         s.picture.depths.note(placed.body, std::move(placed.depth));
         s.scene->simulation().expectPlacement(std::move(placed.body));
     } catch (const std::bad_alloc&) {
-        s.complain(outOfMemory("Placing the model"));
+        s.complain(outOfMemory("Placing model"));
         return;
     } catch (const std::exception& error) {
         s.complain(error.what());
@@ -155,14 +156,19 @@ void Editor::State::removeModel(int model) {
     Session start = scene->body().start();
     takeModelOut(start, model);
     const std::filesystem::path file = start.model.file();
-    openAnew(*this, {"Taking model " + std::to_string(model) + " out", file,
-                     [name = scene->document().name, start](const ReadOptions& options) {
-                         return openScene(name, start, options);
-                     }});
+    openAnew(*this,
+             {"Removing model " + std::to_string(model), file,
+              [name = scene->document().name, start](const ReadOptions& options) {
+                  return openScene(name, start, options);
+              }},
+             "Reset and remove");
 }
 
 void Editor::State::show(UploadedDocument uploaded) {
     const std::string note = uploaded.document.note;
+    if (uploaded.document.inFile) {
+        sessionFile.begin(uploaded.document.file);
+    }
     // Either may fail for want of memory; what is open stays then.
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
@@ -188,7 +194,8 @@ void Editor::State::beginScene() {
     work.onceSaved = nullptr;
     guide.begin(*scene);
     kernels.begin();
-    chooser.setModel(scene->document().session.model.path);
+    const std::filesystem::path& session = sessionFile.path();
+    chooser.setSource(session.empty() ? scene->document().session.model.path : session);
     panels.plotView = {};
     clock.stop();
     toast.withdrawOffer();
@@ -214,22 +221,43 @@ void Editor::State::browse(ui::FilePurpose purpose, BrowseFor what) {
     chooser.browse(purpose, scene == nullptr ? "" : scene.meanwhile().document().name, what);
 }
 
+void Editor::State::saveSession() {
+    const std::string doubt = sessionFile.doubt();
+    if (sessionFile.path().empty()) {
+        browse(ui::FilePurpose::saveSession);
+    } else if (doubt.empty()) {
+        save({ui::FilePurpose::saveSession, sessionFile.path()});
+    } else {
+        panels.asked = {{"Replace " + sessionFile.path().filename().string() + "?",
+                         doubt,
+                         {"Replace", "Save as...", "Cancel"}},
+                        [this](int choice) {
+                            if (choice == 0) {
+                                save({ui::FilePurpose::saveSession, sessionFile.path()});
+                            } else if (choice == 1) {
+                                browse(ui::FilePurpose::saveSession);
+                            }
+                        }};
+    }
+}
+
 /// A test without a picture is one too, but it can't show what has changed.
 void Editor::State::askAboutTest() {
     if (scene.meanwhile().takesPictures()) {
         browse(ui::FilePurpose::saveTest);
         return;
     }
-    panels.asked = {
-        {"The session takes no picture yet",
-         "A test compares the states, counts and volumes of its session, and its pictures.",
-         {"Add a picture of the end", "Go without", "Cancel"}},
-        [this](int choice) {
-            if (choice != kCancel) {
-                browse(ui::FilePurpose::saveTest,
-                       choice == kAddPicture ? BrowseFor::testWithPicture : BrowseFor::itself);
-            }
-        }};
+    panels.asked = {{"This session has no pictures",
+                     "A test compares states, counts, volumes and pictures. Without a picture it "
+                     "can't notice visible changes.",
+                     {"Add picture of last step", "Continue without", "Cancel"}},
+                    [this](int choice) {
+                        if (choice != kCancel) {
+                            browse(ui::FilePurpose::saveTest, choice == kAddPicture
+                                                                  ? BrowseFor::testWithPicture
+                                                                  : BrowseFor::itself);
+                        }
+                    }};
 }
 
 void Editor::State::take(const ChosenFile& chosen) {
@@ -248,15 +276,19 @@ void Editor::State::take(const ChosenFile& chosen) {
     }
 }
 
-void Editor::State::openAsked(const std::filesystem::path& file) {
+void Editor::State::openAsked(const std::filesystem::path& file, const std::string& remark) {
     if (!isMaterialFile(file)) {
-        askBefore("Open " + file.filename().string(), [this, file] { open(file); });
+        askBefore("Open " + file.filename().string(), [this, file, remark] {
+            OpeningOrder order = orderOf(file);
+            order.remark = remark;
+            open(std::move(order));
+        });
         return;
     }
     try {
         const int number = materials.add(file);
         if (scene == nullptr) {
-            toast.show("Open a model first; " + file.filename().string() + " is a material.", true);
+            toast.show("Open a model first: " + file.filename().string() + " is a material.", true);
         } else {
             apply(ui::TakeMaterial{number, 0});
         }
@@ -298,7 +330,7 @@ void Editor::State::browseToSaveMaterial() {
 /// One file after the other.
 void Editor::State::save(const ChosenFile& chosen) {
     if (const FileSaving* const before = work.saving()) {
-        toast.show(before->title + " is not done yet; save again after it.", true);
+        toast.show("Still busy: " + before->title + ". Save again when it is done.", true);
         return;
     }
     if (scene == nullptr) {
@@ -328,8 +360,13 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (chosen.what == BrowseFor::testWithPicture) {
         scene->recorder().addPicture(scene->recorder().end());
     }
-    work.onceSaved = [this, deeds = scene->recorder().deeds()] { keeping.noteSaved(deeds); };
     const bool isTest = chosen.purpose == ui::FilePurpose::saveTest;
+    work.onceSaved = [this, isTest, deeds = scene->recorder().deeds(), file = chosen.file] {
+        keeping.noteSaved(deeds);
+        if (!isTest) {
+            sessionFile.noteWritten(file);
+        }
+    };
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                                        isTest ? SavedAs::test : SavedAs::session);
@@ -358,7 +395,7 @@ void Editor::State::followFiles() {
         onSaved(*this, *outcome);
         materials.look();  // It may have been one.
     }
-    if (!chooser.isOpen() && work.saving() == nullptr) {
+    if (!chooser.isOpen() && !panels.asked && work.saving() == nullptr) {
         work.afterSaving = nullptr;  // The dialog was left without a name, or the file not written.
     }
     if (chooser.followPreview()) {

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "app/editor/editor_state.h"
-#include "sim/base/text.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {
@@ -66,12 +65,10 @@ void dispatch(State& s, const ui::InputEvent& event) {
                typed && typed->code == '?') {
         onKey(s, ui::Key::questionMark, {});
     } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
-        if (drop->files.size() > 1) {
-            s.toast.show(
-                "Of " + counted(drop->files.size(), "file", "files") + " the first is opened.",
-                false);
-        }
-        s.openAsked(drop->files.front());
+        const std::size_t files = drop->files.size();
+        s.openAsked(drop->files.front(), files == 1 ? ""
+                                                    : "Only the first of " + std::to_string(files) +
+                                                          " dropped files was opened.");
     } else if (std::holds_alternative<ui::FocusLost>(event)) {
         s.view.camera.releaseAll();
         onButton(s, {ui::Button::left, false, {}});

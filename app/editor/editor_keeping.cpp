@@ -18,6 +18,7 @@ void goOnFrom(State& s, const LeftWork& left) {
     OpeningOrder order = orderOf(left);
     order.shown = [&s, journal = left.journal] {
         s.keeping.begin(journal);
+        s.sessionFile.begin({});
         s.scene->goToEnd();
         s.offers.comingBack = true;
     };
@@ -81,10 +82,7 @@ void Editor::State::tellOfDriver() {
     panels.asked = {questionAbout(*problem), [this](int choice) {
                         if (choice == kUseSoftware) {
                             panels.settings.now.softwareRenderer = true;
-                            toast.show(
-                                "Close Kerf and start it again: then the processor draws and "
-                                "computes.",
-                                false);
+                            toast.show("Restart Kerf to use the software renderer.", false);
                         }
                     }};
     redraw.panels();
@@ -112,7 +110,7 @@ void Editor::State::giveUpScene(const std::string& sentence) {
     }
     describeScene();
     redraw.scene();
-    complain(kept ? sentence + " What was done is kept." : sentence);
+    complain(kept ? sentence + " Your work was saved for recovery." : sentence);
 }
 
 bool Editor::State::comesBack() {
@@ -135,26 +133,31 @@ void Editor::State::askBefore(const std::string& what, const std::function<void(
         work.afterSaving = askAgain;
         return;
     }
-    panels.asked = {
-        {what + " and lose what was done?",
-         "What was done to " + scene.meanwhile().document().name +
-             " since it was opened or saved is in no file yet. A saved session can be gone on "
-             "from.",
-         {"Save...", "Don't save", "Cancel"}},
-        [this, next, askAgain](int choice) {
-            if (choice == kSave) {
-                browse(ui::FilePurpose::saveSession);
-                work.afterSaving = askAgain;
-            } else if (choice == kDoNotSave) {
-                next();
-            }
-        }};
+    askToSave({what + " without saving?",
+               "Your changes to " + scene.meanwhile().document().name +
+                   " have not been saved. You can continue later from a saved session.",
+               {"", "Don't save", "Cancel"}},
+              askAgain, next);
+}
+
+void Editor::State::askToSave(ui::Question question, std::function<void()> saved,
+                              std::function<void()> next) {
+    question.choices[kSave] = sessionFile.path().empty() ? "Save..." : "Save";
+    panels.asked = {std::move(question),
+                    [this, saved = std::move(saved), next = std::move(next)](int choice) {
+                        if (choice == kSave) {
+                            saveSession();
+                            work.afterSaving = saved;
+                        } else if (choice == kDoNotSave) {
+                            next();
+                        }
+                    }};
     redraw.panels();
 }
 
 void Editor::State::leave() {
     chooser.take(ui::CloseFileDialog{});
-    askBefore("Leave", [this] {
+    askBefore("Quit", [this] {
         closing = true;
         keeping.discard();
         redraw.panels();

@@ -12,11 +12,13 @@
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
+#include "app/editor/steps/time_left.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/file_chooser.h"
 #include "app/editor/storage/file_work.h"
 #include "app/editor/storage/left_work.h"
 #include "app/editor/storage/material_shelf.h"
+#include "app/editor/storage/session_file.h"
 #include "app/editor/storage/work_keeping.h"
 #include "app/editor/view/editor_panels.h"
 #include "app/editor/view/editor_picture.h"
@@ -37,7 +39,7 @@ struct Editor::State {
           clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
-          chooser(options.screenshotFolder, options.recentFiles),
+          chooser(options.screenshotFolder, options.recentFiles, panels.settings.now.folders),
           materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
@@ -57,11 +59,13 @@ struct Editor::State {
     EditorPanels panels;
     EditorPicture picture;
     SceneAtWork scene;          ///< null while nothing is open
+    TimeLeft timeLeft;          ///< of the work that is shown
     SceneHistory sceneHistory;  ///< the previous and the redoable scenes
     EditorView view;
     EditorToast toast;
     NewcomerGuide guide;
     FileChooser chooser;
+    SessionFile sessionFile;
     MaterialShelf materials;
     FileWork work;
     WorkKeeping keeping;
@@ -103,8 +107,9 @@ struct Editor::State {
 
     // Files: editor_files.cpp.
     void open(const std::filesystem::path& file) { open(orderOf(file, ends)); }
-    /// Opens a file after a question about unsaved work. A material is applied at once.
-    void openAsked(const std::filesystem::path& file);
+    /// Opens a file after a question about unsaved work, and shows the remark then. A material is
+    /// applied at once.
+    void openAsked(const std::filesystem::path& file, const std::string& remark = "");
     void open(OpeningOrder order, const Mending& mending = {});
     /// Opens a scene of the start page, after a question about unsaved work.
     void openStartScene(std::size_t card);
@@ -140,6 +145,8 @@ struct Editor::State {
     void describeFaults();
     void browse(ui::FilePurpose purpose, BrowseFor what = BrowseFor::itself);
     void askAboutTest();
+    /// Writes the session to its file, perhaps after a question; asks for a file if it has none.
+    void saveSession();
     void take(const ChosenFile& chosen);
     void save(const ChosenFile& chosen);
     int savePicture(render::Image image, const std::string& name);
@@ -164,8 +171,11 @@ struct Editor::State {
     /// Whether recovered work is still being played: an action now would cut off the rest.
     bool comesBack();
     bool hasUnsavedWork() const;
-    /// Does `next`, after a question about unsaved work: "WHAT and lose what was done?"
+    /// Does `next`, after a question about unsaved work: "WHAT without saving?"
     void askBefore(const std::string& what, const std::function<void()>& next);
+    /// Asks `question`, whose choices are to save before, to proceed, and to cancel. `saved` is
+    /// done once the session is saved.
+    void askToSave(ui::Question question, std::function<void()> saved, std::function<void()> next);
     void leave();
 
     // What the panels show: editor_description.cpp.

@@ -127,6 +127,12 @@ void BladeStroke::forgetPointer() {
     queued_.reset();
 }
 
+int BladeStroke::waiting() const {
+    const auto lifts = std::ranges::count_if(
+        queue_, [](const Command& command) { return std::holds_alternative<LiftBlade>(command); });
+    return std::max(0, static_cast<int>(lifts) - (done_ ? 1 : 0));
+}
+
 std::optional<Command> BladeStroke::next() {
     if (queue_.empty()) {
         return std::nullopt;

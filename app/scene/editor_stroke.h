@@ -77,6 +77,8 @@ class BladeStroke {
 
     bool drawing() const { return scale_.has_value(); }
     std::size_t pending() const { return queue_.size(); }
+    /// The strokes in the queue of which no pose is done yet.
+    int waiting() const;
     StrokeProgress progress() const { return {given_, given_ + queue_.size()}; }
     /// The command of the coming step.
     std::optional<Command> next();

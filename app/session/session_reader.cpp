@@ -63,7 +63,7 @@ std::string readString(const Node& node) {
     return node.value->get<std::string>();
 }
 
-ParamValue readParamValue(const Node& node) {
+ParamValue readParamValue(const std::string& name, const Node& node) {
     const InputJson& value = *node.value;
     if (value.is_null()) {
         return std::monostate{};
@@ -77,7 +77,13 @@ ParamValue readParamValue(const Node& node) {
     if (value.is_string()) {
         return value.get<std::string>();
     }
-    fail(node.path, "expected a number, three numbers, a text in quotes or null.");
+    // The parameter itself says what it takes, where it gets something else.
+    const ParamInfo* const info = findParam(name);
+    const bool takesVector = info != nullptr && info->type == ParamType::vector;
+    Params scratch;
+    fail(node.path, setParam(scratch, shortened(name),
+                             takesVector ? ParamValue(0.0) : ParamValue(Vec3(0, 0, 0))) +
+                        ".");
 }
 
 void requireKnownParam(const std::string& name, const std::string& path) {
@@ -88,7 +94,7 @@ void requireKnownParam(const std::string& name, const std::string& path) {
 }
 
 void applyParam(Params& params, const std::string& name, const Node& node) {
-    const std::string problem = setParam(params, name, readParamValue(node));
+    const std::string problem = setParam(params, name, readParamValue(name, node));
     if (!problem.empty()) {
         fail(node.path, problem + ".");
     }

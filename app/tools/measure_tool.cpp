@@ -163,8 +163,8 @@ std::string MeasureTool::follow(EditorScene& scene) {
     }
     areaRevision_ = sums ? revision_ : areaRevision_;
     return ended.empty() ? ""
-                         : counted(ended.size(), "measure has", "measures have") +
-                               " ended: what they stood on was cut away.";
+                         : counted(ended.size(), "measurement was", "measurements were") +
+                               " removed, because their points were cut away.";
 }
 
 void MeasureTool::measure(std::size_t index, EditorScene& scene) {

@@ -144,8 +144,8 @@ std::string MoveTool::press(const ToolContext& c) {
     if (const std::optional<Subject> subject = subjectAt(c)) {
         subject_ = subject;
         if (subject->kind == Kind::model && !isUncut(scene)) {
-            return "The model is cut: to place it begins with the uncut one. The panel Model does "
-                   "that.";
+            return "A cut model can't be moved. Changing its placement under Model resets the "
+                   "cuts.";
         }
     }
     return "";

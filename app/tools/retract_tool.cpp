@@ -39,7 +39,7 @@ std::string RetractTool::hookLips(const ToolContext& c) {
     }
     const std::optional<Incision> incision = incisionAt(point->position, *c.scene);
     if (!incision) {
-        return "No cut is near that place. Press on the skin beside a cut.";
+        return "There is no cut nearby. Press on the skin beside a cut.";
     }
     const std::variant<int, std::string> hooked = c.scene->hands().hook(*incision);
     if (const auto* problem = std::get_if<std::string>(&hooked)) {

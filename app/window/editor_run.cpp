@@ -95,7 +95,8 @@ void openThroughResets(const std::optional<std::filesystem::path>& file) {
             if (!notice.empty() && since.seconds() < kFast) {
                 throw;
             }
-            notice = "The graphics driver was reset. Kerf has begun anew, and offers what it kept.";
+            notice =
+                "The graphics driver was reset, so Kerf restarted. Your work can be recovered.";
         }
     }
 }

@@ -53,7 +53,7 @@ const std::array kRows = {
                "share of it.",
                ParamType::real, 0.002, 0.05, true}),
         &Params::iterationError},
-    Row{{"ispc_stiffness", "ISPC stiffness", "",
+    Row{{"ispc_stiffness", "Internal stiffness", "",
          "How firmly the inside holds the skin apart: 0 is hollow and collapses, 0.5 the material "
          "itself, 1 as firm as the solver gets.",
          ParamType::real, 0, 1, false},
@@ -307,7 +307,8 @@ struct Setter {
     std::string setNumber(Assign&& assign) const {
         const double* x = std::get_if<double>(&value);
         if (!x) {
-            return quoted(info.name) + " takes one number" +
+            return quoted(info.name) + " takes one number from " + number(info.low) + " to " +
+                   number(info.high) + (info.unit.empty() ? "" : " " + std::string(info.unit)) +
                    (info.type == ParamType::optionalReal ? ", or none" : "") +
                    (info.choices.empty() ? "" : ", or " + quoted(info.choices.front()));
         }

@@ -10,6 +10,7 @@
 
 #include "tests/support/gl_fixture.h"
 #include "ui/base/layout.h"
+#include "ui/base/widgets.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -135,7 +136,7 @@ TEST_F(InterfaceTest, TheResetMarkBringsAValueBack) {
 }
 
 TEST_F(InterfaceTest, TransportButtonsAsk) {
-    for (const char* name : {"Play or pause", "One step", "Back to the start"}) {
+    for (const char* name : {"Play or pause", "Next step", "Restart"}) {
         update({});
         clickOn(std::string("button.") + name);
     }
@@ -257,8 +258,8 @@ TEST_F(InterfaceTest, NoButtonIsCutOffInASmallWindow) {
     constexpr int kSmallHeight = 600;
     model.help.hint = {"2 pieces now. What next?",
                        {{ActionId::letFall, "Let them fall"},
-                        {ActionId::showApart, "Show them apart"},
-                        {actionOf(Tool::grab), "Pull at one"}}};
+                        {ActionId::showApart, "Show apart"},
+                        {actionOf(Tool::grab), "Pull one"}}};
     for (int i = 0; i < 2; ++i) {
         interface->update({}, model, kSmallWidth, kSmallHeight, 1.0 / 60);
     }
@@ -434,6 +435,23 @@ TEST_F(InterfaceTest, WorkIsGivenUpOnlyWhereItMayEnd) {
     model.work.mayEnd = false;
     update({});
     EXPECT_FALSE(interface->itemRects().contains("work.cancel"));
+}
+
+// Dear ImGui's own lines end behind each dot: "1.41 cm to 2." and "65 cm".
+TEST_F(InterfaceTest, LinesEndInNoNumberAndNotBeforeItsUnit) {
+    update({});
+    const std::string text = "edge length 1.41 cm to 2.65 cm, mean 0.000519 mg";
+    for (float width = 100; width < 400; width += 7) {
+        const std::string lines = wrapped(text, width);
+        std::string whole = lines;
+        std::erase(whole, '\n');
+        EXPECT_EQ(whole, text);
+        for (const char* kept : {"1.41 cm", "2.65 cm", "0.000519 mg"}) {
+            EXPECT_THAT(lines, ::testing::HasSubstr(kept)) << width;
+        }
+    }
+    const std::string path = "/home/someone/a-folder-with-a-very-long-name/file.kerf.json";
+    EXPECT_GT(std::ranges::count(wrapped(path, 100), '\n'), 2) << "no word is wider than the line";
 }
 
 TEST_F(InterfaceTest, APopupOpensBelowItsButton) {

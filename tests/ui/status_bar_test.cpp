@@ -9,7 +9,7 @@ TEST(StatusText, CountsPiecesThatWereTakenBackWhereAnyWere) {
     History history;
     PanelModel model;
     model.plots.history = &history;
-    EXPECT_EQ(statusText(model), "Nothing open");
+    EXPECT_EQ(statusText(model), "No file open");
     model.name = "sphere80";
     model.pieces.rows.resize(2);
     EXPECT_NE(statusText(model).find("2 pieces   |"), std::string::npos) << statusText(model);

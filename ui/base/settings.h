@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct Settings {
     std::vector<std::string> plots{"frames", "volume"};  ///< ids, in the order of kPlots
     /// Ids of the collapsed sections of the left panel.
     std::vector<std::string> folded{"experiments", "model", "display", "cuts", "window"};
+
+    /// Those last used for "open", "sessions", "exports", "videos" and "materials".
+    std::map<std::string, std::string> folders;
 
     bool operator==(const Settings&) const = default;
     /// Whether any side panel is shown.

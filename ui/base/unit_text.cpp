@@ -1,5 +1,8 @@
 #include "ui/base/unit_text.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace kerf::ui {
 
 std::string withRaisedDigits(std::string_view text) {
@@ -13,6 +16,13 @@ std::string withRaisedDigits(std::string_view text) {
         }
     }
     return raised;
+}
+
+std::string asLabel(std::string_view name) {
+    std::string label(name);
+    std::ranges::replace(label, '_', ' ');
+    label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
+    return label;
 }
 
 }  // namespace kerf::ui

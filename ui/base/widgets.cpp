@@ -4,9 +4,11 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
@@ -120,14 +122,46 @@ float bannerPadding() {
 
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
                 const BannerStyle& style) {
-    const char* begin = text.data();
-    const char* end = begin + text.size();
-    const ImVec2 size = ImGui::CalcTextSize(begin, end, false, maxWidth - 2 * bannerPadding());
+    const std::string lines = wrapped(text, maxWidth - 2 * bannerPadding());
+    const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
     beginBanner(name, {x - size.x / 2, y - size.y / 2, size.x, size.y}, style);
-    ImGui::PushTextWrapPos(bannerPadding() + size.x + 1);
-    ImGui::TextUnformatted(begin, end);
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(lines.c_str());
     endBanner();
+}
+
+std::string wrapped(std::string_view text, float width) {
+    std::string lines;
+    std::string line;
+    std::size_t mayEnd = 0;  // behind so many bytes of the line; 0 for nowhere
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool blank = text[i] == ' ' || text[i] == '\n';
+        const bool continues = (static_cast<unsigned char>(text[i]) >> 6) == 2;  // of UTF-8
+        if (!blank && !continues && !line.empty() && widthOf(line + text[i]) > width) {
+            const std::size_t end = mayEnd > 0 ? std::exchange(mayEnd, 0) : line.size();
+            lines += line.substr(0, end) + '\n';
+            line.erase(0, end);
+        }
+        line += text[i];
+        if (text[i] == '\n') {
+            lines += std::exchange(line, {});
+            mayEnd = 0;
+        } else if (blank &&
+                   std::isdigit(static_cast<unsigned char>(text[i > 0 ? i - 1 : 0])) == 0) {
+            mayEnd = line.size();
+        }
+    }
+    return lines + line;
+}
+
+void textWrapped(std::string_view text, bool dim) {
+    const std::string lines = wrapped(text, ImGui::GetContentRegionAvail().x);
+    if (dim) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    }
+    ImGui::TextUnformatted(lines.c_str());
+    if (dim) {
+        ImGui::PopStyleColor();
+    }
 }
 
 void itemTooltip(std::string_view text) {
@@ -135,9 +169,7 @@ void itemTooltip(std::string_view text) {
         return;
     }
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 22).c_str());
     ImGui::EndTooltip();
 }
 

@@ -36,6 +36,12 @@ float bannerPadding();
 void drawBanner(const char* name, std::string_view text, float x, float y, float maxWidth,
                 const BannerStyle& style);
 
+/// A text in lines of at most `width` [px]. They break at spaces, but not between a number and its
+/// unit, and in words that are longer.
+std::string wrapped(std::string_view text, float width);
+/// Draws a text wrapped into the rest of the line, dim if it is an aside.
+void textWrapped(std::string_view text, bool dim = false);
+
 /// Shows `text` beside the last item while the pointer rests on it.
 void itemTooltip(std::string_view text);
 

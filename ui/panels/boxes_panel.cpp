@@ -68,7 +68,7 @@ void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
         const auto step = static_cast<float>(0.002 * body.size);
         const char* const metres = lengthFormat(body.size);
         const std::array drags{
-            dragVector("Center", change.box.center,
+            dragVector("Centre", change.box.center,
                        {step, -kFarthestBox, kFarthestBox, "m", metres}, name),
             dragVector("Size", change.box.size, {step, kLeastBoxSize, kLargestBoxSize, "m", metres},
                        name),
@@ -88,11 +88,11 @@ void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
 }  // namespace
 
 void drawBoxes(const BodyState& body, std::vector<Action>& actions) {
-    if (ImGui::Button("Add a box", {-1, 0})) {
+    if (ImGui::Button("Add box", {-1, 0})) {
         actions.emplace_back(PlaceBox{});
     }
     noteItem("boxes.add");
-    itemTooltip("A cube beside the body, which it collides with");
+    itemTooltip("Add a cube beside the body as an obstacle");
     for (int i = 0; i < static_cast<int>(body.boxes.size()); ++i) {
         drawBox(i, body, actions);
     }

@@ -69,20 +69,21 @@ std::string nameOfStart(const ChangeList& changes) {
         return "Earlier changes: undo replays the session first";
     }
     return changes.forgotten > 0
-               ? counted(changes.forgotten, "older change", "older changes") + " forgotten"
+               ? counted(changes.forgotten, "older change", "older changes") + " can't be undone"
                : "Start";
 }
 
 void drawMemory(const ChangeList& changes) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.1f of %.0f MB",
+    std::snprintf(text, sizeof text, "Undo memory: %.0f of %.0f MB",
                   static_cast<double>(changes.bytes) / kBytesPerMegabyte,
                   static_cast<double>(changes.budget) / kBytesPerMegabyte);
     const double share = changes.budget > 0 ? static_cast<double>(changes.bytes) /
                                                   static_cast<double>(changes.budget)
                                             : 0;
     ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text);
-    itemTooltip("Memory of what can be undone. Where it is full the oldest changes are forgotten.");
+    itemTooltip(
+        "Memory used for undo. When it is full, the oldest changes can no longer be undone.");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 void drawTitles() {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
-    for (const char* title : {"all cuts", "last"}) {
+    for (const char* title : {"All cuts", "Last"}) {
         ImGui::TableNextColumn();
         textRight(title);
     }

@@ -22,11 +22,16 @@ struct Switch {
     const char* label;
 };
 constexpr std::array kSwitches{
-    Switch{ActionId::wireframe, "Triangles"},      Switch{ActionId::showEdges, "Edges"},
-    Switch{ActionId::showBends, "Bends"},          Switch{ActionId::showIspcs, "ISPCs"},
-    Switch{ActionId::showErrors, "Errors"},        Switch{ActionId::showContacts, "Contacts"},
-    Switch{ActionId::showBoxes, "Boxes"},          Switch{ActionId::showCutLines, "Lines of cuts"},
-    Switch{ActionId::fineQuality, "Fine picture"}, Switch{ActionId::section, "Section"},
+    Switch{ActionId::wireframe, "Wireframe"},
+    Switch{ActionId::showEdges, "Edge springs"},
+    Switch{ActionId::showBends, "Bending"},
+    Switch{ActionId::showIspcs, "Internal springs"},
+    Switch{ActionId::showErrors, "Constraint error"},
+    Switch{ActionId::showContacts, "Contacts"},
+    Switch{ActionId::showBoxes, "Bounding boxes"},
+    Switch{ActionId::showCutLines, "Cut outlines"},
+    Switch{ActionId::fineQuality, "High quality"},
+    Switch{ActionId::section, "Section plane"},
 };
 
 void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
@@ -63,13 +68,13 @@ bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own
             chosen.reset();
             changed = true;
         }
-        itemTooltip("Back to the model's own colour");
+        itemTooltip("Reset colour");
     }
     return changed;
 }
 
 const char* labelOf(std::optional<render::LookName> look) {
-    return look ? render::rowOf(*look).label : "The model's own";
+    return look ? render::rowOf(*look).label : "As in the file";
 }
 
 /// Another look takes the colours that were chosen for the last one along with it.
@@ -93,9 +98,7 @@ bool chooseLook(render::ChosenColors& colors) {
         ImGui::EndCombo();
     }
     noteItem("display.look");
-    itemTooltip(
-        "What the body looks made of, cut faces included; the simulation knows nothing of "
-        "it");
+    itemTooltip("Appearance of skin and cut faces. It does not affect the simulation");
     return changed;
 }
 
@@ -104,8 +107,8 @@ bool chooseHardEdges(double& angle) {
     constexpr double kHigh = 180;
     const float width = ImGui::GetContentRegionAvail().x;
     return slideRow({"Hard edges above",
-                     "Faces that meet at more than this angle have a hard edge "
-                     "between them; 0 draws every triangle flat, 180 none",
+                     "Faces that meet at a larger angle have a hard edge: 0\u00b0 shades all flat, "
+                     "180\u00b0 all smooth",
                      "display.hard_edges"},
                     {ImGuiDataType_Double, &angle, &kLow, &kHigh, "%.0f\u00b0"}, width)
         .changed;
@@ -117,9 +120,9 @@ bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
         return false;
     }
     bool own = colors.showOwn();
-    const bool changed = ImGui::Checkbox("The model's colours", &own);
+    const bool changed = ImGui::Checkbox("Model colours", &own);
     noteItem("color.own");
-    itemTooltip("Shows the colours and images of the model's file; otherwise the colour above");
+    itemTooltip("Show the colours and textures of the model's file instead of the skin colour");
     if (changed) {
         colors.ofLook = !own;
         if (own) {
@@ -163,7 +166,7 @@ bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double 
     bool automatic = !choice.high;
     bool changed = ImGui::Checkbox("Automatic range", &automatic);
     noteItem("display.automatic_range");
-    itemTooltip("The colours reach to the largest value of now; off: to a number of yours");
+    itemTooltip("On: up to the largest current value. Off: up to a value that you set");
     if (changed) {
         choice.high = automatic ? std::nullopt : std::optional(legend.range.high);
     }
@@ -176,7 +179,7 @@ bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double 
     const float high = length ? static_cast<float>(bodySize) : 200;
     float shown = *choice.high * unit;
     const std::string format = length ? std::string(lengthFormat(bodySize)) + " m" : "%.3g %%";
-    if (slideRow({"Up to", "The value of the last colour", "display.range"},
+    if (slideRow({"Maximum", "Value at the end of the colour bar", "display.range"},
                  {ImGuiDataType_Float, &shown, &low, &high, format, true},
                  ImGui::GetContentRegionAvail().x)
             .changed) {
@@ -196,15 +199,15 @@ bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
             changed = true;
         }
         noteItem(std::string("section.") + kAxes[axis]);
-        itemTooltip("Square to this axis, through the middle of the body");
+        itemTooltip("Perpendicular to this axis, through the centre of the body");
         ImGui::SameLine();
     }
-    if (ImGui::SmallButton("Other half")) {
+    if (ImGui::SmallButton("Flip")) {
         plane.normal = -plane.normal;
         changed = true;
     }
     noteItem("section.other_half");
-    itemTooltip("Hides what is shown and shows what is hidden");
+    itemTooltip("Swap the shown and the hidden half");
     return changed;
 }
 
@@ -215,7 +218,7 @@ bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
     const double reach = 0.5 * model.body.bounds.diagonal();
     const double low = -reach;
     double along = -plane.distance(center);
-    if (slideRow({"Along", "How far the plane lies from the body's middle", "section.along"},
+    if (slideRow({"Offset", "Distance of the plane from the centre of the body", "section.along"},
                  {ImGuiDataType_Double, &along, &low, &reach,
                   std::string(lengthFormat(model.body.size)) + " m"},
                  ImGui::GetContentRegionAvail().x)
@@ -235,8 +238,8 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     changed |= chooseHardEdges(display.hardEdges);
     changed |= chooseColor("Skin", display.colors.skin, model.looks.ownSkin, "Colour of the skin");
     ImGui::SameLine(ImGui::GetContentRegionAvail().x / 2 + ImGui::GetStyle().WindowPadding.x);
-    changed |=
-        chooseColor("Flesh", display.colors.flesh, model.looks.ownFlesh, "Colour of the cut faces");
+    changed |= chooseColor("Inside", display.colors.flesh, model.looks.ownFlesh,
+                           "Colour of the cut faces");
     changed |= chooseSource(model, display.colors);
     changed |= chooseField(display.field);
     if (display.field.field != render::SurfaceField::look) {
@@ -263,11 +266,11 @@ void drawOverlayRows(const render::Overlays& overlays) {
             colorRow(label, color);
         }
     };
-    add(!overlays.errors && overlays.edges, "edges", render::kEdgeColor);
-    add(!overlays.errors && overlays.bends, "bends", render::kBendColor);
-    add(!overlays.errors && overlays.ispcs, "ISPCs", render::kIspcColor);
+    add(!overlays.errors && overlays.edges, "edge springs", render::kEdgeColor);
+    add(!overlays.errors && overlays.bends, "bending", render::kBendColor);
+    add(!overlays.errors && overlays.ispcs, "Internal springs", render::kIspcColor);
     add(overlays.contacts, "contacts", render::kContactColor);
-    add(overlays.boxes, "boxes of pieces", render::kBoxColor);
+    add(overlays.boxes, "bounding boxes", render::kBoxColor);
 }
 
 void drawErrorScale(float scale) {

@@ -83,13 +83,12 @@ void drawGround(const ExperimentCard& card) {
 }
 
 std::string tooltipOf(const ExperimentCard& card) {
-    std::string text = (card.open ? "Open now: a click starts it anew." : "Opens this experiment.");
+    std::string text = (card.open ? "Open now. Click to restart it." : "Open this experiment.");
     text += "\nPaper: time step " + formatted("%.3f s", card.timeStep) + ", " +
             std::to_string(card.iterations) + " iterations.";
     if (card.ours) {
-        text += "\nHere: means since the start of " +
-                std::string(card.open ? "this run" : "the last run") + ", now " +
-                std::to_string(card.ourTriangles) + " triangles.";
+        text += "\nHere: averages over " + std::string(card.open ? "this run" : "the last run") +
+                ", now with " + std::to_string(card.ourTriangles) + " triangles.";
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "ui/base/theme.h"
+#include "ui/base/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -14,7 +15,7 @@ void drawLine(const LogLine& line) {
     ImGui::TextUnformatted(line.isError ? "\u25b2" : "\u2022");
     ImGui::PopStyleColor();
     ImGui::SameLine();
-    ImGui::TextWrapped("%s", line.text.c_str());
+    textWrapped(line.text);
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ void drawLine(const LogLine& line) {
 void drawLog(const std::vector<LogLine>& log) {
     ImGui::BeginChild("log");
     if (log.empty()) {
-        ImGui::TextDisabled("Nothing was said yet.");
+        ImGui::TextDisabled("No messages yet.");
     }
     for (const LogLine& line : log) {
         drawLine(line);

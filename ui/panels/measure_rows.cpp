@@ -17,9 +17,9 @@ struct KindButton {
     const char* tooltip;
 };
 constexpr std::array kKinds{
-    KindButton{MeasureKind::distance, "Distance", "Two clicks on the body: straight between them"},
-    KindButton{MeasureKind::angle, "Angle", "Three clicks on the body: the angle at the second"},
-    KindButton{MeasureKind::piece, "Piece", "A click on a piece: its areas and its volume"},
+    KindButton{MeasureKind::distance, "Distance", "Click two points: straight-line distance"},
+    KindButton{MeasureKind::angle, "Angle", "Click three points: angle at the second"},
+    KindButton{MeasureKind::piece, "Piece", "Click a piece: areas and volume"},
 };
 
 bool chooseKind(ToolSettings& tools) {
@@ -44,11 +44,11 @@ void drawRow(const MeasureRow& row, std::vector<Action>& actions) {
         actions.emplace_back(RemoveMeasure{row.id});
     }
     noteItem("measure.remove." + std::to_string(row.id));
-    itemTooltip("Removes this measure");
+    itemTooltip("Remove this measurement");
     ImGui::SameLine();
     ImGui::BeginGroup();
     for (const MeasureFigure& figure : row.figures) {
-        ImGui::TextDisabled("%s%s", figure.quantity.c_str(), row.isOld ? " (before)" : "");
+        ImGui::TextDisabled("%s%s", figure.quantity.c_str(), row.isOld ? " (outdated)" : "");
         ImGui::SameLine();
         ImGui::TextUnformatted(figure.text.c_str());
     }
@@ -64,7 +64,7 @@ void drawList(const std::vector<MeasureRow>& measures, std::vector<Action>& acti
         actions.emplace_back(ExportMeasures{});
     }
     noteItem("measure.csv");
-    itemTooltip("Saves the list into the current folder");
+    itemTooltip("Save the list as CSV in the current folder");
     ImGui::SameLine();
     if (ImGui::SmallButton("Remove all")) {
         actions.emplace_back(RemoveMeasure{});

@@ -1,18 +1,31 @@
 #include "ui/panels/menu_bar.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "ui/base/item_rects.h"
+#include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/state/action_table.h"
+#include "ui/state/menu_icons.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {
+
+constexpr const char* kRoom = "     ";  // of an icon
+
+/// The first row of each group below the first group of a menu.
+constexpr std::array kGroupStarts{
+    ActionId::saveSession, ActionId::exportBody,    ActionId::screenshot, ActionId::quit,
+    ActionId::cancel,      ActionId::toggleGravity, ActionId::bringDown,  ActionId::slower,
+    ActionId::record,      ActionId::addPicture,    ActionId::viewFront,  ActionId::wireframe,
+    ActionId::nextField,   ActionId::togglePanels,  ActionId::about};
 
 /// "Undo: Cut 2" where it is known what it takes back.
 std::string labelOf(const PanelModel& model, const ActionRow& row) {
@@ -28,14 +41,18 @@ std::string labelOf(const PanelModel& model, const ActionRow& row) {
 
 void drawItem(const PanelModel& model, const ActionRow& row, std::vector<Action>& actions) {
     const std::string keys = keysOf(row.id);
-    if (ImGui::MenuItem(labelOf(model, row).c_str(), keys.c_str(), isOn(model, row.id),
-                        isAvailable(model, row.id))) {
+    const bool available = isAvailable(model, row.id);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::MenuItemEx(labelOf(model, row).c_str(), kRoom, keys.c_str(), isOn(model, row.id),
+                          available)) {
         actions.emplace_back(row.id);
     }
+    noteItem("menu." + std::string(row.label));
+    drawIcon(row.id, low, ImGui::GetFontSize(), available ? palette().text : palette().dimText);
 }
 
 void drawRecentFiles(const PanelModel& model, std::vector<Action>& actions) {
-    if (!ImGui::BeginMenu("Open again", !model.files.recent.empty())) {
+    if (!ImGui::BeginMenu("Open recent", !model.files.recent.empty())) {
         return;
     }
     for (const std::filesystem::path& file : model.files.recent) {
@@ -56,6 +73,9 @@ void drawMenu(const PanelModel& model, std::string_view group, std::vector<Actio
     }
     for (const ActionRow& row : actionTable()) {
         if (row.group == group) {
+            if (std::ranges::find(kGroupStarts, row.id) != kGroupStarts.end()) {
+                ImGui::Separator();
+            }
             drawItem(model, row, actions);
         }
         if (row.group == group && row.id == ActionId::openFile) {

@@ -22,16 +22,6 @@ constexpr double kLeastScale = 1e-6;
 constexpr double kMostScale = 1e6;
 constexpr double kMostTurn = 360;  // [degrees]
 
-void drawWrapped(const std::string& text, bool dim) {
-    ImGui::PushTextWrapPos(0);
-    if (dim) {
-        ImGui::TextDisabled("%s", text.c_str());
-    } else {
-        ImGui::TextUnformatted(text.c_str());
-    }
-    ImGui::PopTextWrapPos();
-}
-
 /// Goes on with the line where a small button with that word has room there.
 void nextOrNewLine(const std::string& word) {
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -74,7 +64,7 @@ struct NumberRow {
     const char* format;
     ImGuiSliderFlags flags = 0;
 };
-constexpr NumberRow kTurnRow{"Turn", 3, 0.5F, -kMostTurn, kMostTurn, "%.1f\u00b0"};
+constexpr NumberRow kTurnRow{"Rotate", 3, 0.5F, -kMostTurn, kMostTurn, "%.1f\u00b0"};
 constexpr NumberRow kScaleRow{
     "Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g", ImGuiSliderFlags_Logarithmic};
 
@@ -159,11 +149,11 @@ void offerMaterials(const ModelPanelState& model, const ShownModel& shown,
         itemTooltip(withRaisedDigits(row.tooltip));
     }
     ImGui::Separator();
-    if (ImGui::Selectable("Save as...")) {
+    if (ImGui::Selectable("Save material...")) {
         actions.emplace_back(SaveMaterial{});
     }
     noteItem("material.save");
-    itemTooltip("Saves the values and the look of the body as a material of your own");
+    itemTooltip("Save these values and the look as your own material");
 }
 
 void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
@@ -174,7 +164,7 @@ void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
     ImGui::TextUnformatted("Material");
     ImGui::SameLine(0.3F * ImGui::GetContentRegionAvail().x);
     ImGui::SetNextItemWidth(-1);
-    const bool open = ImGui::BeginCombo("##material", known ? row->label.c_str() : "Own values",
+    const bool open = ImGui::BeginCombo("##material", known ? row->label.c_str() : "Custom",
                                         ImGuiComboFlags_HeightLargest);
     noteItem("model.material");
     if (open) {
@@ -182,8 +172,7 @@ void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
         ImGui::EndCombo();
     } else {
         itemTooltip(known ? withRaisedDigits(row->tooltip)
-                          : "What the body is made of: stiffness, density, friction, damping and "
-                            "look by name");
+                          : "Sets stiffness, density, friction, damping and look");
     }
 }
 
@@ -195,14 +184,13 @@ void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
     const bool clicked = ImGui::Button("Remesh");
     noteItem("model.remesh");
     itemTooltip(
-        fmt::format("Makes about {:.0f} even triangles with edges of that length, on the same "
-                    "surface. The scene begins anew, texture coordinates and colours of vertices "
-                    "are lost; undo brings all of it back",
+        fmt::format("Rebuild the surface with about {:.0f} evenly sized triangles. Resets the cuts "
+                    "and drops texture coordinates and vertex colours (undoable)",
                     state.remeshed / (share * share)));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     const LengthUnit unit = state.placement.unit.value_or(LengthUnit::metre);
-    const std::string format = fmt::format("Edges of %.3g {}", nameOf(unit));
+    const std::string format = fmt::format("Edge length %.3g {}", nameOf(unit));
     if (changeNumbers({"", 1, static_cast<float>(state.edge / 200), state.edge / 10,
                        10 * state.edge, format.c_str()},
                       true, &edge)) {
@@ -219,11 +207,11 @@ void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
 void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
                    const DisplaySettings& shownNow, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
-    drawWrapped(state.triangles, false);
+    textWrapped(state.triangles);
     noteItem("model.triangles");
     itemTooltip(
-        "A soft body wants even triangles of one size. A needle is lower than a tenth of its "
-        "longest edge");
+        "Soft bodies behave best with evenly sized triangles. Slivers are triangles whose height "
+        "is below a tenth of their longest edge");
     drawRemesh(shown, actions);
     if (state.crosses) {
         if (ImGui::Button("Unite pieces")) {
@@ -231,18 +219,18 @@ void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
         }
         noteItem("model.unite");
         itemTooltip(
-            "Triangles pass through others. Makes one surface of pieces that cross, so that their "
-            "material counts once");
+            "Some triangles intersect. Merge intersecting pieces into one surface, so that "
+            "overlaps count once");
     }
     if (model.objects > 1) {
-        if (ImGui::Button("Part into models")) {
+        if (ImGui::Button("Split into models")) {
             actions.emplace_back(ActionId::partModel);
         }
         noteItem("model.part");
-        itemTooltip(fmt::format(
-            "The file has {} objects. Makes a model of each, to be placed and made of a material "
-            "of its own. The scene begins anew; undo brings it back",
-            model.objects));
+        itemTooltip(
+            fmt::format("Make a model of each of the file's {} objects, with its own placement and "
+                        "material. Resets the cuts (undoable)",
+                        model.objects));
     }
     if (model.faultCount > 0) {
         DisplaySettings display = shownNow;
@@ -250,8 +238,7 @@ void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
             actions.emplace_back(SetDisplay{display});
         }
         noteItem("model.faults");
-        itemTooltip(
-            "Marks needles, and triangles that pass through others, as long as they are whole");
+        itemTooltip("Highlight slivers and intersecting triangles that are not cut yet");
     }
 }
 
@@ -274,7 +261,7 @@ int chooseModel(const ModelPanelState& model, std::vector<Action>& actions) {
                 actions.emplace_back(RemoveModel{m});
             }
             noteItem("model.remove." + number);
-            itemTooltip("Takes this model out of the scene");
+            itemTooltip("Remove this model from the scene");
         }
         ImGui::PopID();
     }
@@ -291,7 +278,7 @@ void drawModel(const ModelPanelState& model, const ParametersState& parameters,
     const int number = model.models.size() > 1 ? chooseModel(model, actions) : 0;
     const ShownModel shown{model.models[number], number, model.live};
     const ModelState& state = shown.state;
-    drawWrapped(sizeText(state.size), false);
+    textWrapped(sizeText(state.size));
     noteItem("model.size");
     itemTooltip("Width, height and depth of the uncut model in the scene");
     drawChoices(shown, actions);
@@ -300,20 +287,19 @@ void drawModel(const ModelPanelState& model, const ParametersState& parameters,
     if (number > 0) {
         drawOwnParameters(number, parameters, actions);
     }
-    drawWrapped(state.physics, false);
+    textWrapped(state.physics);
     if (!state.guess.empty()) {
-        drawWrapped(state.guess, true);
+        textWrapped(state.guess, true);
     }
     drawTriangles(model, shown, display, actions);
     if (!model.untouched) {
-        drawWrapped("Another placement starts anew with the uncut model; undo takes it back.",
-                    true);
+        textWrapped("Changing the placement resets the cuts (undoable).", true);
     }
-    if (ImGui::Button("Add a model...")) {
+    if (ImGui::Button("Add model...")) {
         actions.emplace_back(ActionId::addModel);
     }
     noteItem("model.add");
-    itemTooltip("Puts another model beside what there is: " + keysOf(ActionId::addModel));
+    itemTooltip("Add another model to the scene: " + keysOf(ActionId::addModel));
 }
 
 }  // namespace kerf::ui

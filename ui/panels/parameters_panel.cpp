@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "sim/solve/sweep_strength.h"
 #include "ui/base/item_rects.h"
@@ -78,13 +79,19 @@ std::string rangeText(const ParamInfo& info) {
 
 std::string tooltipOf(const ParamInfo& info) {
     std::string text(info.meaning);
-    if (info.type != ParamType::choice && !isSwitch(info)) {
+    if (isSwitch(info)) {
+        for (const auto& [number, word] : {std::pair("1: ", "On: "), std::pair("0: ", "off: ")}) {
+            if (const std::size_t at = text.find(number); at != std::string::npos) {
+                text.replace(at, 3, word);
+            }
+        }
+    } else if (info.type != ParamType::choice) {
         text += "\n" + rangeText(info) + ". Ctrl+click the number to type a value.";
     }
     if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
         text += "\nPaper: " + std::string(paper) + ".";
     }
-    return text + "\nIn a session: " + std::string(info.name);
+    return text + "\nName in sessions: " + std::string(info.name);
 }
 
 /// Room for the reset mark [px].
@@ -128,7 +135,7 @@ SlideEdit slideOrAuto(const ParamInfo& info, ParamValue& value, int chosen) {
     double number = isAuto ? chosen : std::get<double>(value);
     ImVec2 behind = ImGui::GetCursorPos();
     behind.x += ImGui::CalcTextSize(info.label.data()).x + ImGui::GetStyle().ItemSpacing.x;
-    SlideEdit edit = slideInteger(info, number, (isAuto ? "auto: " : "") + sliderFormat(info));
+    SlideEdit edit = slideInteger(info, number, sliderFormat(info));
     const ImVec2 below = ImGui::GetCursorPos();
     ImGui::SetCursorPos(behind);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
@@ -173,12 +180,12 @@ SlideEdit slideVector(const ParamInfo& info, Vec3& value) {
 }
 
 bool chooseValue(const ParamInfo& info, std::string& value) {
-    if (!ImGui::BeginCombo("##value", value.c_str())) {
+    if (!ImGui::BeginCombo("##value", asLabel(value).c_str())) {
         return false;
     }
     bool changed = false;
     for (const std::string_view choice : info.choices) {
-        if (ImGui::Selectable(std::string(choice).c_str(), value == choice)) {
+        if (ImGui::Selectable(asLabel(choice).c_str(), value == choice)) {
             value = choice;
             changed = true;
         }
@@ -274,7 +281,7 @@ void drawReset(const ParamInfo& info, const ParametersState& parameters, float t
                std::vector<Action>& actions) {
     const ParamValue start = getParam(parameters.start, info.name);
     if (getParam(parameters.now, info.name) != start) {
-        drawMark(std::string(info.name), start, "Back to the value at the start", top, actions);
+        drawMark(std::string(info.name), start, "Reset to the initial value", top, actions);
     }
 }
 
@@ -288,14 +295,14 @@ void drawOwnRow(const ParamInfo& info, int model, const ParametersState& paramet
     double value = std::get<double>(has ? own : getParam(parameters.now, info.name));
     SlideText text = textOf(info);
     text.item = "param." + name;
-    text.label.append(has ? "" : " of all");
+    text.label.append(has ? "" : " (shared)");
     const SlideEdit edit =
         slideRow(text, slideOf(info, value), ImGui::GetContentRegionAvail().x, resetRoom());
     if (edit.changed) {
         actions.emplace_back(SetParam{name, value, edit.continues});
     }
     if (has) {
-        drawMark(name, std::monostate{}, "The value of all models again", top, actions);
+        drawMark(name, std::monostate{}, "Use the shared value again", top, actions);
     }
     ImGui::PopID();
 }
@@ -326,7 +333,7 @@ void drawRow(const ParamInfo& info, const ParametersState& parameters,
     }
     drawReset(info, parameters, top, actions);
     if (const std::string remark = remarkOn(info, parameters); !remark.empty()) {
-        ImGui::TextWrapped("%s", remark.c_str());
+        textWrapped(remark);
         noteItem("remark." + std::string(info.name));
     }
     ImGui::PopID();
@@ -348,11 +355,11 @@ std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
         return "";
     }
     if (parameters.now.iterations == kAutoIterations) {
-        return "Even the most are too few for the error asked for. A smaller time step helps.";
+        return "Even the maximum is too few for this iteration error. Use a smaller time step.";
     }
     const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
-    const std::string advice = enough ? "From " + std::to_string(*enough) + " on it is not."
-                                      : "A smaller time step helps.";
+    const std::string advice =
+        enough ? "Use at least " + std::to_string(*enough) + "." : "Use a smaller time step.";
     return "Too few for this stiffness: the body is softer than its modulus. " + advice;
 }
 

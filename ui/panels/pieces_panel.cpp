@@ -45,8 +45,7 @@ void eyeCell(int index, const PieceRow& piece, std::vector<Action>& actions) {
     }
     noteItem("eye." + std::to_string(index));
     drawEye({low.x + 0.65F * side, low.y + 0.5F * side}, side, !piece.hidden);
-    itemTooltip(piece.hidden ? "Show it again"
-                             : "Hide it; it goes on moving and is cut all the same");
+    itemTooltip(piece.hidden ? "Show" : "Hide. It still moves and is still cut");
 }
 
 void chipCell(int index) {
@@ -89,7 +88,7 @@ void drawDetails(const PieceRow& piece) {
     ImGui::TableNextColumn();
     textRight(piece.sums ? areaText(piece.sums->skinArea + piece.sums->cutArea) : "-");
     if (piece.sums) {
-        itemTooltip("Skin " + areaText(piece.sums->skinArea) + ", faces of cuts " +
+        itemTooltip("Skin " + areaText(piece.sums->skinArea) + ", cut faces " +
                     areaText(piece.sums->cutArea));
     }
     ImGui::TableNextColumn();
@@ -129,13 +128,13 @@ struct ColumnTitle {
     const char* tooltip;
 };
 constexpr std::array kColumns{
-    ColumnTitle{PieceColumn::number, "#", 2, "In the order in which they came off"},
-    ColumnTitle{PieceColumn::triangles, "tri.", 3.6F, "Triangles of its surface"},
-    ColumnTitle{PieceColumn::volume, "volume", 5.4F, "Volume as it is"},
-    ColumnTitle{PieceColumn::ofRest, "% rest", 4.6F, "Of its volume at rest"},
-    ColumnTitle{PieceColumn::ofAll, "% all", 4, "Of the volume of all pieces"},
-    ColumnTitle{PieceColumn::area, "area", 5.5F, "Of its surface, faces of cuts included"},
-    ColumnTitle{PieceColumn::size, "size x y z [m]", 9, "Of its box"},
+    ColumnTitle{PieceColumn::number, "#", 2, "In order of creation"},
+    ColumnTitle{PieceColumn::triangles, "tri.", 3.6F, "Number of surface triangles"},
+    ColumnTitle{PieceColumn::volume, "volume", 5.4F, "Current volume"},
+    ColumnTitle{PieceColumn::ofRest, "% rest", 4.6F, "Percentage of its volume at rest"},
+    ColumnTitle{PieceColumn::ofAll, "% all", 4, "Percentage of the volume of all pieces"},
+    ColumnTitle{PieceColumn::area, "area", 5.5F, "Surface area, including cut faces"},
+    ColumnTitle{PieceColumn::size, "size x y z [m]", 9, "Size of its bounding box"},
     ColumnTitle{PieceColumn::centre, "centre x y z [m]", 10, "Centroid of its volume"},
 };
 constexpr std::size_t kShortColumns = 4;  // without details
@@ -168,7 +167,7 @@ void drawHeader(bool details) {
         ImGui::TableNextColumn();
         ImGui::TableHeader(kColumns[i].title);
         noteItem(std::string("pieces.by.") + kColumns[i].title);
-        itemTooltip(std::string(kColumns[i].tooltip) + ". A click sorts by it.");
+        itemTooltip(std::string(kColumns[i].tooltip) + ". Click to sort");
     }
 }
 
@@ -211,13 +210,13 @@ void drawTableButtons(const DisplaySettings& chosen, std::vector<Action>& action
     }
     noteItem("pieces.details");
     itemTooltip(
-        "Share, area, size and centre too; areas and centres are added up while time stands");
+        "Show share, area, size and centre, too. Areas and centres are computed while paused");
     ImGui::SameLine(0, gap);
     if (ImGui::SmallButton("CSV")) {
         actions.emplace_back(ExportPieces{});
     }
     noteItem("pieces.csv");
-    itemTooltip("Saves the table with all columns into the current folder");
+    itemTooltip("Save the table with all columns as CSV in the current folder");
 }
 
 /// Draws the pieces away from each other, without moving them.
@@ -226,7 +225,7 @@ void slideApart(const DisplaySettings& chosen, std::vector<Action>& actions) {
     constexpr double kMost = 1;
     DisplaySettings display = chosen;
     const std::string tooltip =
-        "Shows the pieces apart without moving them, until time runs or a blade comes. " +
+        "Draw the pieces apart without moving them. Ends when you play or cut. " +
         describeAction(ActionId::showApart);
     if (slideRow({"Apart", tooltip, "pieces.apart"},
                  {ImGuiDataType_Double, &display.apart, &kLeast, &kMost, "%.2f"},

@@ -82,7 +82,7 @@ void drawChooser(const Settings& chosen, std::vector<Action>& actions) {
         ImGui::OpenPopup("choose plots");
     }
     noteItem("plots.choose");
-    itemTooltip("Which plots are shown");
+    itemTooltip("Choose the plots to show");
     placePopupBelowItem();
     if (!ImGui::BeginPopup("choose plots")) {
         return;
@@ -129,10 +129,11 @@ void drawButtons(const PlotView& view, const Settings& settings, std::vector<Act
     if (barButton("Fit", "plots.fit", describeAction(ActionId::fitPlots))) {
         actions.emplace_back(ActionId::fitPlots);
     }
-    if (barButton("CSV", "plots.csv", "Save the values of these plots as CSV")) {
+    if (barButton("CSV", "plots.csv",
+                  "Save the values of these plots as CSV in the current folder")) {
         actions.emplace_back(ExportPlots{false});
     }
-    if (barButton("PNG", "plots.png", "Save a picture of these plots")) {
+    if (barButton("PNG", "plots.png", "Save a picture of these plots in the current folder")) {
         actions.emplace_back(ExportPlots{true});
     }
 }
@@ -177,7 +178,7 @@ void drawPlots(const PlotsState& state, const TransportState& transport, const S
         }
     }
     if (plots.empty()) {
-        ImGui::TextDisabled("No plot is chosen.");
+        ImGui::TextDisabled("No plots selected.");
     }
     ImGui::EndChild();
     ImGui::EndChild();

@@ -50,13 +50,13 @@ void drawRow(const SessionPanelState& session, const SessionMark& mark,
         actions.emplace_back(SeekTo{mark.step});
     }
     itemTooltip(label + ", step " + std::to_string(mark.step) +
-                (goes ? "\nClick to go there" : ""));
+                (goes ? "\nClick to go to this step" : ""));
     ImGui::TableNextColumn();
     if (ImGui::SmallButton(kRemove)) {
         actions.emplace_back(RemoveMark{mark.id});
     }
     noteItem("session.remove." + std::to_string(mark.step));
-    itemTooltip("Remove it from the session");
+    itemTooltip("Remove from session");
     ImGui::PopID();
 }
 
@@ -94,11 +94,10 @@ void drawSessionAdditions(std::vector<Action>& actions) {
 void drawSessionMarks(const SessionPanelState& session, std::vector<Action>& actions) {
     drawButtons(actions);
     if (session.marks.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled(
-            "Pictures, checks and exports that a replay of the session makes, and "
-            "where the camera of its films is.");
-        ImGui::PopTextWrapPos();
+        textWrapped(
+            "Add pictures, checks or exports that each replay of the session makes, or keyframes "
+            "for the camera of its videos.",
+            true);
         return;
     }
     drawRows(session, actions);

@@ -17,14 +17,13 @@ struct StageText {
     const char* meaning;
 };
 constexpr std::array kTexts{
-    StageText{Reading::deformMs, "Deform", "Constraints and volume, of a step on the GPU"},
-    StageText{Reading::collideMs, "Collide", "Floor and contact, of a step on the GPU"},
-    StageText{Reading::cutMs, "Cut", "The blade's way through the mesh, of a step on the CPU"},
-    StageText{Reading::renderMs, "Render", "The scene, of a frame on the GPU"},
+    StageText{Reading::deformMs, "Deform", "Constraints and volume: GPU time of a step"},
+    StageText{Reading::collideMs, "Collide", "Floor and contact: GPU time of a step"},
+    StageText{Reading::cutMs, "Cut", "Cutting the mesh: CPU time of a step"},
+    StageText{Reading::renderMs, "Render", "Drawing the scene: GPU time of a frame"},
     StageText{Reading::otherMs, "Other",
               "The rest of a frame: measuring and reading the body, panels, the window"},
-    StageText{Reading::frameMs, "Frame",
-              "From picture to picture while time runs, panels included"},
+    StageText{Reading::frameMs, "Frame", "Time between two frames while playing, including panels"},
 };
 
 /// Sum of the means of all rows but the frame's [ms].

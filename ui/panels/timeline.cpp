@@ -128,13 +128,12 @@ std::optional<int> stepOfKeys(const PlaybackState& playback) {
 
 const char* adviceOn(const PlaybackState& playback) {
     if (!playback.goesBack) {
-        return "What is done is kept here, to go back to it";
+        return "Your actions are recorded here, so that you can go back";
     }
     if (playback.divergedAt) {
-        return "Go to a step. Red: here it came out differently than recorded";
+        return "Go to a step. Red: the replay differs from the recording";
     }
-    return playback.played ? "Go to a step"
-                           : "Go back to a step. What you do there goes on from it";
+    return playback.played ? "Go to a step" : "Go back to a step and continue from there";
 }
 
 StepScale drawSlider(const SessionPanelState& session, std::vector<Action>& actions) {
@@ -239,7 +238,7 @@ void tellOf(const std::vector<const SessionMark*>& marks) {
         text += withStep(*mark) + "\n";
     }
     if (ImGui::IsItemHovered()) {
-        tellAbove(text + "Click to go there, right click to remove");
+        tellAbove(text + "Click: go there. Right-click: remove");
     }
 }
 
@@ -321,7 +320,7 @@ std::string labelOf(const SessionMark& mark) {
         case SessionMark::Kind::change:
             return mark.text;
         case SessionMark::Kind::camera:
-            return "Camera of films";
+            return "Camera keyframe";
         case SessionMark::Kind::check:
             break;
     }

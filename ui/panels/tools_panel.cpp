@@ -70,30 +70,30 @@ struct Rows {
 };
 
 bool drawStrokeRows(const Rows& rows) {
-    bool changed = ImGui::Checkbox("Through all", &rows.tools.stroke.throughAll);
+    bool changed = ImGui::Checkbox("Full depth", &rows.tools.stroke.throughAll);
     noteItem("blade.through");
-    itemTooltip("The blade reaches through the whole body along the line of sight");
+    itemTooltip("Cut through the whole body along the line of sight");
     if (!rows.tools.stroke.throughAll) {
         changed |= slideLength("Depth", rows.tools.stroke.depth, rows.tools.longest,
-                               "How far the blade goes in, from the nearest point of the body");
+                               "Depth of the cut behind the nearest point of the body");
     }
     return changed;
 }
 
 bool drawScalpelRow(const Rows& rows) {
     return slideLength("Depth", rows.tools.scalpel.depth, rows.tools.longest,
-                       "How deep the scalpel goes below the surface");
+                       "Depth of the cut below the surface");
 }
 
 bool drawGuillotineRows(const Rows& rows) {
     GuillotineSettings& tool = rows.tools.guillotine;
     bool changed = slideLength("Length", tool.length, rows.tools.longest, "Length of the blade");
-    changed |= slideLength("Drop", tool.drop, rows.tools.longest, "How far the blade goes down");
+    changed |= slideLength("Drop", tool.drop, rows.tools.longest, "How far the blade drops");
     const double up = 0;
     const double down = 1;
     const float button = 4.6F * ImGui::GetFontSize();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    changed |= slideRow({"Lowered", "Pulls the blade down by hand, and cuts", "blade.lowered"},
+    changed |= slideRow({"Lowered", "Lower the blade by hand; it cuts", "blade.lowered"},
                         {ImGuiDataType_Double, &tool.lowered, &up, &down, "%.2f"},
                         ImGui::GetContentRegionAvail().x - button - gap)
                    .changed;
@@ -104,26 +104,25 @@ bool drawGuillotineRows(const Rows& rows) {
 
 bool drawGrabRow(const Rows& rows) {
     return slideLength("Hand", rows.tools.grab.radius, kLargestRadius * rows.tools.longest,
-                       "How far around the pointer the hand takes hold");
+                       "Radius of the area that is pulled");
 }
 
 bool drawPinRows(const Rows& rows) {
     const float button = 5.4F * ImGui::GetFontSize();
     const bool changed =
         slideLength("Brush", rows.tools.pin.radius, kLargestRadius * rows.tools.longest,
-                    "How far around the pointer it pins", button);
+                    "Radius of the brush", button);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    drawButton("Free all", "pin.free", button, ActionId::freePins, rows.actions);
+    drawButton("Unpin all", "pin.free", button, ActionId::freePins, rows.actions);
     return changed;
 }
 
 bool drawRetractRow(const Rows& rows) {
     if (rows.model.body.hooks > 0) {
-        drawButton("Remove the last", "retract.remove", -1, ActionId::removeRetractor,
-                   rows.actions);
+        drawButton("Remove last", "retract.remove", -1, ActionId::removeRetractor, rows.actions);
         return false;
     }
-    ImGui::TextDisabled("No retractor holds a cut open");
+    ImGui::TextDisabled("No retractors in use");
     noteItem("retract.remove");
     itemTooltip(describeAction(ActionId::removeRetractor));
     return false;
@@ -152,7 +151,7 @@ void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions)
         actions.emplace_back(ActionId::timeWhileCutting);
     }
     noteItem("blade.time");
-    itemTooltip("In a pause, a stroke cuts the body where it lies; with this it moves meanwhile");
+    itemTooltip("On: the body moves while you cut, even when paused. Off: it stays still");
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ void drawAddButton(float width, std::vector<Action>& actions) {
         ImGui::OpenPopup("add");
     }
     noteItem("session.add");
-    itemTooltip("Add a picture, a check or an export of this step to the session");
+    itemTooltip("Add a picture, a check, an export or a camera keyframe at this step");
     placePopupBelowItem();
     if (ImGui::BeginPopup("add")) {
         drawSessionAdditions(actions);
@@ -83,7 +83,7 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
         }
         ImGui::EndCombo();
     }
-    itemTooltip("Speed of time against the clock (- and =), where the computer keeps up");
+    itemTooltip("Playback speed (- and =), as far as the computer keeps up");
 }
 
 /// In a narrow panel words need the room more than what is around them.

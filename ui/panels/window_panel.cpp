@@ -70,22 +70,21 @@ void drawWindowRows(const Settings& chosen, std::vector<Action>& actions) {
     Settings settings = chosen;
     rowLabel("Theme");
     bool changed = chooseTheme(settings);
-    rowLabel("Size");
-    itemTooltip("Of letters and panels, times what the display asks for");
+    rowLabel("UI scale");
+    itemTooltip("Size of text and panels, relative to the display's scale");
     changed = chooseScale(settings) || changed;
     rowLabel("Mouse");
-    itemTooltip("How drags turn and move the view; F1 lists them");
+    itemTooltip("How dragging rotates and pans the view (listed by F1)");
     changed = chooseMouse(settings) || changed;
-    changed = ImGui::Checkbox("Keep a journal", &settings.keepsJournal) || changed;
+    changed = ImGui::Checkbox("Autosave for recovery", &settings.keepsJournal) || changed;
     noteItem("window.journal");
     itemTooltip(
-        "What you do is written down at once, so that nothing is lost if Kerf ends "
-        "unexpectedly");
+        "Your actions are saved at once, so that nothing is lost if Kerf closes unexpectedly");
     changed = ImGui::Checkbox("Software renderer", &settings.softwareRenderer) || changed;
     noteItem("window.software");
     itemTooltip(
-        "From the next start on the processor draws and computes: slower, but right where a "
-        "graphics driver is not (kerf doctor tells)");
+        "Draw and compute on the CPU, from the next start on: slower, but correct where the "
+        "graphics driver is faulty (kerf doctor checks that)");
     if (changed) {
         actions.emplace_back(SetSettings{settings});
     }

@@ -23,6 +23,7 @@ enum class ActionId : std::uint8_t {
     openFile,
     addModel,
     saveSession,
+    saveSessionAs,
     saveTest,
     exportBody,
     makeFilm,
@@ -78,6 +79,8 @@ enum class ActionId : std::uint8_t {
     holdPlots,
     fitPlots,
     help,
+    manual,
+    about,
     count
 };
 

@@ -8,6 +8,7 @@
 
 #include "sim/base/quantity_text.h"
 #include "ui/base/item_rects.h"
+#include "ui/base/widgets.h"
 
 namespace kerf::ui {
 namespace {
@@ -81,9 +82,7 @@ void drawFieldScale(const FieldLegend& legend, float scale) {
     ImGui::Dummy({width, 1.15F * height + ImGui::GetTextLineHeight()});
     noteItem("legend.field");
     if (!legend.note.empty()) {
-        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-        ImGui::TextDisabled("%s", legend.note.c_str());
-        ImGui::PopTextWrapPos();
+        ImGui::TextDisabled("%s", wrapped(legend.note, width).c_str());
     }
 }
 

@@ -40,27 +40,22 @@ struct ToolRow {
 /// All tools in the order of their buttons.
 inline constexpr std::array kToolRows{
     ToolRow{Tool::stroke, Key::c, "C", "Stroke", "Stroke: cut along the view",
-            "Drag with the left button right across the model to cut it, from one side to the "
-            "other.",
-            true, false},
+            "Drag with the left button all the way across the model to cut it.", true, false},
     ToolRow{Tool::scalpel, Key::s, "S", "Scalpel", "Scalpel: follow the surface",
-            "Drag over the model: the scalpel cuts along its surface, as deep as its ring is wide.",
-            true},
-    ToolRow{Tool::guillotine, Key::g, "G", "Guillotine", "Guillotine: pose the blade",
-            "Drag the four handles to pose the blade, then:", true, false, "Bring it down"},
-    ToolRow{Tool::grab, Key::d, "D", "Grab", "Grab: pull at the body",
-            "Drag the model to pull at it: time runs while you hold it."},
+            "Drag over the model to cut along its surface. The ring shows the depth.", true},
+    ToolRow{Tool::guillotine, Key::g, "G", "Guillotine", "Guillotine: place a blade and drop it",
+            "Drag the four handles to place the blade, then:", true, false, "Drop the blade"},
+    ToolRow{Tool::grab, Key::d, "D", "Grab", "Grab: pull the body",
+            "Drag the model to pull it. Time runs while you hold it."},
     ToolRow{Tool::pin, Key::p, "P", "Pin", "Pin: hold parts in place",
-            "Drag over the model and what is under the brush stays in place. Shift+drag pins a "
-            "box, Ctrl+drag frees."},
+            "Drag over the model to fix it in place. Shift+drag pins a box, Ctrl+drag unpins."},
     ToolRow{Tool::retract, Key::y, "Y", "Retract", "Retract: hold a cut open",
-            "Press beside a cut and drag: two hooks draw its lips apart and stay. A right click "
-            "on a hook removes them."},
-    ToolRow{Tool::move, Key::u, "U", "Move", "Move: boxes, pins and the model, by arrows and rings",
-            "Drag an arrow, a ring or a square. A click on a box, on what is pinned or on the "
-            "uncut model puts them there."},
+            "Press beside a cut and drag: two hooks pull it open and hold it. Right-click a hook "
+            "to remove both."},
+    ToolRow{Tool::move, Key::u, "U", "Move", "Move: boxes, pins and the model",
+            "Click a box, pins or the uncut model, then drag an arrow, a ring or a square."},
     ToolRow{Tool::measure, Key::m, "M", "Measure", "Measure: distances, angles, pieces",
-            "Click on the body. Esc ends it."},
+            "Click on the body to measure. Esc ends it."},
 };
 inline constexpr int kTools = static_cast<int>(kToolRows.size());
 /// The initial tool, to which Esc returns.

@@ -21,6 +21,7 @@ enum class SceneWork { steps, change };
 class SceneAtWork {
   public:
     std::deque<ui::Action> waiting;  ///< until the scene has finished its work
+    bool stops = false;              ///< its steps were cancelled, and the last one is not done yet
 
     /// Replaces the previous one, cancelling its work and what waits; null for none.
     void set(std::unique_ptr<EditorScene> scene);

@@ -59,9 +59,8 @@ std::optional<DriverProblem> examine(const fs::path& folder, const WorkProgress&
     if (!verdict.empty()) {
         return DriverProblem{verdict, folder};
     }
-    return DriverProblem{"The examination of this graphics driver did not come to its end (" +
-                             sentenceAbout(end) + ").",
-                         {}};
+    return DriverProblem{
+        "The check of this graphics driver did not finish (" + sentenceAbout(end) + ").", {}};
 }
 
 }  // namespace
@@ -86,17 +85,17 @@ std::optional<DriverProblem> DriverCheck::takeProblem() {
     try {
         return done->take();
     } catch (const std::exception& error) {
-        spdlog::warn("The graphics driver could not be examined: {}", error.what());
+        spdlog::warn("The graphics driver could not be checked: {}", error.what());
         return std::nullopt;
     }
 }
 
 ui::Question questionAbout(const DriverProblem& problem) {
     const std::string where =
-        problem.report.empty() ? "" : " The report lies in " + problem.report.string() + ".";
+        problem.report.empty() ? "" : " The report is in " + problem.report.string() + ".";
     return {"This graphics driver may give wrong results",
             problem.sentence + where,
-            {"Use the software renderer", "Go on with this driver"},
+            {"Use software renderer", "Keep this driver"},
             {}};
 }
 

@@ -299,7 +299,7 @@ std::optional<fs::path> FileBrowser::accept(bool overwrite) {
     const bool found = state_.purpose == FilePurpose::open && state_.selected >= 0;
     const fs::path path = found ? state_.folder / state_.rows[state_.selected].name : named();
     if (state_.name.empty() && !found) {
-        state_.problem = "Choose a file, or type its name.";
+        state_.problem = "Select a file or type its name.";
         return std::nullopt;
     }
     if (isFolder(path)) {
@@ -313,7 +313,7 @@ std::optional<fs::path> FileBrowser::accept(bool overwrite) {
 std::optional<fs::path> FileBrowser::acceptToOpen(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) {
-        state_.problem = "There is no " + path.filename().string() + " here.";
+        state_.problem = "There is no file named " + path.filename().string() + " in this folder.";
         return std::nullopt;
     }
     return path;
@@ -335,7 +335,7 @@ std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite
         path += endingOfKind();
     }
     if (!isFolder(path.parent_path())) {
-        state_.problem = "There is no folder " + path.parent_path().string() + ".";
+        state_.problem = "The folder " + path.parent_path().string() + " doesn't exist.";
         return std::nullopt;
     }
     std::error_code error;

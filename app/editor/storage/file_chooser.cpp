@@ -1,13 +1,16 @@
 #include "app/editor/storage/file_chooser.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <regex>
 #include <utility>
 
 #include "app/files/export/mesh_formats.h"
 #include "app/files/film/film_formats.h"
 #include "app/files/io/free_file.h"
 #include "app/session/material.h"
+#include "app/session/session.h"
 #include "gpu/data_path.h"
 
 namespace kerf::app {
@@ -15,18 +18,35 @@ namespace {
 
 constexpr std::size_t kMostRecentFolders = 5;
 
+/// "ball-cut.obj", numbered if taken: never the name of what was opened.
+std::string nameOfCut(const std::filesystem::path& folder, const std::string& document,
+                      std::string_view ending) {
+    static const std::regex kOurs("-cut(-[0-9]+)?$");
+    return numberedFile(folder, std::regex_replace(document, kOurs, "") + "-cut",
+                        std::string(ending))
+        .filename()
+        .string();
+}
+
+/// The key of the folder last used for such files, in the settings.
+std::string kindOf(ui::FilePurpose purpose) {
+    static constexpr std::array kKinds{"",        "open",   "sessions", "sessions",
+                                       "exports", "videos", "materials"};
+    return kKinds[static_cast<std::size_t>(purpose)];
+}
+
 /// The name that a dialog proposes.
 std::string nameFor(ui::FilePurpose purpose, const std::filesystem::path& folder,
                     const std::string& document) {
     switch (purpose) {
         case ui::FilePurpose::saveSession:
-            return freeFile(folder, document, ".kerf.json").filename().string();
+            return nameOfCut(folder, document, kSessionEnding);
         case ui::FilePurpose::saveTest:
             return document + ".kerf.json";  // replaced more often than the others
         case ui::FilePurpose::exportMesh:
-            return document + std::string(meshFormats().front().extension);
+            return nameOfCut(folder, document, meshFormats().front().extension);
         case ui::FilePurpose::makeFilm:
-            return document + std::string(filmFormats().front().extension);
+            return nameOfCut(folder, document, filmFormats().front().extension);
         case ui::FilePurpose::saveMaterial:
             return document + std::string(kMaterialEnding);
         case ui::FilePurpose::open:
@@ -73,18 +93,21 @@ bool offersNothing(const std::filesystem::path& folder, const ui::FileDialogStat
 
 }  // namespace
 
-FileChooser::FileChooser(std::filesystem::path here, std::filesystem::path recentFiles)
-    : here_(std::move(here)), recent_(std::move(recentFiles)) {}
+bool isOurs(const std::filesystem::path& file) {
+    const std::filesystem::path ours = gpu::dataPath("assets");
+    return std::ranges::mismatch(ours, file).in1 == ours.end();
+}
+
+FileChooser::FileChooser(std::filesystem::path here, std::filesystem::path recentFiles,
+                         std::map<std::string, std::string>& folders)
+    : here_(std::move(here)), recent_(std::move(recentFiles)), folders_(folders) {}
 
 void FileChooser::browse(ui::FilePurpose purpose, const std::string& document, BrowseFor what) {
     what_ = what;
     recent_.look();
-    const std::filesystem::path& last = lastFolder(purpose);
-    const bool besideModel = purpose == ui::FilePurpose::exportMesh && !modelFolder_.empty();
-    const std::filesystem::path& first = besideModel ? modelFolder_ : here_;
-    const std::filesystem::path& folder = last.empty() ? first : last;
+    const std::filesystem::path folder = firstFolder(purpose);
     browser_.emplace(purpose, folder, nameFor(purpose, folder, document), bookmarks(purpose));
-    if (purpose == ui::FilePurpose::open && last.empty() &&
+    if (purpose == ui::FilePurpose::open && folder == here_ &&
         offersNothing(folder, browser_->state())) {
         // The bookmarks lead back.
         browser_.emplace(purpose, gpu::dataPath("assets/models"), "", bookmarks(purpose));
@@ -92,17 +115,20 @@ void FileChooser::browse(ui::FilePurpose purpose, const std::string& document, B
     preview_.select({});
 }
 
-void FileChooser::setModel(const std::filesystem::path& file) {
-    const std::filesystem::path ours = gpu::dataPath("assets");
-    const bool isOurs = std::ranges::mismatch(ours, file).in1 == ours.end();
-    modelFolder_ = isOurs ? "" : file.parent_path();
+void FileChooser::setSource(const std::filesystem::path& file) {
+    sourceFolder_ = isOurs(file) ? "" : file.parent_path();
 }
 
-std::filesystem::path& FileChooser::lastFolder(ui::FilePurpose purpose) {
+std::filesystem::path FileChooser::firstFolder(ui::FilePurpose purpose) const {
+    const auto last = folders_.find(kindOf(purpose));
+    std::error_code error;
+    if (last != folders_.end() && std::filesystem::is_directory(last->second, error)) {
+        return last->second;
+    }
     if (purpose == ui::FilePurpose::saveMaterial) {
         return materialFolder_;
     }
-    return purpose == ui::FilePurpose::open ? lastSource_ : lastTarget_;
+    return purpose == ui::FilePurpose::open || sourceFolder_.empty() ? here_ : sourceFolder_;
 }
 
 std::vector<ui::FolderLink> FileChooser::bookmarks(ui::FilePurpose purpose) const {
@@ -115,13 +141,13 @@ std::vector<ui::FolderLink> FileChooser::bookmarks(ui::FilePurpose purpose) cons
             links.push_back({label, whole});
         }
     };
-    add("Here", here_);
+    add("Current folder", here_);
     if (const char* home = std::getenv("HOME")) {
         add("Home", home);
     }
     if (purpose == ui::FilePurpose::open) {
-        add("Kerf's models", gpu::dataPath("assets/models"));
-        add("Kerf's sessions", gpu::dataPath("assets/sessions"));
+        add("Sample models", gpu::dataPath("assets/models"));
+        add("Sample sessions", gpu::dataPath("assets/sessions"));
     }
     const std::size_t named = links.size();
     std::vector<std::filesystem::path> folders = recent_.folders();
@@ -145,10 +171,10 @@ std::optional<ChosenFile> FileChooser::take(const ui::FileAction& action) {
     }
     const std::optional<std::filesystem::path> file = browser_->take(action);
     const ui::FileDialogState& dialog = browser_->state();
-    lastFolder(dialog.purpose) = dialog.folder;
     if (!file) {
         return std::nullopt;
     }
+    folders_[kindOf(dialog.purpose)] = file->parent_path().string();
     const ChosenFile chosen{dialog.purpose, *file, dialog.filePerPiece,
                             dialog.inScene, what_, dialog.film};
     close();

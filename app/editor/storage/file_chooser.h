@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -29,21 +30,24 @@ struct ChosenFile {
     ui::FilmLook film{};  ///< of a film
 };
 
-/// Lets the user choose files: in the dialog, which remembers its folders, or among the recent
-/// ones.
+/// Whether a file comes with Kerf.
+bool isOurs(const std::filesystem::path& file);
+
+/// Lets the user choose files: in the dialog, which begins in the folder last used for that kind of
+/// files, or among the recent ones.
 class FileChooser {
   public:
-    /// Starts in the folder `here`. For `recentFiles` see RecentFiles.
-    FileChooser(std::filesystem::path here, std::filesystem::path recentFiles);
+    /// Starts in the folder `here`. For `recentFiles` see RecentFiles, for `folders`
+    /// ui::Settings::folders, which must outlive it.
+    FileChooser(std::filesystem::path here, std::filesystem::path recentFiles,
+                std::map<std::string, std::string>& folders);
 
-    /// The folder that the editor was started in.
-    const std::filesystem::path& here() const { return here_; }
     /// Opens the dialog. It proposes a name for the open `document`, "" while there is none.
     void browse(ui::FilePurpose purpose, const std::string& document,
                 BrowseFor what = BrowseFor::itself);
-    /// The file of the open model, beside which it is exported until another folder is chosen. An
-    /// empty path for none; what comes with Kerf counts as none.
-    void setModel(const std::filesystem::path& file);
+    /// The open file, beside which saving begins until another folder is chosen. An empty path for
+    /// none; what comes with Kerf counts as none.
+    void setSource(const std::filesystem::path& file);
     /// The folder for materials until another one is chosen.
     void setMaterialFolder(const std::filesystem::path& folder) { materialFolder_ = folder; }
     bool isOpen() const { return browser_.has_value(); }
@@ -63,16 +67,13 @@ class FileChooser {
 
   private:
     void close();
-    std::filesystem::path& lastFolder(ui::FilePurpose purpose);
+    std::filesystem::path firstFolder(ui::FilePurpose purpose) const;
     std::vector<ui::FolderLink> bookmarks(ui::FilePurpose purpose) const;
 
     std::filesystem::path here_;
     RecentFiles recent_;
-    /// The last folders for opening and for saving: two, since saving beside opened files would put
-    /// results among the models.
-    std::filesystem::path lastSource_;
-    std::filesystem::path lastTarget_;
-    std::filesystem::path modelFolder_;  ///< see setModel()
+    std::map<std::string, std::string>& folders_;  ///< last used, by kind
+    std::filesystem::path sourceFolder_;           ///< see setSource()
     std::filesystem::path materialFolder_;
     std::optional<FileBrowser> browser_;  ///< while the dialog is open
     FilePreview preview_;

@@ -96,7 +96,7 @@ void describeModel(const fs::path& file, WorkProgress& progress, std::vector<std
         return;
     }
     const TriangleSoup soup = importModel(file, &progress);
-    progress.enter("Looking for faults");
+    progress.enter("Checking for faults");
     const MeshReport report = inspectTriangles(soup);
     lines.push_back(counted(report.triangles, "triangle", "triangles") + ", " +
                     counted(report.vertices, "vertex", "vertices"));
@@ -119,7 +119,7 @@ std::vector<std::string> describeFile(const fs::path& file, WorkProgress& progre
     std::vector<std::string> lines{file.filename().string()};
     std::error_code error;
     if (!fs::is_regular_file(file, error)) {
-        lines.emplace_back("This is no file that could be read");
+        lines.emplace_back("This file can't be read");
         return lines;
     }
     try {

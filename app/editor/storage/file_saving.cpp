@@ -23,9 +23,9 @@ struct ExportInput {
 };
 
 std::string exportBody(const ExportInput& input, WorkProgress& progress) {
-    progress.enter("Looking for the pieces");
+    progress.enter("Finding pieces");
     const PieceMap pieces = findPieces(input.mesh);
-    progress.enter("Carrying the texture along");
+    progress.enter("Mapping textures");
     const ExportLooks looks{carried(input.own, input.uncut, input.mesh), input.look};
     progress.enter("Encoding");
     const std::vector<ExportedFile> files =
@@ -35,9 +35,9 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
         writeOutputFile(file.file, file.bytes);
     }
     const std::string& first = files.front().file.string();
-    return files.size() == 1
-               ? "Exported " + first
-               : "Exported " + counted(files.size(), "file", "files") + ", " + first + " the first";
+    return files.size() == 1 ? "Exported " + first
+                             : "Exported " + first + " and " +
+                                   counted(files.size() - 1, "more file", "more files");
 }
 
 /// So that the session reopens at once.
@@ -67,20 +67,21 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
 std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
                                       SavedSession saved) {
     return std::make_unique<FileSaving>(
-        "Filming " + file.filename().string(),
+        "Exporting video " + file.filename().string(),
         [file, look, saved = std::move(saved)](WorkProgress& progress) {
             filmSession(saved.session, file, look, progress);
-            return "Filmed " + file.string() + (saved.remark.empty() ? "" : ". " + saved.remark);
+            return "Exported video " + file.string() +
+                   (saved.remark.empty() ? "" : ". " + saved.remark);
         });
 }
 
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved) {
     return std::make_unique<FileSaving>(
-        "Saving the test " + file.filename().string(),
+        "Saving test " + file.filename().string(),
         [file, saved = std::move(saved)](WorkProgress& progress) {
             makeTest(saved.session, file, progress);
             const std::size_t pictures = pictureFiles(saved.session).size();
-            return "Saved the test " + file.string() + " with " +
+            return "Saved test " + file.string() + " with " +
                    (pictures == 0 ? "no picture" : counted(pictures, "picture", "pictures")) +
                    (saved.remark.empty() ? "" : ". " + saved.remark);
         });
@@ -107,7 +108,7 @@ std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& fil
         [file, material = std::move(material)](WorkProgress& progress) {
             progress.enter("Writing");
             writeOutputFile(file, formatMaterial(material));
-            return "Saved the material " + file.string();
+            return "Saved material " + file.string();
         });
 }
 

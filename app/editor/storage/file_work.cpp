@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/editor/storage/manual.h"
 #include "app/files/io/free_file.h"
 
 namespace kerf::app {
@@ -45,6 +46,10 @@ int FileWork::saveBehind(const std::string& name, const std::string& ending,
     });
 }
 
+void FileWork::openManual() {
+    behind_.add([] { return openOutside(manualPage()); });
+}
+
 std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
     opening_.forgetEnded();
     placing_.forgetEnded();
@@ -55,14 +60,19 @@ std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
 
 ui::WorkState FileWork::state() const {
     ui::WorkState work;
+    double seconds = 0;
     if (const DocumentLoading* const loading = opening()) {
-        work = {loading->order().title, loading->stage(), loading->seconds()};
+        work = {loading->order().title, loading->stage()};
+        seconds = loading->seconds();
     } else if (const BodyPlacing* const placed = placing()) {
-        work = {"Placing the model", placed->stage(), placed->seconds()};
+        work = {"Placing model", placed->stage()};
+        seconds = placed->seconds();
     } else if (const FileSaving* const file = saving()) {
-        work = {file->title, file->stage(), file->seconds()};
+        work = {file->title, file->stage(), double(file->progress().done()),
+                double(file->progress().all())};
+        seconds = file->seconds();
     }
-    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
+    return seconds < kQuietSeconds ? ui::WorkState{} : work;
 }
 
 }  // namespace kerf::app

@@ -56,6 +56,8 @@ class FileWork {
     /// Returns the number of its outcome.
     int saveBehind(const std::string& name, const std::string& ending,
                    std::function<void(const std::filesystem::path& file)> write);
+    /// Opens the documentation in the system's browser, in the background.
+    void openManual();
     /// The end of a save, each once; only those of saveBehind() have numbers.
     std::optional<SavingQueue::Outcome> takeOutcome();
 

@@ -48,12 +48,13 @@ void filmSession(const Session& session, const fs::path& file, const ui::FilmLoo
     writeOutputFile(copy, formatSession(session, folder.path()));
     const auto tell = [&](int done) {
         progress.enter("Step " + std::to_string(std::min(done, session.steps)) + " of " +
-                       std::to_string(session.steps));
+                           std::to_string(session.steps),
+                       done, session.steps);
     };
     tell(0);
     const ChildOutcome end = runChild(argumentsFor(copy, film, look), progress, tell);
     if (end.exitCode != kExitDone && end.exitCode != kExitCheckFailed) {
-        throw OutputError("No film was made: " + sentenceAbout(end, folder.path()));
+        throw OutputError("The video could not be exported: " + sentenceAbout(end, folder.path()));
     }
     progress.enter("Writing");
     output.writeAllOf(film);

@@ -49,11 +49,11 @@ std::optional<LeftWork> LeftWorkOffers::next() {
 
 ui::Question questionAbout(const LeftWork& work) {
     const std::string cuts =
-        work.kept.cuts == 0 ? "changes but no cut" : counted(work.kept.cuts, "cut", "cuts");
-    return {"Go on from " + work.kept.name + "?",
-            "A window ended before it was closed. Its work of " + timeText(work.when) + ", with " +
-                cuts + ", is in no file yet.",
-            {"Go on from it", "Discard it", "Not now"},
+        work.kept.cuts == 0 ? "changes but no cuts" : counted(work.kept.cuts, "cut", "cuts");
+    return {"Recover unsaved work?",
+            "Kerf closed unexpectedly. Your work on " + work.kept.name + " from " +
+                timeText(work.when) + ", with " + cuts + ", has not been saved.",
+            {"Recover", "Discard", "Not now"},
             work.picture};
 }
 
@@ -63,11 +63,11 @@ OpeningOrder orderOf(const LeftWork& work) {
         try {
             return openScene(name, parseSession(session, {}), options);
         } catch (const InputError& error) {
-            throw InputError(std::string(error.what()) + " The work stays in " + journal.string() +
-                             " and is offered again at the next start.");
+            throw InputError(std::string(error.what()) + " Your work is still in " +
+                             journal.string() + " and will be offered again at the next start.");
         }
     };
-    return {"Going on from " + work.kept.name, {}, open};
+    return {"Recovering " + work.kept.name, {}, open};
 }
 
 }  // namespace kerf::app

@@ -55,12 +55,19 @@ constexpr std::array kNames{
     NamesRow{"folded", &Settings::folded},
 };
 
+struct FoldersRow {
+    const char* key;
+    std::map<std::string, std::string> Settings::*member;
+};
+constexpr std::array kFolders{FoldersRow{"folders", &Settings::folders}};
+
 /// Visits the rows of all kinds.
 template <class Visit>
 void forEachRow(Visit visit) {
     std::ranges::for_each(kNumbers, visit);
     std::ranges::for_each(kSwitches, visit);
     std::ranges::for_each(kNames, visit);
+    std::ranges::for_each(kFolders, visit);
 }
 
 [[noreturn]] void fail(const std::string& key, const std::string& problem) {
@@ -89,6 +96,14 @@ std::vector<std::string> read(const NamesRow& row, const nlohmann::json& value) 
         fail(row.key, "expected a list of names.");
     }
     return value.get<std::vector<std::string>>();
+}
+
+std::map<std::string, std::string> read(const FoldersRow& row, const nlohmann::json& value) {
+    const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
+    if (!value.is_object() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
+        fail(row.key, "expected folders by name, in braces.");
+    }
+    return value.get<std::map<std::string, std::string>>();
 }
 
 ui::Theme readTheme(const nlohmann::json& value) {
@@ -162,8 +177,8 @@ SettingsFile::SettingsFile(std::filesystem::path file) : file_(std::move(file)) 
         try {
             now = parseSettings(readInputFile(file_, kMostSettingsBytes));
         } catch (const InputError& problem) {
-            problem_ = "The settings of " + file_.string() +
-                       " are not used until they are changed here: " + problem.what();
+            problem_ = "The settings in " + file_.string() +
+                       " can't be read, so the defaults are used: " + problem.what();
         }
     }
     saved_ = now;
@@ -179,7 +194,7 @@ std::string SettingsFile::save() {
         writeOutputFile(file_, formatSettings(now));
         return "";
     } catch (const std::exception& problem) {
-        return std::string("The settings could not be kept: ") + problem.what();
+        return std::string("The settings could not be saved: ") + problem.what();
     }
 }
 

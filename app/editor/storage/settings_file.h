@@ -19,6 +19,9 @@ class SettingsFile {
     /// The problem with the file when it was read: one sentence, or "".
     const std::string& problem() const { return problem_; }
 
+    /// Empty: nothing is read or written.
+    const std::filesystem::path& file() const { return file_; }
+
     ui::Settings now;
 
   private:

@@ -20,6 +20,7 @@ constexpr float kPanelRounding = 8;      // [px] at scale 1, at least that of th
 EditorPanels::EditorPanels(const EditorOptions& options)
     : displayScale(options.scale),
       device(options.device),
+      driver(options.driver),
       settings(options.settingsFile),
       interface(settings.now.theme, scale(options.width, options.height)) {
     showOne();

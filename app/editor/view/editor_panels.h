@@ -29,6 +29,7 @@ struct EditorPanels {
 
     float displayScale;  ///< 1 = 96 dpi
     std::string device;  ///< what draws
+    std::string driver;  ///< its full name
     SettingsFile settings;
     ui::Interface interface;
     ui::PanelModel told;  ///< the scene's report when it last rested

@@ -36,7 +36,7 @@ void EditorToast::offer(std::string text, ui::HintChoice choice) {
 void EditorToast::show(const SavingQueue::Outcome& outcome) {
     show(outcome.sentence, outcome.failed);
     if (offer_ && offer_->saving == outcome.number && !outcome.failed) {
-        choice_ = {ui::ActionId::addPicture, "Add to the session"};
+        choice_ = {ui::ActionId::addPicture, "Add to session"};
         remaining_ = kOfferSeconds;
     }
 }

@@ -57,13 +57,15 @@ Hint FirstSteps::hint(const Situation& now) const {
     }
     if (now.playing) {
         const bool still = now.weightless && !now.session && !weighed_;
-        return still ? Hint{"Time runs, but nothing has weight here.",
-                            {{ActionId::toggleGravity, "Give it weight"}}}
+        return still ? Hint{"Gravity is off, so nothing falls.",
+                            {{ActionId::toggleGravity, "Turn on gravity"}}}
                      : Hint{};
     }
     if (now.past) {
-        return {"This is past. Play it again, or cut: what came after is left out then.",
-                {{ActionId::playPause, "Play"}}};
+        return {
+            "You are viewing an earlier step. Play to continue, or cut here to discard the later "
+            "steps.",
+            {{ActionId::playPause, "Play"}}};
     }
     const bool chosenSince = now.tool != cutTool_ && !hasUsed(now.tool);
     Hint after = chosenSince ? Hint{} : afterStroke(now);
@@ -72,36 +74,36 @@ Hint FirstSteps::hint(const Situation& now) const {
 
 Hint FirstSteps::afterStroke(const Situation& now) const {
     if (now.outcome == StrokeOutcome::incised && !now.refusal.empty()) {
-        return {"The stroke parted nothing: " + now.refusal + ".", {{ActionId::undo, "Undo"}}};
+        return {"This cut did not separate anything: " + now.refusal + ".",
+                {{ActionId::undo, "Undo"}}};
     }
     if (now.parted() && !fell_) {
-        return {counted(now.pieces, "piece", "pieces") + " now. What next?",
+        return {"Cut into " + counted(now.pieces, "piece", "pieces") + ". What next?",
                 {{ActionId::letFall, "Let them fall"},
-                 {ActionId::showApart, "Show them apart"},
-                 {actionOf(ui::Tool::grab), "Pull at one"}}};
+                 {ActionId::showApart, "Show apart"},
+                 {actionOf(ui::Tool::grab), "Pull one"}}};
     }
     if (now.parted() && !wentOn_ && now.tool == cutTool_) {
         return {"Drag to cut again, or:",
                 {{ActionId::undo, "Undo"},
-                 {ActionId::reset, "Back to the start"},
-                 {ActionId::help, "All keys"}}};
+                 {ActionId::reset, "Restart"},
+                 {ActionId::help, "Keyboard shortcuts"}}};
     }
     const bool unsure = !parted_ && now.tool == ui::kFirstTool;
     if (unsure && now.outcome == StrokeOutcome::missed) {
         return {
-            "The blade met nothing. Drag right across the model, from one side of it to the "
-            "other.",
+            "The blade missed the model. Drag all the way across it, from one side to the other.",
             {}};
     }
     if (unsure && now.outcome == StrokeOutcome::incised) {
         return {
-            "An incision: the blade began or ended inside. Drag from beside the model to beside "
-            "it, and it falls in two.",
+            "This is an incision: the stroke began or ended on the model. To cut it in two, begin "
+            "and end beside it.",
             {{ActionId::undo, "Undo"}}};
     }
     if (now.outcome == StrokeOutcome::incised && !hasUsed(ui::Tool::grab) &&
         !hasUsed(ui::Tool::retract)) {
-        return {"An incision. Hold it open, or pull at a lip:",
+        return {"This is an incision. You can hold it open or pull on it:",
                 {{actionOf(ui::Tool::retract), "Hold open"}, {actionOf(ui::Tool::grab), "Pull"}}};
     }
     return {};
@@ -109,7 +111,7 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
 
 Hint FirstSteps::beforeStroke(const Situation& now) const {
     if (now.session && now.tool == ui::kFirstTool && !played_) {
-        return {"Press Space to play the session, or drag right across the model to cut it.",
+        return {"Press Space to play the session, or drag all the way across the model to cut it.",
                 {{ActionId::playPause, "Play"}}};
     }
     if (hasUsed(now.tool)) {

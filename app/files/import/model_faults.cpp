@@ -31,7 +31,7 @@ constexpr std::array<KindInfo, repair::kFaultKinds> kKinds{{
     {"triangle without area", "triangles without area", {255, 255, 255}},
     {"double of a triangle", "doubles of triangles", {0, 158, 115}},
     {"triangle that passes through others", "triangles that pass through others", {0, 114, 178}},
-    {"needle", "needles", {230, 159, 0}},
+    {"sliver", "slivers", {230, 159, 0}},
 }};
 
 void addLine(render::Marks& marks, int a, int b) {

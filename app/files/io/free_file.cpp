@@ -17,10 +17,8 @@ std::string plainName(const std::string& name) {
     return plain.empty() || plain == "." || plain == ".." ? "_" + plain : plain;
 }
 
-std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
-                               const std::string& ending) {
-    const std::tm now = fmt::localtime(std::time(nullptr));
-    const std::string stem = fmt::format("{}-{:%Y%m%d-%H%M%S}", plainName(name), now);
+std::filesystem::path numberedFile(const std::filesystem::path& folder, const std::string& stem,
+                                   const std::string& ending) {
     std::filesystem::path file = folder / (stem + ending);
     std::error_code unknown;  // a folder that can't be looked into: writing will say so
     for (int n = 2; std::filesystem::exists(file, unknown); ++n) {
@@ -28,6 +26,12 @@ std::filesystem::path freeFile(const std::filesystem::path& folder, const std::s
         file = folder / numbered.append("-").append(std::to_string(n)).append(ending);
     }
     return std::filesystem::absolute(file).lexically_normal();
+}
+
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending) {
+    const std::tm now = fmt::localtime(std::time(nullptr));
+    return numberedFile(folder, fmt::format("{}-{:%Y%m%d-%H%M%S}", plainName(name), now), ending);
 }
 
 }  // namespace kerf::app

@@ -9,6 +9,10 @@ namespace kerf::app {
 /// for control characters and before names that are empty or dots.
 std::string plainName(const std::string& name);
 
+/// A new file of that folder: STEM with an ending, and with -2, -3, ... if taken.
+std::filesystem::path numberedFile(const std::filesystem::path& folder, const std::string& stem,
+                                   const std::string& ending);
+
 /// A new file of that folder: NAME-YYYYMMDD-HHMMSS with an ending, numbered if taken. NAME is
 /// plainName(name).
 std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,

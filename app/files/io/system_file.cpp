@@ -45,7 +45,7 @@ const char* adviceOn(int error) {
             return "choose a folder that you may write in";
         case ENOENT:
         case ENOTDIR:
-            return "its folder is not there; choose another one";
+            return "that folder doesn't exist or takes no files; choose another one";
         case ENAMETOOLONG:
             return "choose a shorter name";
         case EIO:

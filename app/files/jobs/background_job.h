@@ -39,6 +39,7 @@ class BackgroundJob {
         return std::move(*result_);
     }
     std::string stage() const { return progress_.stage(); }
+    const WorkProgress& progress() const { return progress_; }
     double seconds() const { return watch_.seconds(); }
     /// Waits until it is done.
     void wait() {

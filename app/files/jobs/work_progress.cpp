@@ -4,12 +4,14 @@
 
 namespace kerf::app {
 
-void WorkProgress::enter(std::string stage) {
+void WorkProgress::enter(std::string stage, int done, int all) {
     if (cancelled_) {
         throw WorkCancelled();
     }
     const std::lock_guard lock(mutex_);
     stage_ = std::move(stage);
+    done_ = done;
+    all_ = all;
 }
 
 std::string WorkProgress::stage() const {

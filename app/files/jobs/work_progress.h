@@ -13,15 +13,20 @@ struct WorkCancelled {};
 /// one that waits.
 class WorkProgress {
   public:
-    /// Enters a stage ("Reading the file"). Throws WorkCancelled once cancel() was called.
-    void enter(std::string stage);
+    /// Enters a stage ("Reading the file"), with `done` of `all` parts done where that is known.
+    /// Throws WorkCancelled once cancel() was called.
+    void enter(std::string stage, int done = 0, int all = 0);
     bool cancelled() const { return cancelled_; }
 
     std::string stage() const;
+    int done() const { return done_; }
+    int all() const { return all_; }
     void cancel() { cancelled_ = true; }
 
   private:
     std::atomic<bool> cancelled_ = false;
+    std::atomic<int> done_ = 0;
+    std::atomic<int> all_ = 0;
     mutable std::mutex mutex_;
     std::string stage_;
 };

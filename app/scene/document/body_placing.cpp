@@ -7,14 +7,14 @@ namespace {
 
 PlacedBody placedBody(const UncutBody& first, std::vector<PlacedModel> models,
                       WorkProgress& progress) {
-    progress.enter("Putting it elsewhere");
+    progress.enter("Moving the model");
     SurfaceMesh mesh = placedMesh(first, models);
     PlacedBody placed;
     placed.body = makeUncutBody(std::move(mesh), std::move(models),
                                 [&](const char* stage) { progress.enter(stage); });
-    progress.enter("Measuring the depth below the skin");
+    progress.enter("Computing depth below the skin");
     placed.depth = render::measureSkinDepth(placed.body->mesh);
-    progress.enter("Bringing it to the GPU");
+    progress.enter("Uploading to GPU");
     return placed;
 }
 

@@ -26,9 +26,9 @@ PreparedDocument prepareDocument(Document document, WorkProgress* progress,
     }
     PreparedBody body(
         document.mesh, [&](const char* stage) { enter(progress, stage); }, document.placed);
-    enter(progress, "Measuring the depth below the skin");
+    enter(progress, "Computing depth below the skin");
     render::DepthField depth = render::measureSkinDepth(document.mesh);
-    enter(progress, "Bringing it to the GPU");
+    enter(progress, "Uploading to GPU");
     return {std::move(document), std::move(body), std::move(depth)};
 }
 

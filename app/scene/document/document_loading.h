@@ -46,6 +46,7 @@ struct OpeningOrder {
     /// is another document.
     std::string change = {};
     bool atEnd = false;  ///< a session is shown at its end, see EditorScene::goToEnd()
+    std::string remark = {};  ///< told once it is open, before what is told of the document
 };
 /// The editor's options for reading models: with their faults, if the search is short.
 ReadOptions editorReading(const MemoryMeans& means);

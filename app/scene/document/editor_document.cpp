@@ -94,7 +94,10 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
     ModelMesh model = loadSessionModel(session, options);
     session = withOrigin(std::move(session), model.origin);
     std::string note = joined(session.warnings, "; ");
-    return finish(shortName(file), std::move(session), std::move(model), std::move(note));
+    Document document =
+        finish(shortName(file), std::move(session), std::move(model), std::move(note));
+    document.file = std::filesystem::absolute(file).lexically_normal();
+    return document;
 }
 
 /// On the floor, at the right of the others.
@@ -153,11 +156,11 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     const std::size_t others = scene.moreModels.size() + 1;
     if (isJson(file)) {
         throw InputError(file.filename().string() +
-                         ": a session has a scene of its own; add its model's file instead.");
+                         ": a session can't be added to a scene; add its model file instead.");
     }
     if (others >= kMostModels) {
-        throw InputError("A scene holds " + std::to_string(kMostModels) +
-                         " models at most; take one out before you add another.");
+        throw InputError("A scene can hold at most " + std::to_string(kMostModels) +
+                         " models; remove one before you add another.");
     }
     MeshReport report;
     ReadOptions ours = options;
@@ -178,8 +181,7 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     all.findFaults = options.findFaults;
     all.findCrossingsUpTo = options.findCrossingsUpTo;
     Document document = openScene(name, std::move(scene), all);
-    document.note =
-        "Model " + std::to_string(others) + " of the scene. " + modelNote(report, guess);
+    document.note = "Added as model " + std::to_string(others) + ". " + modelNote(report, guess);
     return document;
 }
 

@@ -29,6 +29,7 @@ struct Document {
     std::vector<std::string> objects = {};          ///< of the file of a scene of one model
     bool inFile = true;                             ///< false: no file holds this scene
     std::optional<StoredEnd> end = {};              ///< of a session, if it is known
+    std::filesystem::path file = {};                ///< of the session; empty for none
 };
 
 /// The memory for opening and cutting it in the editor.

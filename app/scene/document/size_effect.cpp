@@ -14,9 +14,13 @@ constexpr double kSags = 0.05;
 
 constexpr double kStepsOfAFall = 5;  // through the own height: fewer are no motion to look at
 
+/// With one digit that counts: "400 kPa".
 std::string pascals(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.1g Pa", value);
+    const double digit = std::pow(10, std::floor(std::log10(value)));
+    const bool kilo = value < 1e6;
+    std::snprintf(text, sizeof text, kilo ? "%g kPa" : "%g MPa",
+                  digit * std::round(value / digit) / (kilo ? 1e3 : 1e6));
     return text;
 }
 
@@ -24,29 +28,30 @@ std::string pascals(double value) {
 std::string underItsWeight(double height, double pressure, double modulus) {
     const double load = pressure / modulus;
     if (load > kCollapses) {
-        return " That is too much for it: it sinks flat. A smaller unit, or a Young's modulus of " +
-               pascals(pressure / kSags) + ", would carry it.";
+        return " It will collapse under its own weight. Use a smaller unit, or raise Young's "
+               "modulus to about " +
+               pascals(pressure / kSags) + ".";
     }
     if (load > kSags) {
-        return " It sags by about " + lengthText(0.5 * load * height) + ".";
+        return " It will sag by about " + lengthText(0.5 * load * height) + ".";
     }
-    return " It keeps its shape.";
+    return " It will keep its shape.";
 }
 
 }  // namespace
 
 std::string sizeEffect(double height, double volume, const Params& params) {
     const double gravity = params.gravity.norm();
-    const std::string weight = lengthText(height) + " of this material weighs " +
+    const std::string weight = "At a height of " + lengthText(height) + " this body weighs " +
                                massText(params.density * std::fabs(volume)) + ".";
     if (gravity == 0) {
-        return weight + " Without gravity nothing falls.";
+        return weight + " Gravity is off, so nothing falls.";
     }
     const double fall = std::sqrt(2 * height / gravity);
     if (fall < kStepsOfAFall * params.timeStep) {
         return weight +
-               " It is so small that it falls its own height within a few steps: a shorter"
-               " time step or a larger unit shows more.";
+               " It is so small that it falls its own height within a few steps. Use a shorter "
+               "time step or a larger unit to see more.";
     }
     return weight + underItsWeight(height, params.density * gravity * height, params.youngsModulus);
 }

@@ -6,10 +6,10 @@
 
 namespace kerf::app {
 
-/// "768 triangles, 12 of them needles; edges of 3.5 mm to 7.8 cm, 5.1 cm in the mean."
+/// "768 triangles, 12 slivers; edge length 3.5 mm to 7.8 cm, mean 5.1 cm"
 std::string trianglesText(const TriangleFigures& figures);
 
-/// The problem of a coarse skin: "The skin is coarse: 12 triangles, edges up to 1.41 m".
+/// The problem of a coarse skin: "The mesh is coarse: 12 triangles, edges up to 1.41 m".
 std::string coarseText(const TriangleFigures& figures, const std::string& longestEdge);
 
 }  // namespace kerf::app

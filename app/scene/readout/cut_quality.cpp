@@ -27,41 +27,42 @@ std::string angleText(const CutFigures& figures, double angle) {
 constexpr std::array kTexts{
     FigureText{"Triangles",
                [](const CutFigures& f) { return fmt::format("{}", f.triangles().triangles); },
-               "Walls of both sides, and skin that was divided"},
-    FigureText{"Smallest angle, worst",
+               "Cut faces of both sides, and skin triangles that were divided"},
+    FigureText{"Minimum angle, worst",
                [](const CutFigures& f) { return angleText(f, f.triangles().worstAngle); },
-               "The smallest angle of all these triangles at rest, 60\u00b0 at best"},
-    FigureText{"Smallest angle, mean",
+               "Smallest angle of all these triangles at rest; 60\u00b0 is ideal"},
+    FigureText{"Minimum angle, mean",
                [](const CutFigures& f) { return angleText(f, f.triangles().meanAngle()); },
-               "The mean of the smallest angle of each"},
+               "Mean of each triangle's smallest angle"},
     FigureText{"Slivers",
                [](const CutFigures& f) { return fmt::format("{}", f.triangles().slivers); },
-               "Lower than 0.02 of their longest edge"},
-    FigureText{"below 0.001",
+               "Triangles whose height is below 0.02 of their longest edge"},
+    FigureText{"Aspect < 0.001",
                [](const CutFigures& f) { return fmt::format("{}", f.triangles().bareSlivers); },
-               "Lower than 0.001 of their longest edge"},
-    FigureText{"Area of the wound", [](const CutFigures& f) { return areaText(f.woundArea); },
-               "Of the walls at rest, both sides"},
-    FigureText{"against the blade's",
-               [](const CutFigures& f) {
-                   const std::optional<double> ratio = f.woundToSwept();
-                   return ratio ? fmt::format("{:.4f}", *ratio) : "-";
-               },
-               "Over twice the area that the blade swept in the material, as it rests"},
-    FigureText{"Steps that cut",
+               "Triangles whose height is below 0.001 of their longest edge"},
+    FigureText{"Cut area", [](const CutFigures& f) { return areaText(f.woundArea); },
+               "Area of the cut faces at rest, both sides"},
+    FigureText{
+        "Ratio to swept area",
+        [](const CutFigures& f) {
+            const std::optional<double> ratio = f.woundToSwept();
+            return ratio ? fmt::format("{:.4f}", *ratio) : "-";
+        },
+        "Cut area divided by twice the area that the blade swept inside the material, at rest"},
+    FigureText{"Cutting steps",
                [](const CutFigures& f) { return fmt::format("{}", f.steps.cutSteps); },
                "Steps in which the blade cut"},
-    FigureText{"tried again",
+    FigureText{"Retried",
                [](const CutFigures& f) { return fmt::format("{}", f.steps.retriedSteps); },
-               "Steps that took more than one try"},
-    FigureText{"refused",
+               "Steps that needed more than one try"},
+    FigureText{"Refused",
                [](const CutFigures& f) { return fmt::format("{}", f.steps.refusedSteps); },
-               "Steps without a valid result: the next one reaches farther"},
-    FigureText{"cut anew", [](const CutFigures& f) { return fmt::format("{}", f.steps.cutAnew); },
-               "Fronts that were let go and cut anew from behind"},
-    FigureText{"Ends of slits", [](const CutFigures& f) { return lengthText(f.slitLength); },
-               "Length of the edges where a slit ends in the material. A stroke right through has "
-               "none"},
+               "Steps without a valid result; the next step cuts that part, too"},
+    FigureText{"Recut", [](const CutFigures& f) { return fmt::format("{}", f.steps.cutAnew); },
+               "Cut fronts that were dropped and cut again from behind"},
+    FigureText{
+        "Slit end length", [](const CutFigures& f) { return lengthText(f.slitLength); },
+        "Length of the edges where slits end inside the material; 0 for cuts all the way through"},
 };
 
 /// A zero has no unit, nor a sign.
@@ -77,13 +78,14 @@ std::vector<ui::CutRow> rowsOf(const CutReport& report) {
     for (const auto& [quantity, text, tooltip] : kTexts) {
         rows.push_back({quantity, text(report.all), text(report.strokes.back()), tooltip});
     }
-    rows.push_back({"Volume error", volumeErrorText(report.volumeError), "",
-                    "Rest volume of all pieces against that of the uncut body, as a share"});
+    rows.push_back(
+        {"Volume error", volumeErrorText(report.volumeError), "",
+         "Relative difference between the rest volume of all pieces and that of the uncut body"});
     rows.push_back(
         {"Self-intersections", fmt::format("{}", report.crossings.all), "",
-         fmt::format("Pairs of triangles that pass through each other at rest. Cuts made "
-                     "{} of them; the model has the others of its own",
-                     report.crossings.ofCuts)});
+         fmt::format(
+             "Pairs of triangles that intersect at rest: {} from cuts, the others from the model",
+             report.crossings.ofCuts)});
     return rows;
 }
 
@@ -129,7 +131,7 @@ void CutQuality::takeReady() {
 
 std::string CutQuality::noteOf(const Simulation& simulation) const {
     if (known_ == simulation.modelRevision()) {
-        return rows_.empty() ? "No cut yet." : "";
+        return rows_.empty() ? "No cuts yet." : "";
     }
     return job_ ? "Measuring the cuts..." : "Measured when the stroke ends.";
 }

@@ -55,11 +55,11 @@ std::string ThicknessMap::note(const Simulation& simulation) const {
     if (known_.revision == simulation.bodyRevision()) {
         return "";
     }
-    const std::string of = values_ ? fmt::format("That of step {}. ", known_.step) : "";
+    const std::string of = values_ ? fmt::format("From step {}. ", known_.step) : "";
     if (job_) {
-        return of + "Working it out: " + job_->stage();
+        return of + "Computing: " + job_->stage();
     }
-    return of + "It is worked out while time stands.";
+    return of + "Computed while paused.";
 }
 
 }  // namespace kerf::app

@@ -65,12 +65,12 @@ std::vector<std::string> partsOf(const Losses& losses) {
             parts.push_back(counted(count, one, many));
         }
     };
-    add(losses.leftOut, "later event was left out", "later events were left out");
-    add(losses.renewed, "check was renewed", "checks were renewed");
+    add(losses.leftOut, "later event was dropped", "later events were dropped");
+    add(losses.renewed, "check was updated", "checks were updated");
     add(losses.withoutHash, "check lost its state hash", "checks lost their state hash");
     add(losses.dropped, "check was dropped", "checks were dropped");
-    add(losses.impossible, "event that had become impossible was left out",
-        "events that had become impossible were left out");
+    add(losses.impossible, "event that was no longer possible was dropped",
+        "events that were no longer possible were dropped");
     return parts;
 }
 
@@ -79,7 +79,7 @@ std::string remarkOn(const Losses& losses, const SessionJournal& journal) {
     if (parts.empty() || !journal.firstChange()) {
         return "";
     }
-    return "Since you " + std::string(journal.leftOut() > 0 ? "went on alone" : "changed it") +
+    return "Since you " + std::string(journal.leftOut() > 0 ? "took over" : "changed it") +
            " at step " + std::to_string(*journal.firstChange()) + ", " + joined(parts, ", ") + ".";
 }
 

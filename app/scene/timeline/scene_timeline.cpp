@@ -102,8 +102,8 @@ void SceneTimeline::takeOver() {
     }
     const int step = body_.simulation.stepCount();
     if (journal_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
-        tell("What was done after step " + std::to_string(step) +
-             " is left out: another way goes on from here.");
+        tell("Everything after step " + std::to_string(step) +
+             " was discarded, because you continued from there.");
     }
     keyframes_.changedAt(step, journal_.commandsDone(step));
     playback_.reset();

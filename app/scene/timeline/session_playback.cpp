@@ -18,8 +18,9 @@ std::string SessionPlayback::compare(const CheckEvent& check, const CheckDiffere
     divergedAt_ = step;
     const std::string what = difference.pieces ? counted(*difference.pieces, "piece", "pieces") +
                                                      " instead of " + std::to_string(*check.pieces)
-                                               : "the state hash is not the recorded one";
-    return "At step " + std::to_string(step) + " the session came out differently: " + what + ".";
+                                               : "the state hash differs";
+    return "At step " + std::to_string(step) + " the replay differs from the recording: " + what +
+           ".";
 }
 
 }  // namespace kerf::app

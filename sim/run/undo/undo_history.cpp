@@ -45,7 +45,10 @@ struct TextOf {
         return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
     }
     std::string operator()(std::monostate) const { return "none"; }
-    std::string operator()(const std::string& choice) const { return choice; }
+    std::string operator()(std::string choice) const {
+        std::ranges::replace(choice, '_', ' ');
+        return choice;
+    }
 };
 
 }  // namespace
@@ -58,8 +61,11 @@ std::size_t snapshotBytes(const SurfaceMesh& mesh) {
 std::string nameOfChange(std::string_view param, const ParamValue& value) {
     const ParamInfo& info = *findParam(param);
     const int model = modelOf(param);
+    const bool isSwitch = info.type == ParamType::integer && info.low == 0 && info.high == 1;
     const std::string whose = model > 0 ? fmt::format(" of model {}", model) : "";
-    std::string name = fmt::format("{}{}: {}", info.label, whose, std::visit(TextOf{}, value));
+    const std::string text =
+        isSwitch ? (value == ParamValue(0.0) ? "off" : "on") : std::visit(TextOf{}, value);
+    std::string name = fmt::format("{}{}: {}", info.label, whose, text);
     if (!info.unit.empty() && !std::holds_alternative<std::monostate>(value)) {
         name.append(" ").append(info.unit);
     }

@@ -211,7 +211,7 @@ TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
     write("cube.obj", test::boxSoup());
     const ProgramRun run = runKerf({"inspect", file("cube.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
-    EXPECT_NE(run.out.find("The skin is coarse: 12 triangles, edges up to 1.41; --remesh OUT.ply "
+    EXPECT_NE(run.out.find("The mesh is coarse: 12 triangles, edges up to 1.41; --remesh OUT.ply "
                            "--edge 0.069 makes\n           it bend and cut well.\n"),
               std::string::npos)
         << run.out;

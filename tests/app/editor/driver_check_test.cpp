@@ -61,7 +61,7 @@ TEST_F(DriverCheckTest, ADriverThatIsRightIsExaminedOnceAndNothingIsSaid) {
 TEST_F(DriverCheckTest, OfAWrongDriverThePersonIsToldAndOfferedTheSoftwareRenderer) {
     examinationEnds("exit 1", "Free fall is wrong.");
     meet("Maker's renderer");
-    EXPECT_THAT(panels().question.text, HasSubstr("Free fall is wrong. The report lies in"));
+    EXPECT_THAT(panels().question.text, HasSubstr("Free fall is wrong. The report is in"));
     ASSERT_EQ(panels().question.choices.size(), 2u);
     tap(Key::enter);
     frames(2);

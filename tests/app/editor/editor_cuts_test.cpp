@@ -43,21 +43,21 @@ TEST_F(EditorCuts, AreMeasuredWhereTheirSectionIsOpen) {
     waitForFigures();
     EXPECT_EQ(figure("Self-intersections"), "0");
     EXPECT_GT(std::stoi(figure("Triangles")), 100);
-    EXPECT_GT(std::stoi(figure("Steps that cut")), 3);
+    EXPECT_GT(std::stoi(figure("Cutting steps")), 3);
     EXPECT_EQ(panels().cuts.note, "");
     EXPECT_TRUE(editor->itemRects().contains("cuts.Triangles"));
 }
 
 TEST_F(EditorCuts, FollowUndo) {
     openSection();
-    EXPECT_EQ(panels().cuts.note, "No cut yet.");
+    EXPECT_EQ(panels().cuts.note, "No cuts yet.");
     cutAcross();
     const std::string made = figure("Triangles");
     EXPECT_GT(std::stoi(made), 100);
     tap(Key::z, {.control = true});
     waitForFigures();
     EXPECT_EQ(figure("Triangles"), "none");
-    EXPECT_EQ(panels().cuts.note, "No cut yet.");
+    EXPECT_EQ(panels().cuts.note, "No cuts yet.");
     tap(Key::z, {.shift = true, .control = true});
     waitForFigures();
     EXPECT_EQ(figure("Triangles"), made);

@@ -162,7 +162,7 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     EXPECT_THAT(changes(), ElementsAre("Repair"));
     const std::string mended = hash();
     undo();
-    EXPECT_EQ(panels().question.title, "Taken back: Repair");
+    EXPECT_EQ(panels().question.title, "Undone: Repair");
     EXPECT_TRUE(panels().looks.showsFaulty);
     EXPECT_EQ(faultLabels(), shown);
     tap(Key::enter);
@@ -191,19 +191,18 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     editor->open(folder / "cloth.obj");
     waitForWork();
     frames(2);
-    EXPECT_THAT(panels().question.choices,
-                ElementsAre("Give it a thickness", "Fill 1 hole", "Cancel"));
-    EXPECT_THAT(panels().question.text, HasSubstr("As a sheet of 2.3 cm it could be cut"));
+    EXPECT_THAT(panels().question.choices, ElementsAre("Thicken", "Fill 1 hole", "Cancel"));
+    EXPECT_THAT(panels().question.text, HasSubstr("With a thickness of 2.3 cm it can be cut"));
     EXPECT_TRUE(panels().looks.showsFaulty);
     tap(Key::enter);
     waitForWork();
     frames(2);
     EXPECT_EQ(editor->title(), "Kerf - cloth - 1 piece");
     EXPECT_THAT(panels().toast.text, HasSubstr("gave 1 sheet a thickness of 0.023"));
-    EXPECT_THAT(changes(), ElementsAre("Give it a thickness"));
+    EXPECT_THAT(changes(), ElementsAre("Thicken"));
     const std::string mended = hash();
     undo();
-    EXPECT_EQ(panels().question.title, "Taken back: Give it a thickness");
+    EXPECT_EQ(panels().question.title, "Undone: Thicken");
     EXPECT_TRUE(panels().looks.showsFaulty);
     tap(Key::enter);
     frames(2);
@@ -233,14 +232,14 @@ TEST_F(EditorFaultsTest, AnAssemblyIsPartedIntoModelsAsAStepThatIsUndone) {
     waitForWork();
     frames(2);
     const std::string whole = hash();
-    EXPECT_THAT(panels().toast.text, HasSubstr("Its file has 2 objects"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("The file contains 2 objects"));
     tap(Key::o, {.shift = true});
     waitForWork();
     frames(2);
     EXPECT_EQ(panels().model.models.size(), 2U);
     EXPECT_EQ(panels().model.objects, 0) << "there is nothing more to part";
-    EXPECT_THAT(changes(), ElementsAre("Part into models"));
-    EXPECT_THAT(panels().toast.text, HasSubstr("Part into models: 2 of them"));
+    EXPECT_THAT(changes(), ElementsAre("Split into models"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Split into models: 2"));
     undo();
     EXPECT_EQ(panels().model.models.size(), 1U);
     EXPECT_EQ(hash(), whole);
@@ -250,7 +249,7 @@ TEST_F(EditorFaultsTest, ABallWithAHoleIsOfferedToBeFilledFirst) {
     openBroken({"hole of one triangle"});
     ASSERT_EQ(panels().question.choices.size(), 3U);
     EXPECT_EQ(panels().question.choices[0], "Fill 1 hole");
-    EXPECT_EQ(panels().question.choices[1], "Give it a thickness");
+    EXPECT_EQ(panels().question.choices[1], "Thicken");
 }
 
 TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
@@ -281,7 +280,7 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     frames(2);
     EXPECT_EQ(panels().body.triangles, 12) << "nothing is refined unasked";
     EXPECT_THAT(panels().toast.text,
-                HasSubstr("The skin is coarse: 12 triangles, edges up to 1.41 m. "
+                HasSubstr("The mesh is coarse: 12 triangles, edges up to 1.41 m. "
                           "With edges of 6.93 cm it bends and cuts well."));
     ASSERT_TRUE(panels().toast.choice);
     EXPECT_EQ(panels().toast.choice->id, ui::ActionId::remesh);
@@ -290,7 +289,7 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     waitForWork();
     frames(2);
     EXPECT_GT(panels().body.triangles, 2000);
-    EXPECT_THAT(panels().toast.text, HasSubstr("12 triangles became"));
+    EXPECT_THAT(panels().toast.text, HasSubstr(" instead of 12, 0 slivers left"));
     EXPECT_EQ(editor->scene()->document().session.model.edge, 0.0693);
     undo();
     EXPECT_EQ(panels().body.triangles, 12);
@@ -315,7 +314,7 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     const std::string before = hash();
     const std::size_t own = changes().size();
     even();
-    EXPECT_THAT(panels().question.title, HasSubstr("begins anew"));
+    EXPECT_THAT(panels().question.title, HasSubstr("reset the cuts?"));
     tap(Key::enter);
     waitForWork();
     frames(2);
@@ -329,7 +328,7 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     redo();
     EXPECT_EQ(hash(), before);
     redo();
-    EXPECT_THAT(panels().toast.text, HasSubstr("Done again: Remesh"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Redone: Remesh"));
     EXPECT_TRUE(panels().model.untouched);
 }
 
@@ -404,13 +403,13 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
     frames(2);
     EXPECT_EQ(panels().model.faultCount, 8);
     EXPECT_THAT(panels().looks.faults, IsEmpty());
-    EXPECT_THAT(panels().model.models[0].triangles, HasSubstr("12 triangles, 8 of them needles"));
+    EXPECT_THAT(panels().model.models[0].triangles, HasSubstr("12 triangles, 8 slivers"));
     unfoldModel();
     constexpr std::array<int, 3> kNeedle{230, 159, 0};
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
     click("model.faults");
     frames(2);
-    EXPECT_THAT(faultLabels(), ElementsAre("8 needles"));
+    EXPECT_THAT(faultLabels(), ElementsAre("8 slivers"));
     EXPECT_GT(pixelsOf(editor->readPicture(), kNeedle), 100);
     click("model.faults");
     frames(2);

@@ -3,10 +3,15 @@
 #include <sys/stat.h>
 
 #include <cmath>
+#include <cstdlib>
 
+#include "app/editor/storage/manual.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/scene/editor_scene.h"
 #include "app/session/session.h"
 #include "sim/repair/soup_inspection.h"
+#include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/slow_reader.h"
 
@@ -61,6 +66,17 @@ TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_TRUE(reader.hasEnded());
     EXPECT_NE(editor->readPicture().pixels, before) << "the progress is gone";
+}
+
+// It was said while the file was read, and what was told of the model took its place.
+TEST_F(EditorFilesTest, OfSeveralDroppedFilesTheFirstIsOpenedAndThatIsSaid) {
+    test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
+    editor->post(ui::FileDrop{{folder / "box.obj", folder / "other.obj"}});
+    frames(1);
+    waitForWork();
+    EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
+    EXPECT_THAT(panels().toast.text,
+                HasSubstr("Only the first of 2 dropped files was opened. OBJ"));
 }
 
 TEST_F(EditorFilesTest, EscapeCancelsTheLoadingToo) {
@@ -227,7 +243,7 @@ TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplac
     EXPECT_FALSE(readSession(file).events.empty());
     test::writeText(file, "precious");
     for (const bool replace : {false, true}) {
-        tap(Key::s, {.control = true});
+        tap(Key::s, {.shift = true, .control = true});
         frames(2);
         type("mine");
         tap(Key::enter);
@@ -243,18 +259,127 @@ TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplac
     }
 }
 
+TEST_F(EditorFilesTest, SavingAgainWritesTheSameFileWithoutADialog) {
+    drag(kTop, kBottom, 10);
+    settle();
+    saveByKeys();
+    const std::filesystem::path file = folder / "ball-cut.kerf.json";
+    const std::size_t events = readSession(file).events.size();
+    tap(Key::v);
+    tap(Key::s, {.control = true});
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
+    waitForWork();
+    EXPECT_GT(readSession(file).events.size(), events);
+    EXPECT_EQ(onlyFile(folder.path()), file);
+}
+
+TEST_F(EditorFilesTest, AFileThatSomeoneElseChangedIsNotReplacedUnasked) {
+    saveByKeys();
+    const std::filesystem::path file = folder / "ball-cut.kerf.json";
+    test::writeText(file, "precious");
+    for (const Key answer : {Key::escape, Key::enter}) {
+        tap(Key::s, {.control = true});
+        frames(1);
+        EXPECT_EQ(panels().question.title, "Replace ball-cut.kerf.json?");
+        EXPECT_THAT(panels().question.text, HasSubstr("changed by another program"));
+        tap(answer);
+        waitForWork();
+        EXPECT_EQ(test::readBytes(file) == "precious", answer == Key::escape);
+    }
+}
+
+TEST_F(EditorFilesTest, AnOpenedSessionIsNotReplacedUnaskedBeforeItWasSavedHere) {
+    saveByKeys();
+    editor->open(folder / "ball-cut.kerf.json");
+    waitForWork();
+    tap(Key::v);
+    tap(Key::s, {.control = true});
+    frames(1);
+    EXPECT_THAT(panels().question.text, HasSubstr("is the session that you opened"));
+    tap(Key::enter);
+    waitForWork();
+    tap(Key::s, {.control = true});
+    frames(1);
+    EXPECT_EQ(panels().question.text, "") << "it is this window's now";
+}
+
+TEST_F(EditorFilesTest, TheEndOfARecordingAsksForAFile) {
+    tap(Key::r, {.control = true});
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::r, {.control = true});
+    frames(2);
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
+    EXPECT_FALSE(panels().transport.recording);
+    tap(Key::escape);
+    waitForWork();
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
+TEST_F(EditorFilesTest, ARecordingDoesNotBeginOverUnsavedCutsUnasked) {
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::r, {.control = true});
+    frames(1);
+    EXPECT_EQ(panels().question.title, "Start recording without saving?");
+    tap(Key::escape);
+    frames(1);
+    EXPECT_FALSE(panels().transport.recording);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
+TEST_F(EditorFilesTest, AddingAModelOffersToSaveWhatWasCut) {
+    test::writeText(folder / "box.obj", test::objText(test::boxSoup()));
+    drag(kTop, kBottom, 10);
+    settle();
+    tap(Key::o, {.shift = true, .control = true});
+    frames(2);
+    type("box.obj");
+    tap(Key::enter);
+    frames(2);
+    EXPECT_EQ(panels().question.title, "Adding box.obj resets the scene");
+    EXPECT_THAT(panels().question.choices,
+                ::testing::ElementsAre("Save...", "Reset and add", "Cancel"));
+    click("question.0");
+    frames(2);
+    ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
+    tap(Key::enter);
+    waitForWork();
+    waitForWork();
+    EXPECT_TRUE(std::filesystem::exists(folder / "ball-cut.kerf.json"));
+    EXPECT_EQ(editor->scene()->simulation().modelCount(), 2);
+}
+
+TEST_F(EditorFilesTest, TheManualOpensAsTheDesktopHasIt) {
+    const std::filesystem::path program = folder / "xdg-open";
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+    test::writeText(program, "#!/bin/sh\necho \"$1\" >\"$(dirname \"$0\")/shown\"\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    EXPECT_EQ(openOutside(manualPage()), "Opened " + manualPage().string());
+    EXPECT_EQ(test::readBytes(folder / "shown"), manualPage().string() + "\n");
+    test::writeText(program, "#!/bin/sh\nexit 3\n");
+    EXPECT_THROW(openOutside(manualPage()), OutputError) << "no browser";
+    ::setenv("PATH", folder.path().c_str(), 1);
+    std::filesystem::remove(program);
+    EXPECT_THROW(openOutside(manualPage()), OutputError) << "no xdg-open";
+    EXPECT_THROW(openOutside(folder / "gone.html"), OutputError);
+    ::setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(EditorFilesTest, PiecesAreExportedEachIntoAFile) {
     drag(kTop, kBottom, 10);
     settle();
     tap(Key::e, {.control = true});
     frames(2);
-    EXPECT_EQ(panels().files.name, "ball.obj");
+    EXPECT_EQ(panels().files.name, "ball-cut.obj");
     type("half.glb");
     click("file.per_piece");
     EXPECT_TRUE(panels().files.filePerPiece);
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast.text, HasSubstr("2 files"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("half-1.glb and 1 more file"));
     MeshReport report;
     loadModel(folder / "half-1.glb", &report);
     EXPECT_EQ(report.pieces, 1);

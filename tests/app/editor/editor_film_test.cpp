@@ -42,11 +42,11 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
     askForFilm("cut.webm");
     click("file.speed");
     frames(2);
-    click("file.speed.10 times slower");
+    click("file.speed.1/10 speed");
     frames(2);
     click("file.turntable");
     frames(2);
-    for (const char* const choice : {"size", "size.640 x 360", "rate", "rate.50 a second"}) {
+    for (const char* const choice : {"size", "size.640 x 360", "rate", "rate.50 fps"}) {
         click(std::string("file.") + choice);
         frames(2);
     }
@@ -54,7 +54,7 @@ TEST_F(EditorFilmTest, TheDialogMakesAFilmOfAllSinceTheStart) {
     EXPECT_EQ(panels().files.film.speed, 0.1);
     click("file.accept");
     waitForWork();
-    EXPECT_THAT(panels().toast.text, HasSubstr("Filmed " + (folder / "cut.webm").string()));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Exported video " + (folder / "cut.webm").string()));
     EXPECT_EQ(test::outputOf("ffprobe -v error -count_frames -show_entries "
                              "stream=codec_name,width,height,nb_read_frames -of csv=p=0 '" +
                              (folder / "cut.webm").string() + "'"),
@@ -115,7 +115,7 @@ TEST_F(EditorFilmTest, AFilmThatIsGivenUpLeavesNothing) {
         frames(1);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    EXPECT_EQ(panels().work.title, "Filming long.mp4");
+    EXPECT_EQ(panels().work.title, "Exporting video long.mp4");
     EXPECT_TRUE(panels().work.mayEnd);
     click("work.cancel");
     waitForWork();
@@ -133,7 +133,7 @@ TEST_F(EditorFilmTest, WithoutFfmpegASentenceSaysSo) {
     askForFilm("cut.mp4");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast.text, HasSubstr("No film was made: "));
+    EXPECT_THAT(panels().toast.text, HasSubstr("The video could not be exported: "));
     EXPECT_THAT(panels().toast.text, HasSubstr("film.mp4: films are made by the program ffmpeg"));
     EXPECT_TRUE(panels().toast.isError);
     EXPECT_FALSE(fs::exists(folder / "cut.mp4"));

@@ -133,7 +133,7 @@ TEST_F(EditorJournalTest, TheQuestionHasNameCountAndPicture) {
     crash();
     editor = newEditor();
     awaitQuestion();
-    EXPECT_EQ(panels().question.title, "Go on from ball?");
+    EXPECT_EQ(panels().question.title, "Recover unsaved work?");
     EXPECT_THAT(panels().question.text, HasSubstr("1 cut,"));
     ASSERT_NE(panels().question.picture, nullptr);
     EXPECT_GT(panels().question.picture->width, 100);
@@ -332,7 +332,7 @@ TEST_F(EditorJournalTest, LeavingAsksAndEscStays) {
     cut();
     tap(Key::q, {.control = true});
     frames(2);
-    EXPECT_THAT(panels().question.title, HasSubstr("Leave"));
+    EXPECT_THAT(panels().question.title, HasSubstr("Quit"));
     tap(Key::escape);
     frames(2);
     EXPECT_FALSE(editor->closing());

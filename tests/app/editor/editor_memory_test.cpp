@@ -99,7 +99,7 @@ TEST_F(EditorOutOfMemoryTest, WhatWasDoneIsKeptAndOfferedAtOnce) {
     EXPECT_EQ(state->title(), "Kerf");
     frames(1);
     EXPECT_THAT(state->panels.model.toast.text, HasSubstr("ran out of memory"));
-    EXPECT_THAT(state->panels.model.toast.text, HasSubstr("What was done is kept."));
+    EXPECT_THAT(state->panels.model.toast.text, HasSubstr("Your work was saved for recovery."));
     waitForQuestion();
     ASSERT_TRUE(state->panels.asked);
     state->answer(ui::AnswerQuestion{kGoOn});

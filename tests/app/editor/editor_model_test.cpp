@@ -58,7 +58,7 @@ TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
     EXPECT_EQ(model().placement.scale, 1);
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
-    EXPECT_THAT(model().physics, HasSubstr("9.66 cm of this material weighs 86.9 g."));
+    EXPECT_THAT(model().physics, HasSubstr("At a height of 9.66 cm this body weighs 86.9 g."));
     EXPECT_TRUE(panels().model.untouched);
     EXPECT_TRUE(editor->itemRects().contains("model.unit.m"));  // unfolded
 }
@@ -68,7 +68,7 @@ TEST_F(EditorModelTest, AClickTakesAnotherUnitAndTheViewComesAlong) {
     click("model.unit.m");
     EXPECT_EQ(model().placement.unit, LengthUnit::metre);
     EXPECT_NEAR(model().size.y(), 9.66, 1e-4);
-    EXPECT_THAT(model().physics, HasSubstr("sinks flat"));
+    EXPECT_THAT(model().physics, HasSubstr("It will collapse under its own weight"));
     EXPECT_TRUE(appearance().isApprox(before, 1e-4));
     EXPECT_NEAR(panels().tools.longest, 2 * editor->scene()->rest().bounds().diagonal(), 1e-6);
     tap(Key::z, {.control = true});

@@ -172,7 +172,7 @@ TEST_F(EditorRetractTest, APressFarFromEachCutSaysSoAndChangesNothing) {
     press(true);
     press(false);
     settle();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("No cut is near"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("There is no cut nearby"));
     EXPECT_EQ(changesSince(), 0U);
     EXPECT_EQ(panels().body.hooks, 0U);
 }

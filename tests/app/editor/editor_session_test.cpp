@@ -173,7 +173,7 @@ TEST_F(EditorSessionTest, AMereClickLetsTheSessionPlayOnAndAStrokeEndsIt) {
     settle();
     EXPECT_FALSE(panels().session.playback.played);
     savedAs("mine");
-    EXPECT_THAT(panels().toast.text, HasSubstr("4 later events were left out"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("4 later events were dropped"));
 }
 
 TEST_F(EditorSessionTest, ThePicturesOfADocumentThatIsNoSessionAreListedAndSaved) {

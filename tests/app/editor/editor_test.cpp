@@ -202,14 +202,14 @@ TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
     const double chosen = panels().parameters.now.timeStep;
     ASSERT_NE(chosen, before);
     tapControl(Key::z, false);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Time step"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Time step"));
     tapControl(Key::r, false);
     EXPECT_EQ(panels().parameters.now.timeStep, before);
     tapControl(Key::r, false);
     dragSlider("param.time_step");
     tapControl(Key::z, false);
     tapControl(Key::z, true);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Done again: Time step"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Redone: Time step"));
     const double again = panels().parameters.now.timeStep;
     ASSERT_NE(again, before);
     tapControl(Key::r, false);
@@ -251,7 +251,7 @@ TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     EXPECT_NEAR(panels().body.boxes[0].center.y() - panels().body.boxes[0].size.y() / 2, -0.6,
                 1e-12);
     const StaticBox before = panels().body.boxes[0];
-    const ui::Rect row = editor->itemRects().at("box.0.Center");
+    const ui::Rect row = editor->itemRects().at("box.0.Centre");
     const double y = row.y + row.height / 2;
     drag(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
     settle();

@@ -419,16 +419,16 @@ TEST_F(EditorViewTest, AnUndoThatMovesNothingSaysWhatComesNext) {
     tap(Key::space);
     tap(Key::z, {.control = true});
     frames(2);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Gravity"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Gravity"));
     EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("m/s\u00b2"));
     ASSERT_TRUE(panels().toast.choice.has_value());
     EXPECT_THAT(panels().toast.choice->label, ::testing::HasSubstr("Cut 1"));
     click("toast.Ctrl+Z");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Taken back: Cut 1"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Cut 1"));
     tap(Key::z, {.shift = true, .control = true});
     frames(2);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Done again: Cut 1"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Redone: Cut 1"));
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ class FileChooserTest : public ::testing::Test {
     }
 
     test::TemporaryFolder folder;
-    FileChooser chooser{folder.path(), folder / "recent"};
+    std::map<std::string, std::string> folders;
+    FileChooser chooser{folder.path(), folder / "recent", folders};
 };
 
 TEST_F(FileChooserTest, ATestIsChosenUnderTheNameOfTheDocument) {
@@ -37,10 +38,10 @@ TEST_F(FileChooserTest, ATestIsChosenUnderTheNameOfTheDocument) {
 
 TEST_F(FileChooserTest, AFilmEndsAsItsKindDoes) {
     chooser.browse(FilePurpose::makeFilm, "ball");
-    EXPECT_EQ(dialog().name, "ball.mp4");
+    EXPECT_EQ(dialog().name, "ball-cut.mp4");
     ASSERT_EQ(dialog().kinds.size(), 3U);
     chooser.take(ui::ChooseFileKind{2});
-    EXPECT_EQ(dialog().name, "ball.gif");
+    EXPECT_EQ(dialog().name, "ball-cut.gif");
     chooser.take(ui::SetFilmLook{{.speed = 0.5, .captions = false, .turntable = true}});
     chooser.take(ui::NameFile{"ball.avi"});
     const std::optional<ChosenFile> chosen = chooser.take(ui::AcceptFile{});
@@ -52,16 +53,40 @@ TEST_F(FileChooserTest, AFilmEndsAsItsKindDoes) {
     EXPECT_TRUE(chosen->film.turntable);
 }
 
-TEST_F(FileChooserTest, RemembersWhereItSavedAndWhereItOpenedApart) {
+TEST_F(FileChooserTest, RemembersTheFolderOfEachKind) {
     std::filesystem::create_directory(folder / "results");
-    test::writeText(folder / "ball.obj", "");
     chooser.browse(FilePurpose::exportMesh, "ball");
     chooser.take(ui::GoToFolder{folder / "results"});
-    chooser.take(ui::CloseFileDialog{});
-    chooser.browse(FilePurpose::open, "");
+    ASSERT_TRUE(chooser.take(ui::AcceptFile{}));
+    for (const FilePurpose other :
+         {FilePurpose::open, FilePurpose::saveSession, FilePurpose::makeFilm}) {
+        chooser.browse(other, "ball");
+        EXPECT_EQ(dialog().folder, folder.path());
+    }
+    FileChooser next{folder.path(), {}, folders};
+    next.browse(FilePurpose::exportMesh, "ball");
+    ui::PanelModel model;
+    next.describe(model);
+    EXPECT_EQ(model.files.folder, folder / "results") << "at the next start";
+}
+
+TEST_F(FileChooserTest, AFolderThatIsGoneIsNotGoneTo) {
+    folders["exports"] = folder / "gone";
+    chooser.browse(FilePurpose::exportMesh, "ball");
     EXPECT_EQ(dialog().folder, folder.path());
+}
+
+TEST_F(FileChooserTest, ProposesNeitherTheSourceNorATakenName) {
+    test::writeText(folder / "ball.obj", "");
+    chooser.browse(FilePurpose::exportMesh, "ball");
+    EXPECT_EQ(dialog().name, "ball-cut.obj");
+    test::writeText(folder / "ball-cut.obj", "");
+    for (const char* document : {"ball", "ball-cut", "ball-cut-7"}) {
+        chooser.browse(FilePurpose::exportMesh, document);
+        EXPECT_EQ(dialog().name, "ball-cut-2.obj");
+    }
     chooser.browse(FilePurpose::saveSession, "ball");
-    EXPECT_EQ(dialog().folder, folder / "results");
+    EXPECT_EQ(dialog().name, "ball-cut.kerf.json");
 }
 
 TEST_F(FileChooserTest, ARecentFileNeedsNoDialog) {
@@ -89,17 +114,17 @@ TEST_F(FileChooserTest, BookmarksOfOneNameAreToldApart) {
     }
     EXPECT_EQ(std::ranges::count(labels, "a/models"), 1);
     EXPECT_EQ(std::ranges::count(labels, "b/models"), 1);
-    EXPECT_EQ(std::ranges::count(folders, folder.path()), 1) << "the folder is \"Here\" already";
+    EXPECT_EQ(std::ranges::count(folders, folder.path()), 1) << "it is the current folder already";
 }
 
 TEST_F(FileChooserTest, AModelIsExportedBesideItUntilAnotherFolderIsChosen) {
     std::filesystem::create_directory(folder / "models");
     std::filesystem::create_directory(folder / "results");
-    chooser.setModel(folder / "models" / "ball.obj");
+    chooser.setSource(folder / "models" / "ball.obj");
     chooser.browse(FilePurpose::exportMesh, "ball");
     EXPECT_EQ(dialog().folder, folder / "models");
     chooser.take(ui::GoToFolder{folder / "results"});
-    chooser.take(ui::CloseFileDialog{});
+    chooser.take(ui::AcceptFile{});
     chooser.browse(FilePurpose::exportMesh, "ball");
     EXPECT_EQ(dialog().folder, folder / "results");
 }

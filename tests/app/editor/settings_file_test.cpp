@@ -21,6 +21,7 @@ ui::Settings unusual() {
     settings.plots = {"energy"};
     settings.folded = {};
     settings.place = {-1200, 40, 1500, 900, true};
+    settings.folders = {{"exports", "/tmp/results"}};
     return settings;
 }
 
@@ -39,6 +40,7 @@ TEST(Settings, WhatIsWrongIsNamed) {
           std::pair{R"({"window": [1, 2, 3, 1000000, 0]})", "window"},
           std::pair{R"({"ui_scale": "1"})", "ui_scale"},
           std::pair{R"({"show_controls": 1})", "show_controls"},
+          std::pair{R"({"folders": ["/tmp"]})", "folders"},
           std::pair{R"({"plots": "frames"})", "plots"}, std::pair{R"({"plots": [1]})", "plots"}}) {
         try {
             parseSettings(text);
@@ -79,7 +81,7 @@ TEST(SettingsFile, WhereItCannotBeWrittenThatIsSaid) {
     test::writeText(folder / "file", "");
     SettingsFile settings(folder / "file/settings.json");
     settings.now = unusual();
-    EXPECT_THAT(settings.save(), ::testing::HasSubstr("could not be kept"));
+    EXPECT_THAT(settings.save(), ::testing::HasSubstr("could not be saved"));
 }
 
 TEST(SettingsFile, WithoutANameNothingIsWritten) {

@@ -29,14 +29,14 @@ CutReport reportWith(const ShapeFigures& walls) {
 
 TEST(CutQuality, AnglesAreToldWhereThereAreTriangles) {
     ShapeFigures walls;
-    EXPECT_EQ(ofAll(reportWith(walls), "Smallest angle, worst"), "-");
-    EXPECT_EQ(ofAll(reportWith(walls), "Smallest angle, mean"), "-");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, worst"), "-");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, mean"), "-");
     walls.triangles = 2;
     walls.worstAngle = 12.34;
     walls.angleSum = 60;
     EXPECT_EQ(ofAll(reportWith(walls), "Triangles"), "2");
-    EXPECT_EQ(ofAll(reportWith(walls), "Smallest angle, worst"), "12.3\u00b0");
-    EXPECT_EQ(ofAll(reportWith(walls), "Smallest angle, mean"), "30.0\u00b0");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, worst"), "12.3\u00b0");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, mean"), "30.0\u00b0");
 }
 
 }  // namespace

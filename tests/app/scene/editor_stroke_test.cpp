@@ -28,6 +28,21 @@ std::vector<Blade> drainPoses(BladeStroke& stroke) {
     return poses;
 }
 
+TEST(BladeStroke, KnowsTheStrokesThatWait) {
+    BladeStroke stroke;
+    EXPECT_EQ(stroke.waiting(), 0);
+    for (int i = 0; i < 3; ++i) {
+        stroke.begin(space(), {-0.5, 0});
+        stroke.moveTo({0.5, 0});
+        stroke.end();
+    }
+    EXPECT_EQ(stroke.waiting(), 3);
+    stroke.next();
+    EXPECT_EQ(stroke.waiting(), 2) << "the first one is being cut";
+    stroke.cancel();
+    EXPECT_EQ(stroke.waiting(), 0);
+}
+
 TEST(StrokeSpace, TheBladeLiesOnTheRayThroughThePointer) {
     const render::Camera camera;
     const Vec2 ndc(0.3, -0.2);

@@ -185,7 +185,7 @@ TEST(SessionJournal, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
     EXPECT_EQ(checkAt(events, 3).pieces, 2);
     EXPECT_EQ(checkAt(events, 4).pieces, 2);
     EXPECT_EQ(saved.remark,
-              "Since you changed it at step 2, 1 check was renewed, 1 check lost its state hash, 1 "
+              "Since you changed it at step 2, 1 check was updated, 1 check lost its state hash, 1 "
               "check was dropped.");
     journal.restart();
     EXPECT_EQ(checkAt(eventsOf(journal), 4).pieces, 2);
@@ -229,7 +229,7 @@ TEST(SessionJournal, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {
     journal.note(6, LiftBlade{});
     EXPECT_THAT(stepsOf(journal), ElementsAre(2, 5, 6, 6));
     EXPECT_EQ(sessionAsSaved({}, journal).remark,
-              "Since you went on alone at step 6, 2 later events were left out.");
+              "Since you took over at step 6, 2 later events were dropped.");
     journal.restart();
     EXPECT_THAT(stepsOf(journal), ElementsAre(2, 10, 11));
 }

@@ -11,11 +11,11 @@ using testing::StartsWith;
 
 TEST(TriangleText, TellsNeedlesWhereThereAreSome) {
     TriangleFigures figures = figuresOf(test::boxSoup(Vec3(1, 20, 1)));
-    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 8 of them needles; edges of "));
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 8 slivers; edge length "));
     figures.needles = 1;
-    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 1 of them a needle; edges of "));
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 1 sliver; edge length "));
     figures.needles = 0;
-    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles; edges of "));
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles; edge length "));
 }
 
 }  // namespace

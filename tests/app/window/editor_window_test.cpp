@@ -337,7 +337,7 @@ TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
     SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["exit"], "4") << "and no window after the other for ever";
-    EXPECT_EQ(values["recent"], (folder / "ball.obj").string()) << "for Open again";
+    EXPECT_EQ(values["recent"], (folder / "ball.obj").string()) << "for Open recent";
 }
 
 /// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.

@@ -144,8 +144,8 @@ TEST(AtomicFile, FailuresNameTheFileAndTheReason) {
         FAIL() << "no error";
     } catch (const OutputError& error) {
         EXPECT_EQ(error.what(), file.string() +
-                                    ": it could not be written (No such file or directory); its "
-                                    "folder is not there; choose another one.");
+                                    ": it could not be written (No such file or directory); that "
+                                    "folder doesn't exist or takes no files; choose another one.");
     }
     std::filesystem::create_directory(folder / "a.txt");
     EXPECT_THROW(writeOutputFile(folder / "a.txt", "x"), OutputError);

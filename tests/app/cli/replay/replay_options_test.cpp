@@ -58,8 +58,8 @@ TEST_F(ReplayVerbOptions, SetRefusesWhatIsNoParameterOrValue) {
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {"ispc_stifness=0.2", "there is no parameter \"ispc_stifness\""},
         {"ispc_stiffness=2", "ispc_stiffness"},
-        {"density=abc", "takes one number; see kerf --help."},
-        {"iterations=abc", "takes one number, or \"auto\"; see kerf --help."},
+        {"density=abc", "takes one number from 10 to 20000 kg/m^3; see kerf --help."},
+        {"iterations=abc", "takes one number from 1 to 60, or \"auto\"; see kerf --help."},
         {"ispc_stiffness=[1", "ispc_stiffness"},
         {"ispc_stiffness=", "ispc_stiffness"},
         {"gravity=3", "gravity"},

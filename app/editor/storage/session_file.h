@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace kerf::app {
+
+/// The session file of the open scene, which saving writes again.
+class SessionFile {
+  public:
+    /// Begins with the file that was opened; empty for none, as for the sessions of Kerf's own.
+    void begin(const std::filesystem::path& file);
+    /// Records that this window has written the file.
+    void noteWritten(const std::filesystem::path& file);
+    const std::filesystem::path& path() const { return path_; }
+    /// Why it should not be replaced without a question: one sentence, or "".
+    std::string doubt() const;
+
+  private:
+    /// What a file is known by.
+    struct Stamp {
+        std::filesystem::file_time_type written;
+        std::uintmax_t bytes = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    /// None if it is not there.
+    static std::optional<Stamp> stampOf(const std::filesystem::path& file);
+
+    std::filesystem::path path_;
+    std::optional<Stamp> stamp_;  ///< when it was opened or written
+    bool ours_ = false;           ///< written by this window
+};
+
+}  // namespace kerf::app
