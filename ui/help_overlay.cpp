@@ -14,9 +14,11 @@
 namespace kerf::ui {
 namespace {
 
+constexpr const char* kMouse = "Mouse";
 constexpr int kMostColumns = 3;
 constexpr float kColumnWidth = 27;  // in letters' heights
-constexpr float kKeysWidth = 11;
+constexpr float kGestureWidth = 14.5F;
+constexpr float kKeysWidth = 10;
 
 /// The rows under one heading.
 struct Group {
@@ -34,7 +36,7 @@ void addRow(std::vector<Group>& groups, std::string_view title, const PointerHin
 std::vector<Group> allGroups(MouseScheme mouse) {
     std::vector<Group> groups;
     for (const PointerHint& row : pointerTable(mouse)) {
-        addRow(groups, "Mouse", row);
+        addRow(groups, kMouse, row);
     }
     for (const ActionRow& row : actionTable()) {
         if (!row.shortcut.text.empty()) {
@@ -49,8 +51,9 @@ void drawGroup(const Group& group) {
     if (!ImGui::BeginTable(group.title.c_str(), 2, ImGuiTableFlags_SizingFixedFit)) {
         return;
     }
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed,
-                            kKeysWidth * ImGui::GetFontSize());
+    ImGui::TableSetupColumn(
+        "keys", ImGuiTableColumnFlags_WidthFixed,
+        (group.title == kMouse ? kGestureWidth : kKeysWidth) * ImGui::GetFontSize());
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
     for (const PointerHint& row : group.rows) {
         ImGui::TableNextColumn();

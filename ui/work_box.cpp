@@ -43,16 +43,16 @@ void drawCancel(std::vector<Action>& actions) {
 std::string timeText(const WorkState& work) {
     constexpr double kMinute = 60;
     if (!work.left) {
-        return fmt::format("{:.0f} s so far", work.seconds);
+        return work.seconds < 1 ? "" : fmt::format(", {:.0f} s so far", work.seconds);
     }
     if (*work.left < 1) {
-        return "almost done";
+        return ", almost done";
     }
     if (*work.left < 2 * kMinute) {
         const double step = *work.left < 10 ? 1 : 5;
-        return fmt::format("about {:.0f} s left", step * std::ceil(*work.left / step));
+        return fmt::format(", about {:.0f} s left", step * std::ceil(*work.left / step));
     }
-    return fmt::format("about {:.0f} min left", *work.left / kMinute);
+    return fmt::format(", about {:.0f} min left", *work.left / kMinute);
 }
 
 void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions) {
@@ -76,7 +76,7 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     }
     ImGui::AlignTextToFramePadding();
     if (work.mayEnd) {
-        ImGui::TextDisabled("%s, %s", work.stage.c_str(), timeText(work).c_str());
+        ImGui::TextDisabled("%s%s", work.stage.c_str(), timeText(work).c_str());
         drawCancel(actions);
     } else {
         ImGui::TextDisabled("%s", work.stage.c_str());

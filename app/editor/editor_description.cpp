@@ -61,7 +61,7 @@ ui::WorkState sceneWork(const State& s) {
     const StrokeProgress cut = now.stroke().progress();
     const auto left = static_cast<double>(cut.poses - cut.done);
     if (s.scene.stops && s.scene.underWay() && perStep > kQuietSeconds) {
-        return {.title = "Stopping", .stage = "Stopping after this step...", .mayEnd = false};
+        return {.title = "Stopping after this step...", .stage = "Please wait", .mayEnd = false};
     }
     if (left * perStep > kQuietSeconds) {
         return {"Cutting", fmt::format("Step {} of {}", cut.done, cut.poses),

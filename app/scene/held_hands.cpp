@@ -8,7 +8,8 @@
 namespace kerf::app {
 namespace {
 
-constexpr int kSettleSteps = 60;  // for what hooks hold to arrive
+constexpr int kSettleSteps = 60;     // for what hooks hold to arrive
+constexpr double kTakesAnew = 0.01;  // of the body's diagonal
 
 }  // namespace
 
@@ -55,7 +56,18 @@ std::vector<Hands::Hand> HeldHands::hooks() const {
     return hooksOf(body_.simulation.hands());
 }
 
+/// A release is no change of its own, but a hook that takes hold anew is one.
 void HeldHands::removeRetractor(int hook) {
+    timeline_.takeOver();
+    const std::vector<Hands::Hand> all = hooks();
+    if (const auto hand = std::ranges::find(all, hook, &Hands::Hand::number); hand != all.end()) {
+        const Vec3 at = body_.simulation.mesh().position(hand->held.front().vertex);
+        timeline_.perform(Grab{hook, at, kTakesAnew * body_.simulation.bounds().diagonal(), true});
+    }
+    dropRetractor(hook);
+}
+
+void HeldHands::dropRetractor(int hook) {
     timeline_.takeOver();
     for (const Hands::Hand& hand : hooks()) {
         if (hand.number == hook || hand.number == partnerOf(hook)) {

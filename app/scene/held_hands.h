@@ -38,8 +38,10 @@ class HeldHands {
     void settle();
     /// The hooks of all retractors, by number.
     std::vector<Hands::Hand> hooks() const;
-    /// Removes the retractor of a hook.
+    /// Removes the retractor of a hook, as a change that can be undone.
     void removeRetractor(int hook);
+    /// Removes it as if it had not been.
+    void dropRetractor(int hook);
 
     /// Moves them before a step.
     void move();

@@ -101,7 +101,7 @@ void RetractTool::cancel(const ToolContext& c) {
         return;
     }
     if (drag_->isNew) {
-        c.scene->hands().removeRetractor(drag_->hooks[0]);
+        c.scene->hands().dropRetractor(drag_->hooks[0]);
     } else {
         drag_->by = 0;
         moveHooks(*c.scene);

@@ -1,4 +1,5 @@
 // How each kind of command is carried out.
+#include <algorithm>
 #include <utility>
 
 #include "sim/base/boxes.h"
@@ -72,12 +73,14 @@ template <>
 std::string Simulation::State::carryOut(const Grab& grab) {
     const bool continues = grab.continues && log.continuesBody(BodyGesture::hands);
     const SnapshotPointer before = continues ? nullptr : log.captureForUndo(body);
+    const auto& hands = body.memory.hands.hands();
+    const bool again = std::ranges::count(hands, grab.hand, &Hands::Hand::number) > 0;
     log.touch();
     std::string error = body.memory.hands.grab(grab, body.mesh());
     if (error.empty() && continues) {
         log.history().renameLast("Hold open");
     } else if (error.empty()) {
-        log.noteBody("Pull", before, output, BodyGesture::hands);
+        log.noteBody(again ? "Let go" : "Pull", before, output, BodyGesture::hands);
     }
     return error;
 }

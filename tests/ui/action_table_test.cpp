@@ -14,7 +14,9 @@ namespace {
 std::vector<Shortcut> allShortcuts() {
     std::vector<Shortcut> all;
     for (const ActionRow& row : actionTable()) {
-        all.push_back(row.shortcut);
+        if (row.shortcut.key != Key::none) {
+            all.push_back(row.shortcut);
+        }
         if (row.second.key != Key::none) {
             all.push_back(row.second);
         }
@@ -34,7 +36,9 @@ TEST(ActionTable, EveryKeyStandsOnce) {
 
 TEST(ActionTable, EveryRowIsFoundByItsKeys) {
     for (const ActionRow& row : actionTable()) {
-        EXPECT_EQ(findAction(row.shortcut.key, row.shortcut.modifiers), row.id) << row.label;
+        if (row.shortcut.key != Key::none) {
+            EXPECT_EQ(findAction(row.shortcut.key, row.shortcut.modifiers), row.id) << row.label;
+        }
         if (row.second.key != Key::none) {
             EXPECT_EQ(findAction(row.second.key, row.second.modifiers), row.id) << row.label;
         }
@@ -43,8 +47,7 @@ TEST(ActionTable, EveryRowIsFoundByItsKeys) {
 
 TEST(ActionTable, EveryRowSaysWhatItDoes) {
     for (const ActionRow& row : actionTable()) {
-        EXPECT_NE(row.shortcut.key, Key::none) << row.label;
-        EXPECT_FALSE(row.shortcut.text.empty()) << row.label;
+        EXPECT_EQ(row.shortcut.text.empty(), row.shortcut.key == Key::none) << row.label;
         EXPECT_EQ(row.second.text.empty(), row.second.key == Key::none) << row.label;
         EXPECT_FALSE(row.label.empty());
         EXPECT_FALSE(row.group.empty());

@@ -47,7 +47,7 @@ TEST(RemarkOn, AutoIterationsOfWhichEvenTheMostAreTooFew) {
     EXPECT_EQ(remarkOn(*findParam("iterations"), model.parameters), "");
     now.youngsModulus = 1e8;
     EXPECT_NE(
-        remarkOn(*findParam("iterations"), model.parameters).find("Even the most are too few"),
+        remarkOn(*findParam("iterations"), model.parameters).find("Even the maximum is too few"),
         std::string::npos);
 }
 
@@ -60,9 +60,9 @@ TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     model.parameters.sweeps = &strength;
     const std::optional<int> enough = strength.enoughIterations(model.parameters.now);
     ASSERT_TRUE(enough);
-    EXPECT_NE(
-        remarkOn(iterations, model.parameters).find("From " + std::to_string(*enough) + " on"),
-        std::string::npos)
+    EXPECT_NE(remarkOn(iterations, model.parameters)
+                  .find("Use at least " + std::to_string(*enough) + "."),
+              std::string::npos)
         << remarkOn(iterations, model.parameters);
     EXPECT_EQ(remarkOn(*findParam("time_step"), model.parameters), "");
     model.parameters.now.iterations = *enough;

@@ -14,7 +14,7 @@ TEST(StatusText, CountsPiecesThatWereTakenBackWhereAnyWere) {
     model.pieces.rows.resize(2);
     EXPECT_NE(statusText(model).find("2 pieces   |"), std::string::npos) << statusText(model);
     history[Reading::lostPieces].add(0.5, 3);
-    EXPECT_NE(statusText(model).find("2 pieces, 3 taken back   |"), std::string::npos)
+    EXPECT_NE(statusText(model).find("2 pieces, 3 reset   |"), std::string::npos)
         << statusText(model);
 }
 

@@ -129,8 +129,7 @@ constexpr std::array kOtherActions{
     ActionRow{ActionId::showBoxes, at(Key::o, kPlain, "O"), "Bounding boxes", "View", withBody,
               draws<&render::Overlays::boxes>},
     ActionRow{
-        ActionId::nextField, at(Key::j, kPlain, "J"),
-        "Next colouring: look, strain, area, thickness", "View", withBody,
+        ActionId::nextField, at(Key::j, kPlain, "J"), "Next colouring", "View", withBody,
         [](const PanelModel& m) { return m.display.field.field != render::SurfaceField::look; }},
     ActionRow{ActionId::section, at(Key::n, kPlain, "N"), "Section plane", "View", withBody,
               [](const PanelModel& m) { return m.display.section.has_value(); }},
@@ -177,8 +176,8 @@ std::span<const ActionRow> actionTable() {
 std::vector<PointerHint> pointerTable(MouseScheme scheme) {
     const std::string zoom = dragsThat(ViewMotion::zoom, scheme);
     return {
-        {"Left drag", "Use the tool: cut, pull, pin, hold open, move"},
-        {"Shift+left drag", "Stroke: straight, in 15\u00b0 steps. Pin: a box"},
+        {"Left drag", "Use the tool"},
+        {"Shift+left drag", "Stroke: 15\u00b0 steps. Pin: box"},
         {"Ctrl+left drag", "Pin: unpin. Move: snap"},
         {"Right-click a hook", "Remove retractor"},
         {dragsThat(ViewMotion::orbit, scheme), "Rotate view"},

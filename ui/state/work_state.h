@@ -16,7 +16,7 @@ struct WorkState {
     std::optional<double> left = std::nullopt;  ///< [s], estimated; none if unknown
 };
 
-/// "about 20 s left", or "12 s so far" where the end is not known.
+/// ", about 20 s left", or ", 12 s so far" where the end is not known.
 std::string timeText(const WorkState& work);
 
 }  // namespace kerf::ui

@@ -73,8 +73,8 @@ std::string sentenceFor(const Customs& format, LengthUnit unit, double length) {
         return std::string(format.name) + " is in " + units + axis + ": " + size + " long.";
     }
     const LengthUnit usual = format.units.front();
-    const std::string taken = std::string(format.name) + " names no unit: taken as " + units +
-                              axis + ", " + size + " long";
+    const std::string taken =
+        std::string(format.name) + " has no unit: assumed " + units + axis + ", " + size + " long";
     if (unit == usual) {
         return taken + ".";
     }

@@ -41,7 +41,7 @@ TEST_F(EditorFilesTest, AModelOpensBehindWhatIsOpen) {
     waitForWork();
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     EXPECT_EQ(panels().body.triangles, 192);
-    EXPECT_THAT(panels().toast.text, HasSubstr("OBJ names no unit: taken as metres"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("OBJ has no unit: assumed metres"));
 }
 
 TEST_F(EditorFilesTest, WhatIsOpenCanBeCutWhileAModelIsRead) {

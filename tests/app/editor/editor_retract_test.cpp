@@ -137,6 +137,25 @@ TEST_F(EditorRetractTest, UndoTakesTheHooksBackAndRedoBringsThem) {
     EXPECT_EQ(panels().body.hooks, 2U);
 }
 
+// Undo took the retractor back that had been removed already, and redo brought nothing.
+TEST_F(EditorRetractTest, UndoBringsARemovedRetractorBack) {
+    retract(Vec2(60, 0));
+    const Vec2 hook = pixelOfHook(1);
+    moveTo(hook.x(), hook.y());
+    tap(Key::del);
+    settle();
+    EXPECT_EQ(panels().body.hooks, 0U);
+    for (int round = 0; round < 2; ++round) {
+        editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+        settle();
+        EXPECT_EQ(panels().body.hooks, 2U);
+        editor->post(ui::KeyChange{Key::y, true, {.control = true}});
+        settle();
+        EXPECT_EQ(panels().body.hooks, 0U);
+    }
+    EXPECT_EQ(changesSince(), 2U);
+}
+
 TEST_F(EditorRetractTest, HooksStayWhereSomethingElseIsUndone) {
     retract(Vec2(60, 0));
     tap(Key::v);

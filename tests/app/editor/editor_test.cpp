@@ -6,12 +6,24 @@
 #include <iterator>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/editor_stroke.h"
 #include "render/scene/picture_comparison.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
+
+TEST_F(EditorTest, CancellingTellsHowManyCutsInTheQueueWereDropped) {
+    for (int i = 0; i < 3; ++i) {
+        drag(kTop + Vec2(20 * i, 0), kBottom + Vec2(20 * i, 0), 10);
+    }
+    frames(4);
+    tap(Key::escape);
+    EXPECT_EQ(panels().toast.text, "Cancelled. 2 more cuts in the queue were dropped.");
+    settle();
+    EXPECT_EQ(editor->scene()->stroke().pending(), 0U);
+}
 
 TEST_F(EditorTest, OpensPausedAndSaysWhatToDoFirst) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");

@@ -67,11 +67,11 @@ TEST(TimeText, SaysWhatItIs) {
         work.left = left;
         return timeText(work);
     };
-    EXPECT_EQ(text(std::nullopt), "12 s so far");
-    EXPECT_EQ(text(18.2), "about 20 s left");
-    EXPECT_EQ(text(3.2), "about 4 s left");
-    EXPECT_EQ(text(0.4), "almost done");
-    EXPECT_EQ(text(200), "about 3 min left");
+    EXPECT_EQ(text(std::nullopt), ", 12 s so far");
+    EXPECT_EQ(text(18.2), ", about 20 s left");
+    EXPECT_EQ(text(3.2), ", about 4 s left");
+    EXPECT_EQ(text(0.4), ", almost done");
+    EXPECT_EQ(text(200), ", about 3 min left");
 }
 
 }  // namespace

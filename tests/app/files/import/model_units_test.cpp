@@ -35,11 +35,10 @@ TEST(UnitGuess, TakesAnotherUnitWhereTheUsualOneMakesItTinyOrHuge) {
 TEST(UnitGuess, SaysWhatWasTakenAndWhy) {
     EXPECT_EQ(guessOf("a.glb", 2).sentence, "glTF is in metres with +y up: 2 m long.");
     EXPECT_EQ(guessOf("a.stl", 60).sentence,
-              "STL names no unit: taken as millimetres with +z up, 6 cm long.");
-    EXPECT_EQ(
-        guessOf("a.obj", 9.66).sentence,
-        "OBJ names no unit: taken as centimetres with +y up, 9.66 cm long, since 9.66 m would "
-        "be huge.");
+              "STL has no unit: assumed millimetres with +z up, 6 cm long.");
+    EXPECT_EQ(guessOf("a.obj", 9.66).sentence,
+              "OBJ has no unit: assumed centimetres with +y up, 9.66 cm long, since 9.66 m would "
+              "be huge.");
     Bounds bounds;
     bounds.add(Vec3(0, 0, 0));
     bounds.add(Vec3(1, 2, 1));
