@@ -17,7 +17,7 @@ void TimeLeft::follow(ui::WorkState& work) {
         *this = {};
         title_ = work.title;
     }
-    work.seconds = watch_.seconds();
+    work.seconds = std::max(work.seconds, watch_.seconds());
     work.left = at(work.seconds, work.done, work.all);
 }
 

@@ -60,19 +60,18 @@ std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
 
 ui::WorkState FileWork::state() const {
     ui::WorkState work;
-    double seconds = 0;
     if (const DocumentLoading* const loading = opening()) {
         work = {loading->order().title, loading->stage()};
-        seconds = loading->seconds();
+        work.seconds = loading->seconds();
     } else if (const BodyPlacing* const placed = placing()) {
         work = {"Placing model", placed->stage()};
-        seconds = placed->seconds();
+        work.seconds = placed->seconds();
     } else if (const FileSaving* const file = saving()) {
         work = {file->title, file->stage(), double(file->progress().done()),
                 double(file->progress().all())};
-        seconds = file->seconds();
+        work.seconds = file->seconds();
     }
-    return seconds < kQuietSeconds ? ui::WorkState{} : work;
+    return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
 }
 
 }  // namespace kerf::app

@@ -259,7 +259,7 @@ TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
     even();
     const std::string evened = hash();
     EXPECT_NE(evened, before);
-    EXPECT_THAT(panels().toast.text, HasSubstr("768 triangles became"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("triangles instead of 768"));
     EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 1U);
     EXPECT_NEAR(panels().model.models[0].edge, proposed, 0.1 * proposed);

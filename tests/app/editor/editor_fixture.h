@@ -119,6 +119,17 @@ class EditorTest : public test::GlTest {
         tap(Key::enter);
         waitForWork();
     }
+    /// Starts or stops a recording and saves nothing.
+    void toggleRecording() {
+        tap(Key::r, {.control = true});
+        frames(1);
+        if (!panels().question.text.empty()) {
+            click("question.1");
+        } else if (panels().files.purpose != ui::FilePurpose::none) {
+            tap(Key::escape);
+        }
+        settle();
+    }
     void type(const std::string& text) {
         for (const char letter : text) {
             editor->post(ui::Character{static_cast<std::uint32_t>(letter)});

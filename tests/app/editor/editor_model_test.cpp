@@ -54,7 +54,7 @@ class EditorModelTest : public EditorTest {
 };
 
 TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
-    EXPECT_THAT(panels().toast.text, HasSubstr("taken as centimetres"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("assumed centimetres"));
     EXPECT_EQ(model().placement.scale, 1);
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
@@ -164,7 +164,7 @@ TEST_F(EditorModelTest, AnotherModelStandsBesideAndGoesAgain) {
     expectReplayed(session, loadSessionModel(session));
     click("model.remove.1");
     frames(2);
-    click("question.0");
+    click("question.1");
     waitForWork();
     frames(2);
     EXPECT_EQ(panels().model.models.size(), 1u);
@@ -179,7 +179,7 @@ TEST_F(EditorModelTest, AddsNoSession) {
     type("other.kerf.json");
     tap(Key::enter);
     waitForWork();
-    EXPECT_THAT(panels().toast.text, HasSubstr("a session has a scene of its own"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("a session can't be added to a scene"));
     EXPECT_EQ(panels().model.models.size(), 1u);
 }
 

@@ -185,7 +185,7 @@ TEST_F(EditorMoveTest, ACutModelStaysAndSaysWhy) {
     press(true);
     press(false);
     settle();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("The model is cut"));
+    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("A cut model can't be moved"));
 }
 
 TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {

@@ -88,7 +88,7 @@ TEST_F(EditorPastTest, ThePointerDragsTheTimeLineBack) {
     EXPECT_LT(step(), end / 10);
     EXPECT_EQ(pieces(), 1);
     EXPECT_FALSE(panels().transport.playing);
-    EXPECT_THAT(panels().help.hint.text, HasSubstr("This is past"));
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("You are viewing an earlier step"));
     EXPECT_EQ(panels().session.playback.steps, end) << "nothing is lost yet";
     tap(Key::space);
     frames(end);
@@ -106,7 +106,7 @@ TEST_F(EditorPastTest, AStrokeThereLeavesOutWhatCameAfter) {
     EXPECT_EQ(pieces(), 2);
     EXPECT_LT(step(), end);
     EXPECT_FALSE(panels().session.playback.played);
-    EXPECT_THAT(panels().toast.text, HasSubstr("is left out"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("was discarded"));
     expectItReplays();
     const int here = step();
     const std::string now = hash();

@@ -34,7 +34,7 @@ class EditorSessionTest : public EditorTest {
         frames(1);
     }
     Session savedAs(const std::string& name) {
-        tap(Key::s, {.control = true});
+        tap(Key::s, {.shift = true, .control = true});
         frames(2);
         type(name);
         tap(Key::enter);
@@ -111,7 +111,7 @@ TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
     tap(Key::m, {.shift = true});
     frames(2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::camera, Kind::check}));
-    EXPECT_EQ(panels().toast.text, "A film of the session is seen from here at step 30.");
+    EXPECT_EQ(panels().toast.text, "Added a camera keyframe at step 30 to the session");
     const Session session = savedAs("seen");
     ASSERT_EQ(session.events.size(), 6U);
     EXPECT_EQ(session.events[2].step, 30);

@@ -215,16 +215,16 @@ TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
     ASSERT_NE(chosen, before);
     tapControl(Key::z, false);
     EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Time step"));
-    tapControl(Key::r, false);
+    toggleRecording();
     EXPECT_EQ(panels().parameters.now.timeStep, before);
-    tapControl(Key::r, false);
+    toggleRecording();
     dragSlider("param.time_step");
     tapControl(Key::z, false);
     tapControl(Key::z, true);
     EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Redone: Time step"));
     const double again = panels().parameters.now.timeStep;
     ASSERT_NE(again, before);
-    tapControl(Key::r, false);
+    toggleRecording();
     EXPECT_EQ(panels().parameters.now.timeStep, again) << "what was brought back is chosen";
 }
 
@@ -273,8 +273,7 @@ TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
     settle();
     EXPECT_EQ(panels().body.boxes[0], before);
-    editor->post(ui::KeyChange{Key::r, true, {.control = true}});
-    settle();
+    toggleRecording();
     EXPECT_EQ(panels().body.boxes, std::vector<StaticBox>{before}) << "a recording keeps them";
     click("box.0.remove");
     EXPECT_TRUE(panels().body.boxes.empty());
@@ -316,6 +315,9 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     settle();
     const int steps = panels().transport.step;
     control(Key::r);
+    frames(2);
+    tap(Key::enter);
+    waitForWork();
     settle();
     waitForWork();
     EXPECT_FALSE(panels().transport.recording);
@@ -513,9 +515,8 @@ TEST_F(EditorTest, ARecordingBegunInMidStrokeCanUndoItsFirstCut) {
     }
     frames(6);
     ASSERT_EQ(panels().changes.rows.size(), 1U) << "the blade is in the body";
-    editor->post(ui::KeyChange{Key::r, true, {.control = true}});
     press(false);
-    settle();
+    toggleRecording();
     drag(kTop, kBottom, 8);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");

@@ -120,7 +120,7 @@ TEST_F(EditorLegendTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOl
     tap(Key::v);
     tap(Key::space);
     frames(3);
-    EXPECT_THAT(panels().looks.field.note, testing::HasSubstr("That of step 0."));
+    EXPECT_THAT(panels().looks.field.note, testing::HasSubstr("From step 0."));
 }
 
 TEST_F(EditorViewTest, ASectionOpensThePictureAndItsHandleShiftsItAlongItsNormal) {

@@ -49,13 +49,13 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     Situation now;
     EXPECT_EQ(steps.hint(now).text, "") << "the start page is there";
     now.open = now.weightless = true;
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("right across"));
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("all the way across"));
     now.outcome = StrokeOutcome::missed;
     steps.follow(now);
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("met nothing"));
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("missed the model"));
     now.outcome = StrokeOutcome::incised;
     steps.follow(now);
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("began or ended inside"));
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("began or ended on the model"));
     now.outcome = StrokeOutcome::parted;
     now.pieces = 2;
     steps.follow(now);
@@ -65,7 +65,7 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
                                        ui::actionOf(ui::Tool::grab)));
     now.tool = ui::Tool::grab;
     steps.follow(now);
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("pull at it")) << "a tool that is new";
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("pull it")) << "a tool that is new";
     now.touching = true;
     steps.follow(now);
     now.touching = false;
@@ -95,9 +95,9 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
 TEST(FirstSteps, WhatWasOpenedInPiecesIsNotCutYet) {
     const FirstSteps steps;
     Situation now{.open = true, .weightless = true, .pieces = 2, .piecesAtFirst = 2};
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("right across"));
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("all the way across"));
     now.pieces = 3;
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("3 pieces now"));
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("Cut into 3 pieces"));
 }
 
 TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
@@ -122,7 +122,7 @@ TEST(FirstSteps, SayOfARefusedStepWhatTheLogSays) {
     now.pieces = 2;
     EXPECT_THAT(steps.hint(now).text, HasSubstr(now.refusal)) << "it parted nothing else either";
     now.outcome = StrokeOutcome::parted;
-    EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces now")) << "it did without that step";
+    EXPECT_THAT(steps.hint(now).text, HasSubstr("Cut into 2 pieces")) << "it did without that step";
 }
 
 TEST(FirstSteps, SayWhyNothingMoves) {

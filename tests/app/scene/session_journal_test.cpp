@@ -241,7 +241,7 @@ TEST(SessionJournal, WhatFailedIsLeftOutOnlyOfAChangedSession) {
     EXPECT_EQ(eventsOf(journal).size(), 2U);
     journal.note(2, SetParam{"friction", 0.1});
     EXPECT_THAT(stepsOf(journal), ElementsAre(2, 2));
-    EXPECT_THAT(sessionAsSaved({}, journal).remark, ::testing::HasSubstr("impossible"));
+    EXPECT_THAT(sessionAsSaved({}, journal).remark, ::testing::HasSubstr("no longer possible"));
 }
 
 TEST(SessionJournal, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
