@@ -88,7 +88,7 @@ bool drawFilmChoice(const std::string& item, std::array<FilmChoice<Value>, kCoun
     choices.front().label = usual;
     const auto* const now = std::ranges::find(choices, value, &FilmChoice<Value>::value);
     bool changed = false;
-    ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth((item == "rate" ? 6 : 8.6F) * ImGui::GetFontSize());
     const bool open =
         ImGui::BeginCombo(("##" + item).c_str(), now == choices.end() ? "" : now->label);
     if (!open) {
