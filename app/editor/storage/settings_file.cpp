@@ -55,19 +55,12 @@ constexpr std::array kNames{
     NamesRow{"folded", &Settings::folded},
 };
 
-struct FoldersRow {
-    const char* key;
-    std::map<std::string, std::string> Settings::*member;
-};
-constexpr std::array kFolders{FoldersRow{"folders", &Settings::folders}};
-
 /// Visits the rows of all kinds.
 template <class Visit>
 void forEachRow(Visit visit) {
     std::ranges::for_each(kNumbers, visit);
     std::ranges::for_each(kSwitches, visit);
     std::ranges::for_each(kNames, visit);
-    std::ranges::for_each(kFolders, visit);
 }
 
 [[noreturn]] void fail(const std::string& key, const std::string& problem) {
@@ -98,10 +91,10 @@ std::vector<std::string> read(const NamesRow& row, const nlohmann::json& value) 
     return value.get<std::vector<std::string>>();
 }
 
-std::map<std::string, std::string> read(const FoldersRow& row, const nlohmann::json& value) {
+std::map<std::string, std::string> readFolders(const nlohmann::json& value) {
     const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
     if (!value.is_object() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
-        fail(row.key, "expected folders by name, in braces.");
+        fail("folders", "expected folders by name, in braces.");
     }
     return value.get<std::map<std::string, std::string>>();
 }
@@ -144,6 +137,7 @@ std::string formatSettings(const Settings& settings) {
     if (const ui::WindowPlace& at = settings.place; at.width > 0) {
         json["window"] = {at.x, at.y, at.width, at.height, at.maximized ? 1 : 0};
     }
+    json["folders"] = settings.folders;
     forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -162,6 +156,9 @@ Settings parseSettings(const std::string& text) {
     }
     if (json.contains("window")) {
         settings.place = readPlace(json["window"]);
+    }
+    if (json.contains("folders")) {
+        settings.folders = readFolders(json["folders"]);
     }
     forEachRow([&](const auto& row) {
         if (json.contains(row.key)) {
