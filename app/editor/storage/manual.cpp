@@ -28,10 +28,11 @@ std::string openOutside(const std::filesystem::path& file) {
     // It may become the browser and not end, which is no failure.
     const std::string quoted =
         "'" + std::regex_replace(file.string(), std::regex("'"), "'\\''") + "'";
-    const int status = std::system(("xdg-open " + quoted +
-                                    " >/dev/null 2>&1 & for i in 1 2 3 4 5 6; do sleep 0.5; "
-                                    "kill -0 $! 2>/dev/null || { wait $!; exit; }; done")
-                                       .c_str());
+    const int status =
+        std::system(("command -v xdg-open >/dev/null || exit 127; xdg-open " + quoted +
+                     " >/dev/null 2>&1 & for i in 1 2 3 4 5 6; do sleep 0.5; "
+                     "kill -0 $! 2>/dev/null || { wait $!; exit; }; done")
+                        .c_str());
     if (status != 0) {
         const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
         throw OutputError("The manual is " + file.string() + ", but " +
