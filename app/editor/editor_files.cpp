@@ -145,7 +145,7 @@ void Editor::State::open(OpeningOrder order, const Mending& mending) {
 
 void Editor::State::openStartScene(std::size_t card) {
     const ui::StartCard& wanted = startCards()->at(card);
-    OpeningOrder order = orderOf(startSession(wanted.name));
+    OpeningOrder order = orderOf(startSession(wanted.name), ends);
     order.title = "Opening " + wanted.title;
     order.file.clear();  // none of the recent files
     order.shown = [this, tip = wanted.tip] { guide.suggest(tip); };
@@ -279,7 +279,7 @@ void Editor::State::take(const ChosenFile& chosen) {
 void Editor::State::openAsked(const std::filesystem::path& file, const std::string& remark) {
     if (!isMaterialFile(file)) {
         askBefore("Open " + file.filename().string(), [this, file, remark] {
-            OpeningOrder order = orderOf(file);
+            OpeningOrder order = orderOf(file, ends);
             order.remark = remark;
             open(std::move(order));
         });
