@@ -7,7 +7,7 @@ namespace kerf::app {
 namespace {
 
 constexpr double kMargin = 0.15;    // of the diagonal, beyond the body on all sides
-constexpr double kShortest = 1e-3;  // of what a handle is pulled to, against zero [m]
+constexpr double kShortest = 1e-3;  // of what a handle is pulled to, of the length before
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void Guillotine::move(Handle handle, const Vec3& to) {
             return;
         case bottom: {
             const Vec3 square = arm - arm.dot(along_) * along_;
-            if (square.norm() > kShortest) {
+            if (square.norm() > kShortest * drop_) {
                 down_ = square.normalized();
                 drop_ = square.norm();
             }
@@ -72,7 +72,7 @@ Guillotine Guillotine::moved(const Vec3& by, const Eigen::Matrix3d& turn) const 
 void Guillotine::turnTo(const Vec3& along) {
     const Vec3 unit = along.normalized();
     const Vec3 square = down_ - down_.dot(unit) * unit;
-    if (along.norm() > kShortest && square.norm() > kShortest) {
+    if (along.norm() > kShortest * halfLength_ && square.norm() > kShortest) {
         along_ = unit;
         halfLength_ = along.norm();
         down_ = square.normalized();

@@ -62,7 +62,7 @@ double steppedUp(double radius) {
 /// An orthographic light around the focus. Centre and size move in whole texels and steps: the edge
 /// of the shadow doesn't shimmer while the body moves.
 void aimKeyLight(Frame& frame, int shadowSize) {
-    const double radius = steppedUp(std::max(0.505 * frame.focus.diagonal(), 1e-6));
+    const double radius = steppedUp(std::max(0.505 * frame.focus.diagonal(), 1e-9));
     const double texel = 2 * radius / (shadowSize - 2);
     const double reach = 0.5 * texel * shadowSize;
     const Vec3 z = kKeyDirection;
@@ -137,7 +137,7 @@ Frame frameOf(const SceneView& scene, const Camera& camera, int width, int heigh
     frame.bright = scene.bright;
     frame.focus = focusOf(scene);
     const Bounds& sized = scene.restBounds.empty() ? frame.focus : scene.restBounds;
-    frame.bodySize = float(std::max(sized.diagonal(), 1e-6));
+    frame.bodySize = float(std::max(sized.diagonal(), 1e-9));
     frame.focus = withBoxes(frame.focus, scene.boxes);
     aimKeyLight(frame, shadowSize);
     if (scene.floor) {

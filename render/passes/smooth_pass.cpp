@@ -18,7 +18,7 @@ class PictureRectangle {
     void add(const Vec3& point) {
         const Eigen::Vector4f clip =
             frame_.viewProjection * Vec3f(point.cast<float>()).homogeneous();
-        if (clip.w() <= 1e-6f) {
+        if (clip.w() <= 0) {
             everything_ = true;
             return;
         }

@@ -63,7 +63,7 @@ void SurfacePass::setLook(const gpu::Program& program, const SceneView& scene) c
     program.set("mottle", look.mottle);
     program.set("spots", look.spots);
     program.set("restCenter", Vec3f(bounds.center().cast<float>()));
-    program.set("restExtent", Vec3f(extent.cwiseMax(1e-6).cast<float>()));
+    program.set("restExtent", Vec3f(extent.cwiseMax(1e-9).cast<float>()));
     program.set("hasDepthField", depth_.empty() ? 0.0f : 1.0f);
     program.set("fieldOrigin", depth_.origin());
     program.set("fieldScale", depth_.scale());

@@ -138,7 +138,7 @@ void Camera::frame(const Bounds& bounds, double share) {
         needed = std::max(needed, sideways / tangent + nearer);
     }
     target = center;
-    eye = center - frame.forward * std::max(needed, 1e-6);
+    eye = center - frame.forward * std::max(needed, 1e-9);
 }
 
 Ray Camera::ray(const Vec2& ndc, double aspect) const {

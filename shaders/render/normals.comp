@@ -42,7 +42,7 @@ uniform float hardHalfCosine;
 vec3 weightedNormal(vec3 u, vec3 v) {
     vec3 n = cross(u, v);
     float twiceArea = length(n);
-    if (!(twiceArea > 1e-20)) {
+    if (!(twiceArea > 1e-30)) {
         return vec3(0);
     }
     float longest = max(dot(u, u), max(dot(v, v), dot(u - v, u - v)));

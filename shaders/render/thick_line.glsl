@@ -4,10 +4,11 @@ uniform vec2 viewport;  // [px]
 uniform float width;    // [px]
 noperspective out float across;
 
-// Moves `a` along the segment until it lies in front of the eye.
+// Moves `a` along the segment onto the near plane, if that parts them: at any size of the scene.
 vec4 clipped(vec4 a, vec4 b) {
-    const float kNear = 1e-4;
-    return a.w >= kNear || b.w <= a.w ? a : mix(a, b, (kNear - a.w) / (b.w - a.w));
+    float before = a.z + a.w;
+    float after = b.z + b.w;
+    return before >= 0.0 || after <= 0.0 ? a : mix(a, b, before / (before - after));
 }
 
 // The corner (0 to 5) of the line from p to q.
