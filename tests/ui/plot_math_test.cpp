@@ -156,5 +156,14 @@ TEST(GatherColumns, LeavesOutWhatIsOutside) {
     EXPECT_TRUE(gatherColumns(series.buckets(), {0, 1}, 10).empty());
 }
 
+TEST(PlotMath, NumbersStayShortAndTellSmallValues) {
+    EXPECT_EQ(numberText(100.5, 2), "100.50");
+    EXPECT_EQ(numberText(0, 9), "0");
+    EXPECT_EQ(numberText(2e-15, 16), "2e-15");
+    EXPECT_EQ(numberText(3.25e-9, 1), "3.25e-09") << "not 0.0";
+    EXPECT_EQ(numberText(2.5e7, 0), "2.5e+07");
+    EXPECT_EQ(numberText(99.999995, 6), "99.999995");
+}
+
 }  // namespace
 }  // namespace kerf::ui

@@ -191,13 +191,16 @@ void textRight(std::string_view text) {
     ImGui::TextUnformatted(text.data(), end);
 }
 
+void textShortened(std::string_view text, float width) {
+    ImGui::TextUnformatted(shortenedTo(width, text).c_str());
+}
+
 void rowLabel(std::string_view text) {
     constexpr float kShare = 0.43F;  // of the row
     const float width = kShare * ImGui::GetContentRegionAvail().x;
     const float start = ImGui::GetCursorPosX();
-    const std::string shown = shortenedTo(width, text);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(shown.c_str());
+    textShortened(text, width);
     ImGui::SameLine(start + width + ImGui::GetStyle().ItemInnerSpacing.x);
 }
 

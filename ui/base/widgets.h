@@ -57,6 +57,9 @@ std::string shortenedTo(float width, std::string_view text);
 /// Draws a text at the right end of the line or the table's cell.
 void textRight(std::string_view text);
 
+/// Draws a text, with an ellipsis where it is wider than `width` [px].
+void textShortened(std::string_view text, float width);
+
 /// Draws the left part of a row, with an ellipsis if too long. The right part comes next on the
 /// line.
 void rowLabel(std::string_view text);

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
 
@@ -20,7 +23,7 @@ void drawTitles() {
 void drawRow(const CutRow& row) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(row.quantity.c_str());
+    textShortened(row.quantity, ImGui::GetContentRegionAvail().x);
     itemTooltip(row.tooltip);
     ImGui::TableNextColumn();
     textRight(row.all);
@@ -38,6 +41,15 @@ void drawCuts(const CutsState& cuts) {
     if (cuts.rows.empty() ||
         !ImGui::BeginTable("cuts", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         return;
+    }
+    ImGui::TableSetupColumn("quantity", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [title, member] :
+         {std::pair{"all cuts", &CutRow::all}, {"last", &CutRow::last}}) {
+        float width = ImGui::CalcTextSize(title).x;
+        for (const CutRow& row : cuts.rows) {
+            width = std::max(width, ImGui::CalcTextSize((row.*member).c_str()).x);
+        }
+        ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, width);
     }
     drawTitles();
     for (const CutRow& row : cuts.rows) {

@@ -169,11 +169,13 @@ void drawPlots(const PlotsState& state, const TransportState& transport, const S
     drawButtons(state.view, settings, actions);
     ImGui::BeginChild("curves");
     const std::vector<PlotSpec> plots = chosenPlots(state, settings);
-    const PlotTimeline timeline{state.view, transport.time, transport.playing,
-                                ImGui::IsWindowHovered()};
-    const float room = ImGui::GetContentRegionAvail().y;
+    PlotTimeline timeline{state.view, transport.time, transport.playing, ImGui::IsWindowHovered()};
+    const float each = plotHeight(ImGui::GetContentRegionAvail().y, plots.size());
     for (const PlotSpec& plot : plots) {
-        if (const auto view = drawPlot(plot, timeline, plotHeight(room, plots.size()))) {
+        timeline.labels = std::max(timeline.labels, labelsWidth(plot, timeline, each));
+    }
+    for (const PlotSpec& plot : plots) {
+        if (const auto view = drawPlot(plot, timeline, each)) {
             actions.emplace_back(SetPlotView{*view});
         }
     }

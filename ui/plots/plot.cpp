@@ -86,7 +86,7 @@ void drawLastValue(const PlotSpec& spec) {
     if (curve.series->empty()) {
         return;
     }
-    const std::string value = fixedText(curve.series->last(), spec.readoutDecimals);
+    const std::string value = numberText(curve.series->last(), spec.readoutDecimals);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
     ImGui::TextUnformatted(value.c_str());
 }
@@ -166,13 +166,16 @@ void drawHeader(const PlotSpec& spec) {
     }
 }
 
+PlotTicks ticksY(const PlotRange& range, float height) {
+    return niceTicks(range, std::max(2, static_cast<int>(height / (1.5F * ImGui::GetFontSize()))));
+}
+
 void drawTicksY(ImDrawList& draw, const PlotFrame& frame) {
     const float line = ImGui::GetFontSize();
-    const int most = std::max(2, static_cast<int>((frame.high.y - frame.low.y) / (1.5F * line)));
-    const PlotTicks ticks = niceTicks(frame.y, most);
+    const PlotTicks ticks = ticksY(frame.y, frame.high.y - frame.low.y);
     for (const double value : ticks.values) {
         const float y = std::round(frame.atY(value));
-        const std::string text = fixedText(value, ticks.decimals);
+        const std::string text = numberText(value, ticks.decimals);
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         const float top = std::clamp(y - line / 2, frame.low.y - line / 4, frame.high.y - line);
         draw.AddLine({frame.low.x, y}, {frame.high.x, y}, palette().grid);
@@ -279,8 +282,8 @@ void drawCurve(ImDrawList& draw, const PlotFrame& frame, const PlotCurve& curve)
 
 /// "98.21", or "97.90 to 98.40" where a bucket holds more than one value.
 std::string readout(const SeriesBucket& bucket, int decimals) {
-    const std::string low = fixedText(bucket.low, decimals);
-    const std::string high = fixedText(bucket.high, decimals);
+    const std::string low = numberText(bucket.low, decimals);
+    const std::string high = numberText(bucket.high, decimals);
     return low == high ? low : low + " to " + high;
 }
 
@@ -368,7 +371,8 @@ PlotFrame placeFrame(const PlotSpec& spec, const PlotTimeline& timeline, float h
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::InvisibleButton(spec.id, {width, std::max(height, 3 * line)});
     PlotFrame frame;
-    frame.low = {std::round(corner.x + 2.9F * line), std::round(corner.y)};
+    const float labels = std::max(timeline.labels, labelsWidth(spec, timeline, height));
+    frame.low = {std::round(corner.x + labels + 0.4F * line), std::round(corner.y)};
     frame.high = {std::round(corner.x + width),
                   std::round(corner.y + std::max(height, 3 * line) - 1.3F * line)};
     frame.x = rangeOf(timeline.view, timeline.newest);
@@ -397,6 +401,17 @@ std::optional<PlotView> answer(const PlotFrame& frame, const PlotTimeline& timel
 }
 
 }  // namespace
+
+float labelsWidth(const PlotSpec& spec, const PlotTimeline& timeline, float height) {
+    const float line = ImGui::GetFontSize();
+    const PlotRange values = shownValues(spec, rangeOf(timeline.view, timeline.newest));
+    const PlotTicks ticks = ticksY(values, height - 1.3F * line);
+    float width = 2.5F * line;
+    for (const double value : ticks.values) {
+        width = std::max(width, ImGui::CalcTextSize(numberText(value, ticks.decimals).c_str()).x);
+    }
+    return width;
+}
 
 double newestOf(std::span<const PlotSpec> plots) {
     double newest = 0;

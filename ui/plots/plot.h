@@ -50,7 +50,10 @@ struct PlotTimeline {
     bool running = false;  ///< the newest value moves
     /// The pointer is over one of the plots: all of them show their values at its time.
     bool hovered = false;
+    float labels = 0;  ///< least room left of the frames: see labelsWidth() [px]
 };
+/// The width of the numbers left of a plot of this height [px], for all plots to begin at one x.
+float labelsWidth(const PlotSpec& spec, const PlotTimeline& timeline, float height);
 /// The time of the newest value of all curves of the plots [s].
 double newestOf(std::span<const PlotSpec> plots);
 

@@ -135,4 +135,17 @@ std::string fixedText(double value, int decimals) {
     return text;
 }
 
+std::string numberText(double value, int decimals) {
+    constexpr double kLarge = 1e6;
+    constexpr int kLong = 5;  // decimals
+    const double size = std::abs(value);
+    const bool vanishes = size < 0.5 * std::pow(10, -decimals);
+    if (value == 0 || (size < 1 ? decimals <= kLong && !vanishes : size < kLarge)) {
+        return fixedText(value, value == 0 && decimals > kLong ? 0 : decimals);
+    }
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
 }  // namespace kerf::ui

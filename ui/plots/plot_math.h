@@ -79,5 +79,7 @@ const SeriesBucket& nearestBucket(std::span<const SeriesBucket> buckets, double 
 
 /// A number with so many decimals.
 std::string fixedText(double value, int decimals);
+/// fixedText(), or four digits and a power of ten where that would be long, or 0 alone.
+std::string numberText(double value, int decimals);
 
 }  // namespace kerf::ui
