@@ -26,7 +26,7 @@ class StepScale {
     explicit StepScale(int steps) : steps_(static_cast<float>(std::max(1, steps))) {
         constexpr float kInset = 2;  // ImGui's, of the knob
         const float width = ImGui::GetItemRectSize().x - 2 * kInset;
-        const float knob = std::clamp(ImGui::GetStyle().GrabMinSize, width / (steps_ + 1), width);
+        const float knob = std::min(ImGui::GetStyle().GrabMinSize, width);
         left_ = ImGui::GetItemRectMin().x + kInset + knob / 2;
         width_ = width - knob;
     }
@@ -99,16 +99,19 @@ std::string pastAt(float x, const std::vector<SessionMark>& course, const StepSc
     return text;
 }
 
-/// The number stands beside it.
+/// The number stands beside it. A slider of whole numbers would have a knob as wide as few steps.
 bool slideStep(int& step, int steps) {
     const ImGuiStyle& style = ImGui::GetStyle();
+    const int before = step;
+    auto at = static_cast<float>(step);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0});
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
-    const bool moved = ImGui::SliderInt("##scrub", &step, 0, steps, "%d",
-                                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    ImGui::SliderFloat("##scrub", &at, 0, static_cast<float>(std::max(1, steps)), "%.0f",
+                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
+    step = static_cast<int>(std::lround(at));
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
-    return moved;
+    return step != before;
 }
 
 /// Where a key leads while the pointer is over the time line.

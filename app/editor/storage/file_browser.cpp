@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
 #include <span>
 #include <system_error>
 
@@ -50,6 +51,17 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
             break;
     }
     return kindsOf(meshFormats());
+}
+
+/// Whether a file is a session or a material, and no other JSON: its "format" comes first.
+bool isOfKerf(const fs::path& file) {
+    constexpr std::size_t kHead = 4096;  // [bytes]
+    if (!lowerCase(file.string()).ends_with(".json")) {
+        return false;
+    }
+    std::string head(kHead, '\0');
+    std::ifstream(file).read(head.data(), kHead);
+    return head.find("\"kerf-") != std::string::npos;
 }
 
 /// Numbers by their value: "a2" before "a10". Case does not matter.
@@ -186,7 +198,7 @@ void FileBrowser::goTo(const fs::path& folder, const std::string& select) {
 }
 
 bool FileBrowser::isOffered(const fs::path& file) const {
-    const bool session = lowerCase(file.string()).ends_with(".json");
+    const bool session = isOfKerf(file);
     switch (state_.purpose) {
         case FilePurpose::open:
             break;

@@ -8,6 +8,7 @@
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
 #include "sim/run/parts/snapshot.h"
+#include "sim/run/parts/stroke_record.h"
 #include "sim/run/undo/undo_history.h"
 #include "ui/state/panel_model.h"
 
@@ -56,6 +57,7 @@ void SceneTimeline::countFromHere() {
 
 std::string SceneTimeline::perform(const Command& wanted) {
     const Command command = asReplayed(wanted, body_.document.session.origin);
+    const bool misses = std::holds_alternative<LiftBlade>(command) && strokeMisses();
     std::string problem = body_.simulation.execute(command);
     if (problem.empty()) {
         const int step = body_.simulation.stepCount();
@@ -64,9 +66,18 @@ std::string SceneTimeline::perform(const Command& wanted) {
             playback_->extendTo(step);
         }
         journal_.note(step, command);
+        if (misses) {
+            journal_.noteMiss();
+        }
         body_.followPlacement();
     }
     return problem;
+}
+
+/// Whether the blade is down and has met nothing so far.
+bool SceneTimeline::strokeMisses() const {
+    const std::vector<StrokeRecord>& strokes = body_.simulation.strokes();
+    return body_.simulation.blade() && !strokes.empty() && !strokes.back().metBody();
 }
 
 void SceneTimeline::extendTo(int step) {

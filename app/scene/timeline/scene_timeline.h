@@ -99,6 +99,7 @@ class SceneTimeline {
 
   private:
     void beginPlayback();
+    bool strokeMisses() const;
     std::vector<PlayedAction> movesOnTheirWay() const;
     bool play(JournalEntry& entry);
     void addKeyframe(std::size_t bytes);

@@ -22,6 +22,7 @@ struct JournalEntry {
     Origin origin = Origin::editor;
     SessionEvent event;
     bool failed = false;    ///< a command that failed during playback
+    bool missed = false;    ///< the end of a stroke that met no body
     bool doubtful = false;  ///< a check that an earlier change has invalidated
     /// The values that a doubtful check found during playback.
     std::optional<CheckEvent> found;
@@ -61,6 +62,8 @@ class SessionJournal {
     /// events.
     std::size_t takeOver(int step, const std::vector<PlayedAction>& cutShort);
 
+    /// Records that the stroke which the last command ended met no body.
+    void noteMiss() { entries_[done_ - 1].missed = true; }
     /// Records the playback of an entry: whether it failed, or what a doubtful check found.
     void noteFailure(JournalEntry& entry, bool failed);
     void noteFound(JournalEntry& entry, CheckEvent found);

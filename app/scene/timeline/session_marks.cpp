@@ -73,13 +73,18 @@ std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
 std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal) {
     std::vector<ui::SessionMark> marks;
     bool down = false;
+    int first = 0;  // entry of the stroke
     for (const JournalEntry& entry : journal.entries()) {
         const SessionAction& action = entry.event.action;
         const int step = entry.event.step;
         if (std::holds_alternative<MoveBlade>(action) && !std::exchange(down, true)) {
+            first = entry.id;
             marks.push_back({entry.id, step, Kind::stroke, "Stroke"});
         } else if (takesBladeAway(action)) {
             down = false;
+            if (entry.missed) {
+                std::erase_if(marks, [&](const ui::SessionMark& m) { return m.id == first; });
+            }
         } else if (const auto* set = std::get_if<SetParam>(&action)) {
             addChange(marks, {entry.id, step, Kind::change, nameOf(*set)});
         }

@@ -12,8 +12,8 @@ namespace kerf::app {
 /// The pictures, exports and checks of a journal for the panels, without those of a recording.
 std::vector<ui::SessionMark> marksOf(const SessionJournal& journal);
 
-/// The strokes of a journal, each at its first pose, and its changes of parameters. Of several
-/// changes of a parameter at one step, the last.
+/// The strokes of a journal that met the body, or may meet it, each at its first pose, and its
+/// changes of parameters. Of several changes of a parameter at one step, the last.
 std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal);
 
 /// NAME-STEP with an ending (".png"), numbered if an event of the journal already writes that file.

@@ -36,6 +36,14 @@ TEST_F(FileChooserTest, ATestIsChosenUnderTheNameOfTheDocument) {
     EXPECT_EQ(dialog().purpose, FilePurpose::none) << "it closes";
 }
 
+TEST_F(FileChooserTest, OtherJsonIsNotListedAmongSessions) {
+    test::writeText(folder / "CMakePresets.json", R"({"version": 3})");
+    test::writeText(folder / "cut.json", R"({"format": "kerf-session", "version": 1})");
+    chooser.browse(FilePurpose::open, "");
+    ASSERT_EQ(dialog().rows.size(), 1U);
+    EXPECT_EQ(dialog().rows[0].name, "cut.json");
+}
+
 TEST_F(FileChooserTest, AFilmEndsAsItsKindDoes) {
     chooser.browse(FilePurpose::makeFilm, "ball");
     EXPECT_EQ(dialog().name, "ball-cut.mp4");
