@@ -336,6 +336,9 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
         covered_.clear();
     } else {
         drawAroundView(model, layout, scale, actions);
+        const ImGuiWindow* const hint = ImGui::FindWindowByName("hint");
+        const bool hinted = hint != nullptr && hint->Active && !model.name.empty();
+        hintHeight_ = hinted ? layout.view.y + layout.view.height - hint->Pos.y : 0;
     }
     drawWork(model.work, layout.view, actions);
     drawHelp(model, actions);

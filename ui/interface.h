@@ -50,6 +50,8 @@ class Interface {
 
     /// The part of the picture that the panels left free in the last update [px].
     const Rect& freeView() const { return freeView_; }
+    /// How much of its lower edge the hint covered then [px].
+    float hintHeight() const { return hintHeight_; }
     /// The parts of the view that the panels covered in the last update [px].
     const std::vector<Rect>& covered() const { return covered_; }
 
@@ -68,6 +70,7 @@ class Interface {
     std::vector<Rect> covered_;
     Rect freeView_;
     Rect timeline_;
+    float hintHeight_ = 0;
     bool closesPopup_ = false;  ///< Esc was pressed for it only
 };
 

@@ -350,7 +350,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::frameBody, Needs::scene,
             [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(s.scene.meanwhile())); }},
     Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.scene.meanwhile().homeView()); }},
+            [](State& s) { s.view.camera.flyTo(s.view.homeView(s.scene.meanwhile())); }},
     Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
     Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
     Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},

@@ -82,7 +82,12 @@ void updatePanels(State& s, const std::vector<ui::InputEvent>& batch, double ela
     s.describe(last);
     const std::vector<ui::Action> actions =
         s.panels.update(batch, s.view.width, s.view.height, elapsedSeconds);
+    const bool first = s.view.free.width == 0;
     s.view.free = s.panels.interface.freeView();
+    if (first && s.scene != nullptr) {
+        s.view.camera = EditorCamera(s.view.homeView(s.scene.meanwhile()));
+    }
+    s.view.hint = s.panels.interface.hintHeight();
     s.view.bright = s.panels.settings.now.theme == ui::Theme::light;
     s.view.mouse = s.panels.settings.now.mouse;
     s.redraw.countUpdate(batch.empty() && actions.empty());

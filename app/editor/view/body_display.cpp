@@ -21,6 +21,24 @@ Eigen::Vector3f linearOf(unsigned color) {
     return {channel(0), channel(8), channel(16)};
 }
 
+/// Out of a piece that a core runs through, along the way that it was cut; none of other pieces.
+Vec3 outOfOther(const std::vector<Bounds>& bounds, std::size_t core) {
+    constexpr double kSameMiddle = 0.1;  // of the other's diagonal
+    constexpr double kThrough = 0.6;     // of the other's side
+    const Vec3 size = bounds[core].high - bounds[core].low;
+    for (std::size_t other = 0; other < bounds.size(); ++other) {
+        const Vec3 around = bounds[other].high - bounds[other].low;
+        const Vec3 way = bounds[core].center() - bounds[other].center();
+        int axis = 0;
+        const double through = size.cwiseQuotient(around).maxCoeff(&axis);
+        if (other != core && !bounds[other].empty() && size.prod() < around.prod() &&
+            way.norm() < kSameMiddle * around.norm() && through > kThrough) {
+            return around[axis] * (way[axis] < 0 ? -1 : 1) * Vec3::Unit(axis);
+        }
+    }
+    return Vec3::Zero();
+}
+
 /// Away from the middle of all. None goes down: there may be a floor.
 void shiftApart(const std::vector<Bounds>& bounds, double apart,
                 std::vector<render::PieceLook>& looks) {
@@ -31,7 +49,7 @@ void shiftApart(const std::vector<Bounds>& bounds, double apart,
     double lowest = 0;
     for (std::size_t p = 0; p < looks.size(); ++p) {
         if (!bounds[p].empty()) {
-            looks[p].shift = apart * (bounds[p].center() - all.center());
+            looks[p].shift = apart * (bounds[p].center() - all.center() + outOfOther(bounds, p));
             lowest = std::min(lowest, looks[p].shift.y());
         }
     }

@@ -1,6 +1,7 @@
 #include "app/editor/view/editor_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/scene/document/rest_of_body.h"
@@ -26,7 +27,7 @@ bool EditorView::resize(int newWidth, int newHeight) {
 }
 
 void EditorView::begin(const EditorScene& scene) {
-    camera = EditorCamera(scene.rest().homeView());
+    camera = EditorCamera(fitted(scene.rest().homeView(), scene.rest().bounds()));
     display.begin(scene.document());
     tools.begin(scene.simulation().bounds());
     placement_ = scene.rest().revision();
@@ -69,9 +70,38 @@ ViewFrame EditorView::frame() const {
     return seen;
 }
 
+/// The side of the largest square that neither panels nor the hint cover, of the view's height.
+double EditorView::freeShare() const {
+    return std::max(1.0, double(std::min(free.width, free.height - hint))) / height;
+}
+
+render::Camera EditorView::fitted(render::Camera home, const Bounds& bounds) const {
+    if (free.width <= 0) {
+        return home;
+    }
+    ViewFrame seen = frame();
+    home.middle = seen.camera.middle;
+    seen.camera = home;
+    const ui::PlotPoint middle{free.x + free.width / 2, free.y + free.height / 2};
+    double over = 1;
+    for (int side = 0; side < 6; ++side) {  // a body hardly fills the corners of its box
+        Vec3 point = bounds.center();
+        point[side / 2] = (side % 2 == 0 ? bounds.low : bounds.high)[side / 2];
+        if (const auto at = seen.toPixel(point)) {
+            over = std::max({over, std::abs(at->x - middle.x) / (free.width / 2),
+                             std::abs(at->y - middle.y) / (free.height / 2)});
+        }
+    }
+    home.zoom(over, home.middle, 1);
+    home.middle = Vec2::Zero();
+    return home;
+}
+
 void EditorView::flyToFrame(const Bounds& bounds) {
-    const bool known = free.width > 0;
-    camera.flyToFrame(bounds, known ? std::min(free.width, free.height) / float(height) : 1);
+    render::Camera wanted = camera.destination();
+    wanted.frame(bounds, free.width > 0 ? freeShare() : 1);
+    wanted.pan(0, -0.5 * hint / height);  // up from behind the hint
+    camera.flyTo(wanted);
 }
 
 void EditorView::showFaulty(const ModelFault& fault, const OpeningOrder& order) {

@@ -27,6 +27,7 @@ struct EditorView {
     int width = 0;  ///< of the picture [px]
     int height = 0;
     ui::Rect free;        ///< area free of panels; without width: all of it [px]
+    float hint = 0;       ///< height of the hint at its lower edge [px]
     bool bright = false;  ///< a light scene, for the light theme
     ui::MouseScheme mouse = ui::MouseScheme::kerf;
     Vec2 pointer = Vec2::Zero();  ///< [px]
@@ -38,7 +39,11 @@ struct EditorView {
 
     /// The frame, with the camera centred on the area free of panels.
     ViewFrame frame() const;
-    /// Flies to a view in which `bounds` fill the area free of panels [m].
+    /// The first view of the scene, with room for the model between the panels.
+    render::Camera homeView(const BusyScene& scene) const {
+        return fitted(scene.homeView(), scene.bounds());
+    }
+    /// Flies to a view in which `bounds` fill the area free of panels and hint [m].
     void flyToFrame(const Bounds& bounds);
     /// Returns whether the size has changed. Ignores a side of 0, as of a hidden window.
     bool resize(int newWidth, int newHeight);
@@ -82,6 +87,8 @@ struct EditorView {
     ui::Overlay overlay(bool inView, const BusyScene& scene);
 
   private:
+    double freeShare() const;
+    render::Camera fitted(render::Camera home, const Bounds& bounds) const;
     bool pressSection(const BusyScene& scene);
     Vec2 rightPress_ = Vec2::Zero();  ///< where the right button was pressed [px]
     int placement_ = 0;               ///< displayed EditorScene::placementRevision()

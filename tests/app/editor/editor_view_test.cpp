@@ -55,6 +55,32 @@ TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
     EXPECT_NEAR(panels().view.overlay.handles[0].at.y, before.y + 30, 0.5);
 }
 
+/// The last row of the picture that shows the ball.
+int lowestOfBall(const render::Image& picture) {
+    int lowest = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        if (picture.pixels[i] > picture.pixels[i + 2] + 60) {
+            lowest = static_cast<int>(i / 4) / picture.width;
+        }
+    }
+    return lowest;
+}
+
+TEST_F(EditorViewTest, FramingKeepsTheBallAboveTheHint) {
+    drag(kTop, kBottom, 30);
+    settle();
+    tap(Key::f);
+    settle();
+    frames(2);
+    ASSERT_TRUE(editor->itemRects().contains("hint.A"));
+    const float hint = editor->itemRects().at("hint.A").y;
+    moveTo(kWidth / 2.0, 12);
+    press(true);  // The hint goes.
+    frames(2);
+    EXPECT_LT(lowestOfBall(editor->readPicture()), hint - 10);
+    EXPECT_GT(lowestOfBall(editor->readPicture()), hint - 140) << "it fills the rest";
+}
+
 TEST_F(EditorViewTest, TheKeysOfTheAxesLookAlongThem) {
     tap(Key::digit3);
     settle();

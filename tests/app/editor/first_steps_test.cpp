@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <cstdlib>
+
 #include "sim/run/parts/step_report.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "ui/state/action_table.h"
@@ -177,6 +180,32 @@ TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
     tap(Key::space);
     frames(2);
     EXPECT_EQ(panels().display.apart, 0);
+}
+
+TEST_F(EditorTest, ACoreIsShownApartFromThePieceAroundIt) {
+    const auto onLoop = [](int i) {
+        const double angle = 0.13 * i;
+        return Vec2(kWidth / 2.0 + 60 * std::cos(angle), kHeight / 2.0 + 60 * std::sin(angle));
+    };
+    moveTo(onLoop(0).x(), onLoop(0).y());
+    press(true);
+    for (int i = 1; i <= 52; ++i) {
+        moveTo(onLoop(i).x(), onLoop(i).y());
+    }
+    press(false);
+    settle();
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    moveTo(kWidth / 2.0, 5);
+    settle();
+    const std::vector<std::uint8_t> together = viewPixels(editor->readPicture());
+    tap(Key::a);
+    settle();
+    const std::vector<std::uint8_t> apart = viewPixels(editor->readPicture());
+    int changed = 0;
+    for (std::size_t i = 0; i < apart.size(); i += 4) {
+        changed += std::abs(int(apart[i]) - int(together[i])) > 30 ? 1 : 0;
+    }
+    EXPECT_GT(changed, 2000) << "of the core's 11,000";
 }
 
 }  // namespace
