@@ -361,6 +361,7 @@ constexpr std::array kOtherHandlers{
             [](State& s) { s.view.camera.toggleOrthographic(); }},
     Handler{ActionId::wireframe, Needs::scene, toggle<&DisplaySettings::wireframe>},
     Handler{ActionId::showCutLines, Needs::scene, toggle<&DisplaySettings::cutLines>},
+    Handler{ActionId::showAhead, Needs::scene, toggle<&DisplaySettings::cutAhead>},
     Handler{ActionId::showApart, Needs::body, toggleApart},
     Handler{ActionId::showEdges, Needs::scene, toggleOverlay<&Overlays::edges>},
     Handler{ActionId::showBends, Needs::scene, toggleOverlay<&Overlays::bends>},

@@ -155,9 +155,10 @@ std::vector<Blade> BladeStroke::wayAhead() const {
     for (const Command& command : queue_) {
         const auto* move = std::get_if<MoveBlade>(&command);
         if (move == nullptr) {
-            break;  // the next stroke
+            way.clear();  // of the stroke before
+        } else {
+            way.push_back(move->blade);
         }
-        way.push_back(move->blade);
     }
     if (drawing()) {
         way.push_back(latest_);

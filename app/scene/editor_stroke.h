@@ -82,7 +82,7 @@ class BladeStroke {
     StrokeProgress progress() const { return {given_, given_ + queue_.size()}; }
     /// The command of the coming step.
     std::optional<Command> next();
-    /// The path still to be cut: from the last pose done, or the first one.
+    /// The path still to be cut by the last stroke: from the last pose done, or its first one.
     std::vector<Blade> wayAhead() const;
 
   private:

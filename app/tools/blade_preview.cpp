@@ -48,6 +48,14 @@ void addSwept(ui::Overlay& overlay, const std::vector<Blade>& way, const ViewFra
     view.addLine(way.back().a, way.back().b, overlay.swept);
 }
 
+void addLag(ui::Overlay& overlay, const std::vector<Blade>& way, const ViewFrame& view) {
+    for (const Blade& pose : way) {
+        if (const auto at = view.toPixel(0.5 * (pose.a + pose.b))) {
+            overlay.lag.push_back(*at);
+        }
+    }
+}
+
 void addPreview(ui::Overlay& overlay, const std::vector<Blade>& way, const ToolContext& c) {
     const std::vector<Blade> few = thinned(way);
     if (!few.empty()) {
@@ -55,7 +63,9 @@ void addPreview(ui::Overlay& overlay, const std::vector<Blade>& way, const ToolC
     }
     if (few.size() > 1 && c.scene != nullptr && !isLarge(*c.scene)) {
         const CutPreview& preview = c.scene->preview(few);
-        addTouched(c.view, c.scene->simulation().meshAsRead(), preview.touched, overlay);
+        if (c.showsAhead) {
+            addTouched(c.view, c.scene->simulation().meshAsRead(), preview.touched, overlay);
+        }
         for (const auto& line : preview.wound) {
             c.view.addLine(line[0], line[1], overlay.wound);
         }

@@ -27,6 +27,7 @@ struct ToolContext {
     const std::optional<render::SectionPlane>& section;  ///< of the view
     /// The open scene between two steps; may be null for a tool that reads no body (ui::ToolRow).
     EditorScene* scene;
+    bool showsAhead = false;  ///< what a stroke under way will cut
 };
 
 /// A tool of the left button in the view (ui::Tool). It follows the pointer, moves the blade or

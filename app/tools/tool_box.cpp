@@ -49,7 +49,13 @@ void ToolBox::cancel(const ToolContext& c, bool takesBack) {
 
 void ToolBox::addTo(ui::Overlay& overlay, const ToolContext& c) const {
     const bool underWay = c.stroke.drawing() || c.stroke.pending() > 0 || c.scene == nullptr;
-    addPreview(overlay, underWay ? c.stroke.wayAhead() : inHand().wayAhead(c), c);
+    const std::vector<Blade> way = underWay ? c.stroke.wayAhead() : inHand().wayAhead(c);
+    if (underWay) {
+        addLag(overlay, way, c.view);
+    }
+    if (!underWay || c.showsAhead) {
+        addPreview(overlay, way, c);
+    }
     if (c.scene != nullptr) {
         inHand().addTo(overlay, c);
     }

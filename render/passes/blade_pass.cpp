@@ -18,8 +18,18 @@ struct BladeVertex {
 };
 static_assert(sizeof(BladeVertex) == 32);
 
-constexpr double kHeight = 0.11;     // of the body's size, where the blade only cuts
-constexpr double kThickness = 0.05;  // half, of the height
+// Of the body's size, where the blade only cuts.
+constexpr double kHeight = 0.14;
+constexpr double kLeastLength = 0.2;  // what is missing is a handle
+// Of the height: half the thickness, seen from the side and along the edge.
+constexpr double kThickness = 0.035;
+constexpr double kThicknessEndOn = 0.11;
+constexpr double kMostHeight = 0.5;  // of the length of the edge
+constexpr double kRidge = 0.85;      // of the height, where its back begins
+// Where the eye looks along the edge, the blade grows from a point over this share of its length:
+// so its sides are seen, and not the cross-section alone.
+constexpr double kGround = 0.25;
+constexpr double kSettled = 0.02;  // of the body's size: a way so long tells where it came from
 // The back is a pixel thin in most pictures: dark, it doesn't sparkle.
 constexpr double kBackShine = -0.45;
 const Eigen::Vector4f kSheetTint = {0.10f, 0.62f, 0.52f, 0.30f};
@@ -39,15 +49,16 @@ Vec3 middle(const Blade& blade) {
 }
 
 /// Across the blade, towards where it came from; up where it hasn't moved.
-Vec3 spineDirection(const SceneView& scene) {
-    const Vec3 along = (scene.blade->b - scene.blade->a).normalized();
-    Vec3 spine = Vec3::UnitY();
-    if (scene.strokePoses.size() >= 2) {
-        const Vec3 came = middle(scene.strokePoses[scene.strokePoses.size() - 2]) -
-                          middle(scene.strokePoses.back());
-        spine = came.norm() > 1e-9 ? Vec3(came.normalized()) : spine;
+Vec3 spineDirection(const SceneView& scene, double bodySize) {
+    const Blade& blade = *scene.blade;
+    const Vec3 along = (blade.b - blade.a).normalized();
+    Vec3 came = Vec3::Zero();
+    for (auto pose = scene.strokePoses.rbegin();
+         pose != scene.strokePoses.rend() && came.norm() < kSettled * bodySize; ++pose) {
+        came = middle(*pose) - middle(blade);
     }
-    for (const Vec3& candidate : {spine, Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX())}) {
+    for (const Vec3& candidate :
+         {Vec3(came.stableNormalized()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitX())}) {
         const Vec3 across = candidate - along * along.dot(candidate);
         if (across.norm() > 0.1) {
             return across.normalized();
@@ -56,28 +67,46 @@ Vec3 spineDirection(const SceneView& scene) {
     return Vec3::UnitZ();
 }
 
+/// How far the eye looks along the edge: 0 from the side, 1 where it is seen as a point.
+double endOn(const Blade& blade, const Vec3f& eye) {
+    const Vec3 sight = (eye.cast<double>() - middle(blade)).normalized();
+    const double along = std::abs(sight.dot((blade.b - blade.a).normalized()));
+    return std::clamp((along - 0.9) / 0.09, 0.0, 1.0);
+}
+
 struct KnifeShape {
     Vec3 spine;  ///< from the edge to the back, unit
     double height;
     double halfThickness;
-    double bevel;  ///< where the ground bevel ends, of the height
+    double bevel;       ///< where the ground bevel ends, of the height
+    double ridge = 1;   ///< where the back begins, of the height
+    double ground = 0;  ///< share of the length over which it grows from a point
 };
 
 /// What pushes is drawn as it is.
-KnifeShape shapeOf(const SceneView& scene, double bodySize) {
-    const double height = bladeHeight(scene, bodySize);
+KnifeShape shapeOf(const SceneView& scene, const Blade& blade, const Frame& frame) {
+    const double height = bladeHeight(scene, frame.bodySize);
     if (!scene.bladeBody) {
-        return {spineDirection(scene), height, kThickness * height, kBladeBevel};
+        const double along = endOn(blade, frame.eye);
+        const double half = height * (kThickness + along * (kThicknessEndOn - kThickness));
+        return {spineDirection(scene, frame.bodySize),
+                height,
+                half,
+                kBladeBevel,
+                kRidge,
+                along * kGround};
     }
     const BladeMotion& body = *scene.bladeBody;
     return {body.frames.back().axes.col(1), height, body.halfAt(height),
             std::min(body.bevel / height, 1.0)};
 }
 
-/// A prism along AB over this cross-section (seen from B, the cutting edge below):
-///     3---2
+/// A prism along AB over this cross-section (seen from B, the cutting edge below), which may grow
+/// from a point at A:
+///       3
+///     4   2
 ///     |   |
-///     4   1
+///     5   1
 ///      \ /
 ///       0
 class KnifeBuilder {
@@ -86,44 +115,58 @@ class KnifeBuilder {
         : blade_(blade),
           shape_(shape),
           side_((blade.b - blade.a).normalized().cross(shape.spine)),
-          section_{{{0, 0}, {1, shape.bevel}, {1, 1}, {-1, 1}, {-1, shape.bevel}}} {}
+          section_{{{0, 0},
+                    {1, shape.bevel},
+                    {1, shape.ridge},
+                    {0, 1},
+                    {-1, shape.ridge},
+                    {-1, shape.bevel}}} {}
 
     std::vector<BladeVertex> build() {
-        for (int i = 0; i < 5; ++i) {
-            addFace(i, (i + 1) % 5);
+        const Station tip{blade_.a, 0};
+        const Station full{blade_.a + shape_.ground * (blade_.b - blade_.a), 1};
+        const Station end{blade_.b, 1};
+        for (int i = 0; i < kCorners; ++i) {
+            addFace(tip, full, i);
+            addFace(full, end, i);
         }
-        addEnd(blade_.a);
-        addEnd(blade_.b);
+        addEnd(end);
         return std::move(vertices_);
     }
 
   private:
-    Vec3 at(const Vec3& end, int i) const {
-        return end + shape_.halfThickness * section_[i][0] * side_ +
-               shape_.height * section_[i][1] * shape_.spine;
+    static constexpr int kCorners = 6;
+    /// A place along the edge, and the size of the cross-section there.
+    struct Station {
+        Vec3 at;
+        double size;
+    };
+
+    Vec3 at(const Station& station, int i) const {
+        return station.at + station.size * (shape_.halfThickness * section_[i][0] * side_ +
+                                            shape_.height * section_[i][1] * shape_.spine);
     }
 
-    void add(const Vec3& end, int i, const Vec3& normal, double shine) {
-        vertices_.push_back({packed(at(end, i), section_[i][1]), packed(normal, shine)});
+    void add(const Station& station, int i, const Vec3& normal, double shine) {
+        vertices_.push_back(
+            {packed(at(station, i), station.size * section_[i][1]), packed(normal, shine)});
     }
 
-    void addFace(int i, int j) {
-        const Vec3 across = at(blade_.a, j) - at(blade_.a, i);
-        const Vec3 normal = across.cross(blade_.b - blade_.a).normalized();
-        const double shine = i == 0 || j == 0 ? 1 : (i == 2 ? kBackShine : 0);
-        for (const auto& [end, corner] : {std::pair{blade_.a, i},
-                                          {blade_.b, i},
-                                          {blade_.a, j},
-                                          {blade_.a, j},
-                                          {blade_.b, i},
-                                          {blade_.b, j}}) {
-            add(end, corner, normal, shine);
+    void addFace(const Station& from, const Station& to, int i) {
+        const int j = (i + 1) % kCorners;
+        const Vec3 across = at(to, j) - at(to, i);
+        const Vec3 normal = across.cross(at(to, i) - at(from, i)).stableNormalized();
+        const bool back = i == 2 || i == 3;
+        const double shine = i == 0 || j == 0 ? 1 : (back && from.size > 0 ? kBackShine : 0);
+        for (const auto& [station, corner] :
+             {std::pair{from, i}, {to, i}, {from, j}, {from, j}, {to, i}, {to, j}}) {
+            add(station, corner, normal, shine);
         }
     }
 
-    void addEnd(const Vec3& end) {
-        const Vec3 normal = (end - middle(blade_)).normalized();
-        for (int i = 1; i < 4; ++i) {
+    void addEnd(const Station& end) {
+        const Vec3 normal = (end.at - middle(blade_)).normalized();
+        for (int i = 1; i + 1 < kCorners; ++i) {
             add(end, 0, normal, 0);
             add(end, i, normal, 0);
             add(end, i + 1, normal, 0);
@@ -133,7 +176,8 @@ class KnifeBuilder {
     Blade blade_;
     KnifeShape shape_;
     Vec3 side_;
-    std::array<std::array<double, 2>, 5> section_;  ///< half thicknesses aside, heights up
+    /// Half thicknesses aside, heights up.
+    std::array<std::array<double, 2>, kCorners> section_;
     std::vector<BladeVertex> vertices_;
 };
 
@@ -160,7 +204,9 @@ std::vector<vec4> outline(const SceneView& scene) {
     if (scene.strokePoses.size() >= 2) {
         add(scene.strokePoses.front().a, scene.strokePoses.front().b);
         add(scene.strokePoses.back().a, scene.strokePoses.back().b);
-    } else if (scene.blade) {
+    }
+    const std::vector<Blade>& poses = scene.strokePoses;
+    if (scene.blade && (poses.size() < 2 || poses.back().b != scene.blade->b)) {
         add(scene.blade->a, scene.blade->b);
     }
     return segments;
@@ -181,8 +227,25 @@ std::vector<vec4> arrow(const Vec3& from, const Vec3& way) {
 
 }  // namespace
 
+std::optional<Blade> drawnBlade(const SceneView& scene, double bodySize) {
+    std::optional<Blade> blade = scene.blade;
+    const double length = blade ? (blade->b - blade->a).norm() : 0;
+    if (!(length > 0)) {
+        return std::nullopt;
+    }
+    if (!scene.bladeBody) {
+        const double missing = std::max(kLeastLength * bodySize - length, 0.0);
+        blade->a -= missing / length * (blade->b - blade->a);
+    }
+    return blade;
+}
+
 double bladeHeight(const SceneView& scene, double bodySize) {
-    return scene.bladeBody ? scene.bladeBody->back : kHeight * bodySize;
+    if (scene.bladeBody) {
+        return scene.bladeBody->back;
+    }
+    const double length = scene.blade ? (scene.blade->b - scene.blade->a).norm() : 0;
+    return std::min(kHeight * bodySize, kMostHeight * length);
 }
 
 BladePass::BladePass()
@@ -191,11 +254,12 @@ BladePass::BladePass()
       lines_(gpu::Program::graphics("render/line.vert", "render/line.frag")) {}
 
 void BladePass::drawBlade(const SceneView& scene, const Frame& frame) {
-    if (!scene.blade || (scene.blade->b - scene.blade->a).norm() < 1e-9) {
+    const std::optional<Blade> blade = drawnBlade(scene, frame.bodySize);
+    if (!blade) {
         return;
     }
-    const KnifeShape shape = shapeOf(scene, frame.bodySize);
-    const auto knife = KnifeBuilder(*scene.blade, shape).build();
+    const KnifeShape shape = shapeOf(scene, *blade, frame);
+    const auto knife = KnifeBuilder(*blade, shape).build();
     vertices_.assign(knife);
     vertices_.bindStorage(shared::kBindSegments);
     steel_.use();

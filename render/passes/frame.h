@@ -8,6 +8,8 @@
 
 namespace kerf::render {
 
+/// The blade as it is drawn, from the end that is held to its tip; none where there is none.
+std::optional<Blade> drawnBlade(const SceneView& scene, double bodySize);
 /// The height of the drawn blade, from its edge to its back [m]; without pushing only for display.
 double bladeHeight(const SceneView& scene, double bodySize);
 

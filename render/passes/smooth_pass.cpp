@@ -73,8 +73,8 @@ PictureRectangle covered(const SceneView& scene, const Frame& frame) {
     if (frame.hasBody) {
         rectangle.add(frame.focus);
     }
-    if (scene.blade) {
-        rectangle.add(*scene.blade, bladeHeight(scene, frame.bodySize));
+    if (const std::optional<Blade> blade = drawnBlade(scene, frame.bodySize)) {
+        rectangle.add(*blade, bladeHeight(scene, frame.bodySize));
     }
     for (const Blade& pose : scene.strokePoses) {
         rectangle.add(pose, 0);

@@ -50,7 +50,7 @@ struct SceneView {
     std::optional<BladeMotion> bladeBody;  ///< its true shape if it pushes, at the end of the step
     /// An arrow for the force on the blade, from the middle of its edge [m].
     std::optional<Vec3> bladeForce;
-    std::vector<Blade> strokePoses;  ///< poses of the running stroke: translucent quads
+    std::vector<Blade> strokePoses;  ///< that the running stroke has cut: translucent quads
     Bounds focus;                    ///< what the shadow map must cover (body, current)
     bool wireframe = false;
     bool cutLines = false;  ///< a dark line on the skin along the rim of each cut

@@ -232,6 +232,66 @@ TEST_F(RendererTest, ALineShowsAClosedCutWhereThatIsWanted) {
     EXPECT_EQ(largestDifference(pictureOf(uncut), before), 0) << "none without a cut";
 }
 
+/// The same body, so many times as large.
+SurfaceMesh scaled(SurfaceMesh mesh, double factor) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, factor * mesh.position(v));
+        mesh.setRestPosition(v, factor * mesh.restPosition(v));
+    }
+    return mesh;
+}
+
+/// With the lines of its cut, its triangles, the edges of the solver, a box and a blade.
+Stage stageOfSize(const CutBody& cut, double size) {
+    Stage stage(scaled(cut.mesh, size), cut.normals);
+    stage.camera.eye = size * Vec3(1, 1, 4);
+    stage.camera.target = Vec3::Zero();
+    stage.camera.frame(stage.body.bounds);
+    stage.scene.cutLines = true;
+    stage.scene.wireframe = true;
+    stage.scene.overlays.edges = true;
+    stage.scene.overlays.boxes = true;
+    stage.scene.pieceBoxes = {stage.body.bounds};
+    stage.scene.blade = Blade{size * Vec3(-0.7, 0.55, 0), size * Vec3(0.7, 0.55, 0)};
+    stage.scene.strokePoses = {{size * Vec3(-0.7, 0.8, 0), size * Vec3(0.7, 0.8, 0)},
+                               *stage.scene.blade};
+    return stage;
+}
+
+TEST_F(RendererTest, LinesAndBladeAreTheSameAtEverySize) {
+    const CutBody cut(test::cubeSphere(8));
+    const Image usual = pictureOf(stageOfSize(cut, 1));
+    for (const double size : {1e-6, 2e-6, 1e-4, 1e-2, 1e2, 1e3}) {
+        EXPECT_LT(channelDifference(pictureOf(stageOfSize(cut, size)), usual).pixels,
+                  kWidth * kHeight / 100)
+            << size << " m";
+    }
+}
+
+/// Seen along its edge, a blade has two sides that catch the light differently.
+TEST_F(RendererTest, ABladeAlongTheLineOfSightShowsItsSides) {
+    Stage stage(test::cubeSphere(4));
+    stage.scene.body = BodyView{};
+    stage.scene.floor.reset();
+    stage.camera.eye = Vec3(0, 0, 3);
+    stage.camera.target = Vec3::Zero();
+    const Image bare = pictureOf(stage);
+    stage.scene.blade = Blade{Vec3(0, 0, 1), Vec3(0, 0, -1)};
+    stage.scene.strokePoses = {Blade{Vec3(-0.5, 0, 1), Vec3(-0.5, 0, -1)}, *stage.scene.blade};
+    const Image blade = pictureOf(stage);
+    const auto bright = [&](int x, int y) { return int(pixelAt(blade, x, y)[1]); };
+    const int column = kWidth / 2 - 8;  // behind the edge, which is in the middle
+    int above = 0;
+    int below = 0;
+    for (int y = 1; y < kHeight / 2; ++y) {
+        above += pixelAt(bare, column, kHeight / 2 - y)[1] != bright(column, kHeight / 2 - y);
+        below += pixelAt(bare, column, kHeight / 2 + y)[1] != bright(column, kHeight / 2 + y);
+    }
+    EXPECT_GT(above, 0);
+    EXPECT_GT(below, 0);
+    EXPECT_NE(bright(column, kHeight / 2 - 1), bright(column, kHeight / 2 + 1));
+}
+
 TEST_F(RendererTest, APieceIsDrawnWhereItsShiftSays) {
     Stage stage(test::cubeSphere(8));
     stage.scene.floor.reset();

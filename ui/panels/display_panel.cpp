@@ -30,6 +30,7 @@ constexpr std::array kSwitches{
     Switch{ActionId::showContacts, "Contacts"},
     Switch{ActionId::showBoxes, "Bounding boxes"},
     Switch{ActionId::showCutLines, "Cut outlines"},
+    Switch{ActionId::showAhead, "Cut preview"},
     Switch{ActionId::fineQuality, "High quality"},
     Switch{ActionId::section, "Section plane"},
 };

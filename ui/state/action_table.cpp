@@ -113,6 +113,8 @@ constexpr std::array kOtherActions{
               shows<&DisplaySettings::wireframe>},
     ActionRow{ActionId::showCutLines, at(Key::t, kPlain, "T"), "Cut outlines", "View", withBody,
               shows<&DisplaySettings::cutLines>},
+    ActionRow{ActionId::showAhead, at(Key::w, kShift, "Shift+W"), "Cut preview", "View", withBody,
+              shows<&DisplaySettings::cutAhead>},
     ActionRow{ActionId::showApart, at(Key::a, kPlain, "A"), "Show pieces apart", "View",
               [](const PanelModel& m) { return m.pieces.rows.size() > 1; },
               [](const PanelModel& m) { return m.display.apart > 0; }},

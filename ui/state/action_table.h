@@ -65,6 +65,7 @@ enum class ActionId : std::uint8_t {
     orthographic,
     wireframe,
     showCutLines,
+    showAhead,
     showApart,
     showEdges,
     showBends,

@@ -15,7 +15,8 @@ namespace kerf::ui {
 struct DisplaySettings {
     render::Quality quality = render::Quality::full;
     bool wireframe = false;
-    bool cutLines = true;  ///< a dark line along the rim of each cut, so that closed ones show
+    bool cutLines = true;   ///< a dark line along the rim of each cut, so that closed ones show
+    bool cutAhead = false;  ///< triangles that a stroke under way will cut
     /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
     double apart = 0;
     bool pieceDetails = false;  ///< the list of pieces has all its columns

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 #include "ui/base/theme.h"
 
 namespace kerf::ui {
@@ -65,6 +67,29 @@ void drawGizmo(ImDrawList& draw, const Overlay& overlay, float scale) {
     }
 }
 
+/// Evenly spaced dots, where the way is longer than a few of them.
+void drawLag(ImDrawList& draw, const std::vector<PlotPoint>& way, float scale) {
+    constexpr double kApart = 8;   // [px at scale 1]
+    constexpr double kLeast = 16;  // from end to end: the blade covers less
+    if (way.empty() ||
+        std::hypot(way.back().x - way.front().x, way.back().y - way.front().y) < kLeast * scale) {
+        return;
+    }
+    double next = 0;  // dot, along what is left of the way
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const double x = way[i].x - way[i - 1].x;
+        const double y = way[i].y - way[i - 1].y;
+        const double length = std::hypot(x, y);
+        for (; next < length; next += kApart * scale) {
+            const ImVec2 p =
+                at({way[i - 1].x + next / length * x, way[i - 1].y + next / length * y});
+            draw.AddCircleFilled(p, 2.8F * scale, kShade, 12);
+            draw.AddCircleFilled(p, 1.7F * scale, kWound, 12);
+        }
+        next -= length;
+    }
+}
+
 }  // namespace
 
 void drawOverlay(const Overlay& overlay, float scale) {
@@ -82,6 +107,7 @@ void drawOverlay(const Overlay& overlay, float scale) {
     for (const Overlay::Line& line : overlay.wound) {
         draw.AddLine(at(line[0]), at(line[1]), kWound, 2 * scale);
     }
+    drawLag(draw, overlay.lag, scale);
     for (const Overlay::Line& line : overlay.guides) {
         draw.AddLine(at(line[0]), at(line[1]), kShade, 3.5F * scale);
     }

@@ -18,10 +18,11 @@ struct Overlay {
         bool hot = false;  ///< under the pointer, or held
     };
 
-    std::vector<Face> touched;  ///< triangles that will be cut
-    std::vector<Line> swept;    ///< outline of the blade's path
-    std::vector<Line> wound;    ///< its intersection with the surface
-    std::vector<Line> guides;   ///< reach of the tool
+    std::vector<Face> touched;   ///< triangles that will be cut
+    std::vector<Line> swept;     ///< outline of the blade's path
+    std::vector<Line> wound;     ///< its intersection with the surface
+    std::vector<PlotPoint> lag;  ///< way from where the body is cut up to the blade
+    std::vector<Line> guides;    ///< reach of the tool
     std::vector<Handle> handles;
     /// A number beside the body.
     struct Label {

@@ -125,6 +125,10 @@ render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
     view.field.choice = settings.field;
     view.section = settings.section;
     view.hardEdges = settings.hardEdges;
+    const std::vector<Blade> way = busy.stroke().wayAhead();
+    if (!way.empty() && !view.bladeBody && !view.bladeForce) {
+        view.blade = way.back();  // where the hand leads it
+    }
     view.look = look(scene.document());
     if (!settings.colors.showOwn()) {
         view.paint.reset();

@@ -18,6 +18,11 @@ namespace {
 constexpr std::array<float, 3> kEmptyColor{0.06F, 0.065F, 0.08F};
 constexpr std::array<float, 3> kBrightEmptyColor{0.86F, 0.87F, 0.89F};
 
+std::optional<Vec3> ledTo(const BusyScene& scene) {
+    const std::vector<Blade> way = scene.stroke().wayAhead();
+    return way.empty() ? std::nullopt : std::optional(way.back().b);
+}
+
 }  // namespace
 
 void EditorPicture::drawScene(const BusyScene& scene, const Shot& shot, bool transparent) {
@@ -61,7 +66,7 @@ void EditorPicture::draw(const BusyScene& scene, const EditorView& view,
         glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
-    if (Shot shot{view.frame(), view.display, std::move(covered), view.bright};
+    if (Shot shot{view.frame(), view.display, std::move(covered), view.bright, true, ledTo(scene)};
         changed || drawn_ != shot) {
         const Stopwatch watch;
         sceneTimer_.begin();

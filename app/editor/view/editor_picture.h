@@ -64,6 +64,7 @@ class EditorPicture {
         std::vector<render::PixelRect> covered;
         bool bright = false;
         bool ofScene = true;
+        std::optional<Vec3> ledTo{};  ///< where the hand leads the blade
         bool operator==(const Shot&) const = default;
     };
     void fit(const EditorView& view);

@@ -200,7 +200,8 @@ ToolContext EditorView::context(const BusyScene& scene, const ui::Modifiers& mod
             scene.stroke(),
             scene.bounds(),
             display.settings.section,
-            scene.atRest()};
+            scene.atRest(),
+            display.settings.cutAhead};
 }
 
 void EditorView::setTools(const ui::ToolSettings& settings, const BusyScene& scene) {

@@ -372,6 +372,9 @@ TEST_F(EditorTest, TheGuillotineComesDownByAKeyAndByItsSlider) {
     tap(Key::g);
     frames(1);
     EXPECT_EQ(panels().view.overlay.handles.size(), 4U);
+    EXPECT_TRUE(panels().view.overlay.touched.empty()) << "on request alone";
+    tap(Key::w, {.shift = true});
+    frames(1);
     EXPECT_FALSE(panels().view.overlay.touched.empty()) << "what it will touch is shown before";
     EXPECT_FALSE(panels().view.overlay.wound.empty());
     tap(Key::enter);

@@ -63,6 +63,33 @@ TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
     EXPECT_GT(tealPixels(editor->readPicture()), before + 40);
 }
 
+TEST_F(EditorToolsTest, DotsTellHowFarTheCutLagsBehindThePointer) {
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    settle();
+    moveTo(kTop.x(), kBottom.y());
+    frames(1);
+    const std::vector<ui::PlotPoint> lag = panels().view.overlay.lag;
+    ASSERT_GE(lag.size(), 2U);
+    EXPECT_NEAR(lag.back().y, kBottom.y(), 1) << "up to the pointer";
+    EXPECT_LT(lag.front().y, kBottom.y() - 50);
+    EXPECT_TRUE(panels().view.overlay.touched.empty()) << "on request alone";
+    settle();
+    frames(1);
+    EXPECT_NEAR(panels().view.overlay.lag.front().y, kBottom.y(), 10) << "it has caught up";
+}
+
+TEST_F(EditorToolsTest, AStrokeBesideTheBodyLeavesNoMark) {
+    drag(Vec2(kTop.x() - 140, kTop.y()), Vec2(kTop.x() - 150, kBottom.y()), 10);
+    settle();
+    EXPECT_GT(panels().transport.step, 0);
+    EXPECT_TRUE(panels().session.past.empty());
+    drag(kTop, kBottom, 20);
+    settle();
+    ASSERT_EQ(panels().session.past.size(), 1U);
+    EXPECT_GT(panels().session.past[0].step, 0);
+}
+
 TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
     const auto run = [&](int eventsPerPicture) {
         tap(Key::r);
