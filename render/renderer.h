@@ -36,7 +36,7 @@ class Renderer {
     /// Takes the result of measureSkinDepth() instead of measuring again.
     void setRestDepth(const DepthField& depth);
 
-    /// The range of the colours of the last frame, which showed a quantity (waits for the GPU).
+    /// The range of the colours of the last frame, which showed a quantity.
     FieldRange fieldRange() const;
     /// Value of that quantity at a vertex, over its skin or its walls. None where there is none, or
     /// where the picture was of another revision of the body (waits for the GPU).

@@ -255,7 +255,7 @@ void toggleApart(State& s) {
 void takeNextField(State& s) {
     render::FieldChoice& choice = s.view.display.settings.field;
     const int next = (static_cast<int>(choice.field) + 1) % render::kSurfaceFields;
-    choice = {static_cast<render::SurfaceField>(next), std::nullopt};
+    choice = {static_cast<render::SurfaceField>(next), std::nullopt, choice.map};
 }
 
 void toggleSection(State& s) {

@@ -24,7 +24,8 @@ ui::ViewAxes axesOf(const render::Camera& camera) {
 
 /// The legend of the colours, with the value under the pointer if the scene is at rest.
 ui::FieldLegend fieldLegend(State& s, bool inView) {
-    ui::FieldLegend legend{s.view.display.settings.field.field, s.picture.fieldRange(), {}, ""};
+    const render::FieldChoice& choice = s.view.display.settings.field;
+    ui::FieldLegend legend{choice.field, s.picture.fieldRange(), {}, &render::colorsOf(choice), ""};
     if (legend.field == render::SurfaceField::look || s.view.faulty || s.scene == nullptr ||
         s.scene.underWay()) {
         return legend;

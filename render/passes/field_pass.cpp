@@ -20,12 +20,15 @@ void setColors(const gpu::Program& program, const ColorMap& map) {
     }
 }
 
+bool isValue(float value) {
+    return value > 0.5F * shared::kNoField;
+}
+
 }  // namespace
 
 FieldPass::FieldPass()
     : strain_(gpu::Program::compute("render/field_strain.comp")),
       area_(gpu::Program::compute("render/field_strain.comp", {{"AREA", "1"}})),
-      range_(gpu::Program::compute("render/field_range.comp")),
       whole_(kindsFor({{"FIELD", "1"}})) {}
 
 FieldPass::Kinds FieldPass::kindsFor(const gpu::Defines& defines) {
@@ -43,14 +46,13 @@ void FieldPass::update(const SceneView& scene) {
         return;
     }
     shown_ = wanted;
-    values_.resize(std::size_t(2) * scene.body.vertexCount * sizeof(float));
-    ends_.assign(std::vector<std::uint32_t>(3, 0));
+    values_.resize(std::size_t(4) * scene.body.vertexCount * sizeof(float));
+    measure(scene);
     if (field.choice.field == SurfaceField::thickness) {
         take(field.values != nullptr ? *field.values : FieldValues{});
-    } else {
-        measure(scene);
     }
-    settleRange(field.choice);
+    range_ = field.choice.range ? *field.choice.range
+                                : automaticRange(samples(), infoOf(field.choice.field));
 }
 
 void FieldPass::measure(const SceneView& scene) {
@@ -61,7 +63,6 @@ void FieldPass::measure(const SceneView& scene) {
     body.incidenceRanges->bindStorage(shared::kBindIncidenceRanges);
     body.incidence->bindStorage(shared::kBindIncidence);
     values_.bindStorage(shared::kBindField);
-    ends_.bindStorage(shared::kBindFieldRange);
     const bool area = scene.field.choice.field == SurfaceField::area;
     const gpu::Program& program = area ? area_ : strain_;
     program.use();
@@ -69,43 +70,36 @@ void FieldPass::measure(const SceneView& scene) {
     program.dispatch(body.vertexCount);
 }
 
-/// There may be fewer than the body has vertices.
+/// In place of the strains. There may be fewer than the body has vertices.
 void FieldPass::take(const FieldValues& values) {
-    FieldValues all(values_.size() / sizeof(float), shared::kNoField);
-    float largest = 0;
+    FieldValues all(values_.size() / sizeof(float) / 2, shared::kNoField);
     for (std::size_t i = 0; i < std::min(all.size(), values.size()); ++i) {
-        if (values[i] >= 0) {
-            all[i] = values[i];
-            largest = std::max(largest, values[i]);
+        all[i] = values[i] >= 0 ? values[i] : shared::kNoField;
+    }
+    values_.write<float>(0, all);
+}
+
+/// Read back; of large bodies every so many.
+std::vector<FieldSample> FieldPass::samples() const {
+    constexpr std::size_t kMost = 1 << 16;
+    const std::size_t count = values_.size() / sizeof(float) / 2;
+    const std::vector<float> all = values_.read<float>(0, 2 * count);
+    std::vector<FieldSample> samples;
+    for (std::size_t i = 0; i < count; i += 1 + count / kMost) {
+        if (isValue(all[i])) {
+            samples.push_back({all[i], all[count + i]});
         }
     }
-    values_.assign(all);
-    ends_.assign(std::vector<float>{largest, 0, 0});
-}
-
-void FieldPass::settleRange(const FieldChoice& choice) {
-    const FieldInfo& info = infoOf(choice.field);
-    values_.bindStorage(shared::kBindField);
-    ends_.bindStorage(shared::kBindFieldRange);
-    range_.use();
-    range_.set("fixedHigh", choice.high.value_or(0));
-    range_.set("leastHigh", std::max(info.least, 1e-9F));
-    range_.set("hasSign", info.hasSign ? 1.0F : 0.0F);
-    range_.dispatch(1);
-}
-
-FieldRange FieldPass::range() const {
-    const std::vector<float> ends = ends_.read<float>(1, 2);
-    return {ends[0], ends[1]};
+    return samples;
 }
 
 std::optional<float> FieldPass::valueAt(std::uint32_t vertex, bool onWall) const {
     const std::size_t place = std::size_t(2) * vertex + (onWall ? 1 : 0);
-    if ((place + 1) * sizeof(float) > values_.size()) {
+    if (2 * (place + 1) * sizeof(float) > values_.size()) {
         return std::nullopt;
     }
     const float value = values_.read<float>(place, 1).front();
-    return value > 0.5F * shared::kNoField ? std::optional(value) : std::nullopt;
+    return isValue(value) ? std::optional(value) : std::nullopt;
 }
 
 const FieldPass::Kinds& FieldPass::openedOnes() {
@@ -119,7 +113,6 @@ void FieldPass::draw(const SceneView& scene, const Frame& frame, const NormalsPa
     const Kinds& kinds = scene.section ? openedOnes() : whole_;
     bindBody(scene.body, shape);
     values_.bindStorage(shared::kBindField);
-    ends_.bindStorage(shared::kBindFieldRange);
     drawKind(kinds[0], scene, frame);
     if (scene.hasWalls) {
         drawKind(kinds[1], scene, frame);
@@ -130,7 +123,8 @@ void FieldPass::drawKind(const gpu::Program& program, const SceneView& scene,
                          const Frame& frame) const {
     program.use();
     bindLooks(program, frame);
-    setColors(program, *infoOf(scene.field.choice.field).map);
+    setColors(program, colorsOf(scene.field.choice).colors);
+    program.set("fieldRange", Eigen::Vector2f(range_.low, range_.high));
     if (scene.section) {
         setSection(program, scene);
     }

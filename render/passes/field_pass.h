@@ -23,8 +23,8 @@ class FieldPass {
     /// Draws into the bound target.
     void draw(const SceneView& scene, const Frame& frame, const NormalsPass& shape);
 
-    /// The range of the colours of the last frame (waits for the GPU).
-    FieldRange range() const;
+    /// The range of the colours of the last frame.
+    const FieldRange& range() const { return range_; }
     /// The value of the last picture at a vertex, over its skin or over its walls; none if there is
     /// none (waits for the GPU).
     std::optional<float> valueAt(std::uint32_t vertex, bool onWall) const;
@@ -44,12 +44,11 @@ class FieldPass {
     };
     void measure(const SceneView& scene);
     void take(const FieldValues& values);
-    void settleRange(const FieldChoice& choice);
+    std::vector<FieldSample> samples() const;
     void drawKind(const gpu::Program& program, const SceneView& scene, const Frame& frame) const;
 
     gpu::Program strain_;
     gpu::Program area_;
-    gpu::Program range_;
     using Kinds = std::array<gpu::Program, 2>;  // skin, walls
     static Kinds kindsFor(const gpu::Defines& defines);
     const Kinds& openedOnes();
@@ -57,7 +56,7 @@ class FieldPass {
     Kinds whole_;
     std::optional<Kinds> opened_;  // from the first picture of a section
     gpu::Buffer values_;
-    gpu::Buffer ends_;  // of the range: see field.glsl
+    FieldRange range_;
     std::optional<Source> shown_;
 };
 

@@ -1,8 +1,8 @@
 // How far the surface around each vertex is strained against rest, over skin and over wall
 // triangles: the mean of their triangles, each weighted by its area at rest. AREA: the change of
 // area, otherwise the larger principal strain. Reads positions, rest positions, triangles,
-// incidence; writes field values, 2 * vertex + kind, and the largest of them. One thread per
-// vertex; a storage barrier follows. The gather runs in the order of the incidence list.
+// incidence; writes field values, 2 * vertex + kind, and their areas. One thread per vertex; a
+// storage barrier follows. The gather runs in the order of the incidence list.
 #include "render_bindings.h"
 layout(local_size_x = kNormalsGroupSize) in;
 
@@ -33,13 +33,15 @@ float rootMinusOne(float x) {
     return x / (1.0 + sqrt(max(1.0 + x, 0.0)));
 }
 
+const float kFlattest = 1e-6;  // squared sine between two sides
+
 // Weighted by the area at rest, which comes second.
 vec2 strainOf(uvec4 triangle) {
     vec3 a = restPositions[triangle.x].xyz;
     vec3 rest = gram(restPositions[triangle.y].xyz - a, restPositions[triangle.z].xyz - a);
     float det = rest.x * rest.z - rest.y * rest.y;
-    if (!(det > 1e-30)) {
-        return vec2(0);
+    if (!(det > kFlattest * rest.x * rest.z)) {
+        return vec2(0);  // of a sliver, floats tell nothing
     }
     vec3 p = positions[triangle.x].xyz;
     vec3 now = gram(positions[triangle.y].xyz - p, positions[triangle.z].xyz - p);
@@ -56,12 +58,8 @@ vec2 strainOf(uvec4 triangle) {
 }
 
 void store(uint place, vec2 sum) {
-    fieldValues[place] = kNoField;  // no such triangle is there
-    if (sum.y > 0.0) {
-        float value = sum.x / sum.y;
-        fieldValues[place] = value;
-        atomicMax(largest, floatBitsToUint(abs(value)));
-    }
+    fieldValues[place] = sum.y > 0.0 ? sum.x / sum.y : kNoField;  // no such triangle is there
+    fieldValues[2u * vertexCount + place] = sum.y;
 }
 
 void main() {

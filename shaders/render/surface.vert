@@ -36,6 +36,7 @@ out vec3 corners;  // weights of the corners of the triangle
 #ifdef FIELD
 #define FIELD_ACCESS readonly
 #include "field.glsl"
+uniform vec2 fieldRange;
 out float fieldPlace;  // in the range of its colours, 0 to 1
 #endif
 flat out vec4 pieceTint;
@@ -83,7 +84,7 @@ void placeCorner(int id, int triangle, uvec3 vertices) {
     paintCorner(skinRecords[id / 3], corner);
 #endif
 #ifdef FIELD
-    fieldPlace = (fieldValues[2u * vertex + kKind] - rangeLow) / (rangeHigh - rangeLow);
+    fieldPlace = (fieldValues[2u * vertex + kKind] - fieldRange.x) / (fieldRange.y - fieldRange.x);
 #endif
 }
 #endif

@@ -15,7 +15,6 @@ SHARED_CONST int kBindLooks = 7;         // two vec4 per piece, see piece_looks.
 SHARED_CONST int kBindConstraints = 8;   // what an overlay draws: records of the solver, vertices
 SHARED_CONST int kBindContactState = 9;  // ContactState
 SHARED_CONST int kBindField = 10;        // see field.glsl
-SHARED_CONST int kBindFieldRange = 11;   // its range
 SHARED_CONST int kBindSkin = 12;         // SkinRecord per drawn triangle of skin
 SHARED_CONST int kBindSkinCorners = 13;  // see skin_corners.glsl
 

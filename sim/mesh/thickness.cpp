@@ -37,10 +37,16 @@ std::size_t slotOf(int vertex, SurfaceKind kind) {
     return std::size_t(2) * vertex + (kind == SurfaceKind::wall ? 1 : 0);
 }
 
-/// Of each vertex over its skin and over its walls, weighted by corner angles; zero where it has
-/// none of that kind.
-std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
-    std::vector<Vec3> normals(std::size_t(2) * mesh.vertexCount(), Vec3::Zero());
+/// The triangles of one kind around a vertex, weighted by their angles there.
+struct Fan {
+    Vec3 normal = Vec3::Zero();
+    Vec3 middle = Vec3::Zero();  ///< of their middles, times the weight
+    double weight = 0;
+};
+
+/// Of each vertex over its skin and over its walls.
+std::vector<Fan> fansOf(const SurfaceMesh& mesh) {
+    std::vector<Fan> fans(std::size_t(2) * mesh.vertexCount());
     for (const int t : livingTriangles(mesh)) {
         if (!mesh.present(t)) {
             continue;
@@ -51,10 +57,13 @@ std::vector<Vec3> vertexNormals(const SurfaceMesh& mesh) {
             const Vec3 u = c[(k + 1) % 3] - c[k];
             const Vec3 v = c[(k + 2) % 3] - c[k];
             const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
-            normals[slotOf(mesh.triangle(t)[k], mesh.kind(t))] += angle * unit;
+            Fan& fan = fans[slotOf(mesh.triangle(t)[k], mesh.kind(t))];
+            fan.normal += angle * unit;
+            fan.middle += angle * (c[0] + c[1] + c[2]) / 3;
+            fan.weight += angle;
         }
     }
-    return normals;
+    return fans;
 }
 
 std::vector<int> presentTriangles(const SurfaceMesh& mesh) {
@@ -75,9 +84,9 @@ class InnerRays {
         nearest_ = kNearest * tree_.bounds().diagonal();
     }
 
-    /// From a vertex against a normal until the body is left; -1 where it never is.
-    double lengthFrom(int vertex, const Vec3& normal) {
-        const BoxRay ray(mesh_.position(vertex), -normal.normalized());
+    /// From beside a vertex against a normal until the body is left; -1 where it never is.
+    double lengthFrom(int vertex, const Vec3& start, const Vec3& normal) {
+        const BoxRay ray(start, -normal.normalized());
         double best = kMissesBox;
         tree_.find(
             boundsOf_, [&](const Bounds& box) { return entryInto(box, ray, best) < kMissesBox; },
@@ -100,22 +109,60 @@ class InnerRays {
     double nearest_ = 0;  ///< [m]
 };
 
+/// On the surface at a vertex: at the rim of a cut a little beside it, or the ray would graze the
+/// other kind of surface.
+Vec3 startAt(const SurfaceMesh& mesh, int vertex, const Fan& fan, bool atRim) {
+    constexpr double kBeside = 0.25;  // of the way to the middle of its triangles
+    const Vec3& at = mesh.position(vertex);
+    return atRim ? Vec3(at + kBeside * (fan.middle / fan.weight - at)) : at;
+}
+
+/// Gives a vertex without a value the mean of its neighbours, ring by ring.
+void fillFromNeighbours(const SurfaceMesh& mesh, const std::vector<Fan>& fans,
+                        std::vector<float>& values) {
+    for (bool filled = true; filled;) {
+        std::vector<std::pair<float, int>> sums(values.size());
+        for (const int t : presentTriangles(mesh)) {
+            for (int k = 0; k < 3; ++k) {
+                const float value = values[slotOf(mesh.triangle(t)[k], mesh.kind(t))];
+                for (int j = 1; j < 3 && value >= 0; ++j) {
+                    auto& [sum, count] = sums[slotOf(mesh.triangle(t)[(k + j) % 3], mesh.kind(t))];
+                    sum += value;
+                    ++count;
+                }
+            }
+        }
+        filled = false;
+        for (std::size_t slot = 0; slot < values.size(); ++slot) {
+            const auto& [sum, count] = sums[slot];
+            if (values[slot] < 0 && fans[slot].weight > 0 && count > 0) {
+                values[slot] = sum / static_cast<float>(count);
+                filled = true;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<float> surfaceThickness(const SurfaceMesh& mesh, const ShareDone& done) {
-    const std::vector<Vec3> normals = vertexNormals(mesh);
-    std::vector<float> thickness(normals.size(), -1);
+    const std::vector<Fan> fans = fansOf(mesh);
+    std::vector<float> thickness(fans.size(), -1);
     InnerRays rays(mesh);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (done && v % kVerticesATime == 0) {
             done(double(v) / mesh.vertexCount());
         }
-        for (const std::size_t slot : {std::size_t(2) * v, std::size_t(2) * v + 1}) {
-            if (normals[slot].squaredNorm() > 0) {
-                thickness[slot] = static_cast<float>(rays.lengthFrom(v, normals[slot]));
+        const std::size_t first = std::size_t(2) * v;
+        const bool atRim = fans[first].weight > 0 && fans[first + 1].weight > 0;
+        for (const std::size_t slot : {first, first + 1}) {
+            if (fans[slot].normal.squaredNorm() > 0) {
+                const Vec3 start = startAt(mesh, v, fans[slot], atRim);
+                thickness[slot] = static_cast<float>(rays.lengthFrom(v, start, fans[slot].normal));
             }
         }
     }
+    fillFromNeighbours(mesh, fans, thickness);
     return thickness;
 }
 

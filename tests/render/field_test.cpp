@@ -50,7 +50,7 @@ TEST_F(FieldTest, AStretchedSlabHasTheStrainOfItsStretch) {
     show(stage, SurfaceField::strain);
     EXPECT_NEAR(at(middleOfFront(slab)), 0.1, 1e-5);
     EXPECT_NEAR(renderer_->fieldRange().high, 0.1, 1e-6) << "a round number";
-    EXPECT_EQ(renderer_->fieldRange().low, 0);
+    EXPECT_NEAR(renderer_->fieldRange().low, 0.05, 1e-6) << "of the narrow sides";
     show(stage, SurfaceField::area);
     EXPECT_NEAR(at(middleOfFront(slab)), 1.1 * 0.95 - 1, 1e-5);
     EXPECT_NEAR(renderer_->fieldRange().low, -renderer_->fieldRange().high, 1e-9);
@@ -99,11 +99,49 @@ TEST_F(FieldTest, AFaceTowardsTheEyeHasTheColourOfTheLegend) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(top.pixels[middle + c], kViridis.back()[c], 4) << c;
     }
-    stage.scene.field.choice.high = 0.2F;
+    stage.scene.field.choice.range = FieldRange{-0.1F, 0.3F};
     const Image half = stage.picture(*renderer_);
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(half.pixels[middle + c], kViridis[5][c], 4) << c;
     }
+    stage.scene.field.choice.map = ColorMapName::inferno;
+    const Image inferno = stage.picture(*renderer_);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(inferno.pixels[middle + c], kInferno[5][c], 4) << c;
+    }
+}
+
+/// As at the rim of a cut.
+TEST_F(FieldTest, AFewSpikesDoNotStretchTheRange) {
+    const SurfaceMesh ball = test::cubeSphere(16);
+    SurfaceMesh spiky = moved(ball, [](const Vec3& p) { return Vec3(1.05 * p); });
+    spiky.setPosition(0, 4 * spiky.position(0));
+    Stage stage(spiky);
+    show(stage, SurfaceField::strain);
+    EXPECT_GT(at(0), 1);
+    EXPECT_LT(renderer_->fieldRange().high, 0.1);
+    EXPECT_NEAR(renderer_->fieldRange().low, 0.05, 0.005);
+}
+
+TEST(AutomaticRange, CountsTheSurfaceAndNotTheVertices) {
+    std::vector<FieldSample> samples(1000, {5, 1e-6F});  // slivers
+    samples.insert(samples.end(), 10, {0.2F, 1});
+    samples.insert(samples.end(), 10, {0.4F, 1});
+    const FieldRange range = automaticRange(samples, infoOf(SurfaceField::strain));
+    EXPECT_NEAR(range.low, 0.2, 1e-6);
+    EXPECT_NEAR(range.high, 0.4, 1e-6);
+}
+
+TEST(AutomaticRange, ReachesAsFarBelowZeroWithASign) {
+    const FieldRange range = automaticRange({{-0.31F, 1}, {0.1F, 1}}, infoOf(SurfaceField::area));
+    EXPECT_NEAR(range.low, -0.35, 1e-6);
+    EXPECT_EQ(range.high, -range.low);
+}
+
+TEST(AutomaticRange, OfNothingIsTheLeast) {
+    const FieldRange range = automaticRange({}, infoOf(SurfaceField::strain));
+    EXPECT_EQ(range.low, 0);
+    EXPECT_NEAR(range.high, 0.01, 1e-9);
 }
 
 TEST_F(FieldTest, WallsHaveValuesOfTheirOwn) {

@@ -13,6 +13,7 @@
 #include "ui/state/action_table.h"
 #include "ui/state/fault_legend.h"
 #include "ui/state/panel_model.h"
+#include "ui/work_box.h"
 
 namespace kerf::ui {
 namespace {
@@ -152,7 +153,7 @@ bool chooseField(render::FieldChoice& choice) {
         const auto field = static_cast<render::SurfaceField>(i);
         const render::FieldInfo& info = render::infoOf(field);
         if (ImGui::Selectable(std::string(info.name).c_str(), field == choice.field)) {
-            choice = {field, std::nullopt};
+            choice = {field, std::nullopt, choice.map};
             changed = true;
         }
         noteItem("field." + std::string(info.name));
@@ -162,29 +163,64 @@ bool chooseField(render::FieldChoice& choice) {
     return changed;
 }
 
-/// A box for the automatic range, and where it is off, the end of the fixed one.
-bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend, double bodySize) {
-    bool automatic = !choice.high;
+/// The colours, by name and look.
+bool chooseColorMap(render::FieldChoice& choice) {
+    bool changed = false;
+    rowLabel("Colours");
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##colors", render::colorsOf(choice).name)) {
+        for (std::size_t i = 0; i < render::kColorMaps.size(); ++i) {
+            const render::ColorMapRow& row = render::kColorMaps[i];
+            const bool chosen = &row == &render::colorsOf(choice);
+            if (ImGui::Selectable(row.name, chosen)) {
+                choice.map = static_cast<render::ColorMapName>(i);
+                changed = true;
+            }
+            noteItem(std::string("colors.") + row.name);
+            const ImVec2 low = ImGui::GetItemRectMin();
+            const ImVec2 size = ImGui::GetItemRectSize();
+            drawColors(row.colors, low.x + size.x / 2, low.y, size.x / 2, size.y);
+        }
+        ImGui::EndCombo();
+    }
+    noteItem("display.colors");
+    return changed;
+}
+
+/// An end of the range that is typed, in the unit that is shown.
+bool typeEnd(const char* label, float& end, float unit, const char* format) {
+    float shown = end * unit;
+    ImGui::SetNextItemWidth(0.47F * ImGui::GetContentRegionMax().x);
+    const bool typed = ImGui::InputFloat((std::string("##") + label).c_str(), &shown, 0, 0, format);
+    noteItem(std::string("display.range_") + label);
+    itemTooltip(std::string("The value of the ") + label + " colour");
+    end = shown / unit;
+    return typed;
+}
+
+/// A box for the automatic range, and where it is off, the ends of the fixed one.
+bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend) {
+    bool automatic = !choice.range;
     bool changed = ImGui::Checkbox("Automatic range", &automatic);
     noteItem("display.automatic_range");
-    itemTooltip("On: up to the largest current value. Off: up to a value that you set");
+    itemTooltip(
+        "On: from the 2nd to the 98th percentile of the surface. Off: between two numbers of your "
+        "choice");
     if (changed) {
-        choice.high = automatic ? std::nullopt : std::optional(legend.range.high);
+        choice.range = automatic ? std::nullopt : std::optional(legend.range);
     }
-    if (!choice.high) {
+    if (!choice.range) {
         return changed;
     }
     const bool length = render::infoOf(choice.field).isLength;
     const float unit = length ? 1 : 100;
-    const float low = length ? static_cast<float>(1e-4 * bodySize) : 0.1F;
-    const float high = length ? static_cast<float>(bodySize) : 200;
-    float shown = *choice.high * unit;
-    const std::string format = length ? std::string(lengthFormat(bodySize)) + " m" : "%.3g %%";
-    if (slideRow({"Maximum", "Value at the end of the colour bar", "display.range"},
-                 {ImGuiDataType_Float, &shown, &low, &high, format, true},
-                 ImGui::GetContentRegionAvail().x)
-            .changed) {
-        choice.high = std::max(shown, low) / unit;
+    const char* const format = length ? "%.4g m" : "%.4g %%";
+    render::FieldRange range = *choice.range;
+    bool typed = typeEnd("first", range.low, unit, format);
+    ImGui::SameLine();
+    typed |= typeEnd("last", range.high, unit, format);
+    if (typed && range.low != range.high) {
+        choice.range = range;
         changed = true;
     }
     return changed;
@@ -244,7 +280,8 @@ void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     changed |= chooseSource(model, display.colors);
     changed |= chooseField(display.field);
     if (display.field.field != render::SurfaceField::look) {
-        changed |= chooseRange(display.field, model.looks.field, model.body.size);
+        changed |= chooseColorMap(display.field);
+        changed |= chooseRange(display.field, model.looks.field);
     }
     if (display.section) {
         changed |= chooseSection(*display.section, model);
@@ -299,10 +336,10 @@ void drawLegend(const LooksState& looks, const DisplaySettings& display, const R
     if (!body && looks.faults.empty()) {
         return;
     }
-    // Below the axes; what the editor says comes in the middle.
+    // Below the axes, and below what the editor says.
     const float margin = 10 * scale;
-    ImGui::SetNextWindowPos({view.x + view.width - margin, view.y + 115 * scale}, ImGuiCond_Always,
-                            {1, 0});
+    ImGui::SetNextWindowPos({view.x + view.width - margin, view.y + topBoxesHeight()},
+                            ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowBgAlpha(0.7F);
     ImGui::Begin("legend", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |

@@ -20,19 +20,6 @@ ImU32 asHue(const render::DisplayColor& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
-/// The colours from left to right, as wide as the bar.
-void drawBar(const render::ColorMap& map, const ImVec2& at, float width, float height) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float part = width / static_cast<float>(map.size() - 1);
-    for (std::size_t i = 0; i + 1 < map.size(); ++i) {
-        const float left = at.x + part * static_cast<float>(i);
-        const ImU32 from = asHue(map[i]);
-        const ImU32 to = asHue(map[i + 1]);
-        draw.AddRectFilledMultiColor({left, at.y}, {left + part, at.y + height}, from, to, to,
-                                     from);
-    }
-}
-
 /// A triangle below the bar.
 void drawPointer(const ImVec2& at, float size) {
     ImGui::GetWindowDrawList()->AddTriangleFilled(at, {at.x + 0.6F * size, at.y + size},
@@ -63,6 +50,16 @@ std::string fieldText(render::SurfaceField field, double value) {
     return text.data();
 }
 
+void drawColors(const render::ColorMap& map, float left, float top, float width, float height) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float part = width / static_cast<float>(map.size() - 1);
+    for (std::size_t i = 0; i + 1 < map.size(); ++i, left += part) {
+        const ImU32 from = asHue(map[i]);
+        const ImU32 to = asHue(map[i + 1]);
+        draw.AddRectFilledMultiColor({left, top}, {left + part, top + height}, from, to, to, from);
+    }
+}
+
 void drawFieldScale(const FieldLegend& legend, float scale) {
     const render::FieldInfo& info = render::infoOf(legend.field);
     const std::string under =
@@ -71,7 +68,7 @@ void drawFieldScale(const FieldLegend& legend, float scale) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = kWidth * scale;
     const float height = kHeight * scale;
-    drawBar(*info.map, at, width, height);
+    drawColors(legend.colors->colors, at.x, at.y, width, height);
     const float span = legend.range.high - legend.range.low;
     if (legend.underPointer && span > 0) {
         const float share = (static_cast<float>(*legend.underPointer) - legend.range.low) / span;

@@ -44,6 +44,18 @@ TEST(Thickness, OfARingIsThatOfItsTubeOnItsOutside) {
     }
 }
 
+TEST(Thickness, HasNoGapsAlongTheRimOfACut) {
+    const SurfaceMesh opened = test::openedSphere(8, 0.05, 0.25);
+    const std::vector<float> thickness = surfaceThickness(opened);
+    for (const int t : livingTriangles(opened)) {
+        const int kind = opened.kind(t) == SurfaceKind::wall ? 1 : 0;
+        for (const int v : opened.triangle(t)) {
+            EXPECT_GE(thickness[2 * v + kind], 0) << "vertex " << v << " kind " << kind;
+            EXPECT_LE(thickness[2 * v + kind], 1.01);
+        }
+    }
+}
+
 TEST(Thickness, CanBeGivenUp) {
     const SurfaceMesh ball = test::cubeSphere(8);
     EXPECT_THROW(surfaceThickness(ball, [](double) { throw std::runtime_error("enough"); }),
