@@ -401,7 +401,8 @@ bool needsBody(const ui::Action& action) {
         []<class Kind>(const Kind&) {
             return std::is_constructible_v<Command, Kind> ||
                    kIsOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
-                            ui::ExportPieces, ui::TakeMaterial, ui::SaveMaterial>;
+                            ui::RemoveMeasure, ui::ExportPieces, ui::TakeMaterial,
+                            ui::SaveMaterial>;
         },
         action);
 }
@@ -480,9 +481,6 @@ struct Answer {
     void operator()(const ui::SetSettings& to) const { s.panels.take(to.settings); }
     void operator()(const ui::SetPlotView& wanted) const { s.panels.plotView = wanted.view; }
     void operator()(const ui::ExportPlots& wanted) const { exportPlots(s, wanted.asPicture); }
-    void operator()(const ui::RemoveMeasure& removal) const {
-        s.view.tools.get<MeasureTool>().remove(removal.id);
-    }
     void operator()(const ui::ExportMeasures&) const { exportMeasures(s); }
     void operator()(const ui::OpenExperiment& wanted) const {
         const auto file = gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json");
@@ -520,6 +518,13 @@ struct Answer {
     void onBody(const ui::SeekTo& wanted) const {
         s.scene->seek(wanted.step);
         s.redraw.scene();
+    }
+    void onBody(const ui::RemoveMeasure& removal) const {
+        MeasureTool& measures = s.view.tools.get<MeasureTool>();
+        measures.remove(removal.id);
+        if (!measures.plotsPoint()) {
+            s.scene->readout().plot(std::nullopt);
+        }
     }
     void onBody(const ui::RemoveMark& removal) const { s.scene->recorder().removeMark(removal.id); }
     void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/scene/readout/scene_readout.h"
 #include "app/scene/section_pick.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
@@ -25,6 +26,7 @@ std::size_t pointsOf(ui::MeasureKind kind) {
         case ui::MeasureKind::angle:
             return 3;
         case ui::MeasureKind::piece:
+        case ui::MeasureKind::point:
             break;
     }
     return 1;
@@ -75,6 +77,17 @@ std::vector<ui::MeasureFigure> pieceFigures(const SurfaceAnchor& anchor, const S
     return figures;
 }
 
+std::vector<ui::MeasureFigure> pointFigures(const PointValues& values, const OwnUnit& unit) {
+    const auto share = [](const char* name, double value) {
+        return ui::MeasureFigure{name, value, "", value, "", fmt::format("{:.3g} %", 100 * value)};
+    };
+    return {
+        share("area change", values.area),
+        unit.figure("displacement", values.way, 1, lengthText(values.way)),
+        {"speed", values.speed, "m/s", values.speed, "", fmt::format("{:.3g} m/s", values.speed)},
+        share("strain", values.strain)};
+}
+
 ui::PlotPoint between(const ui::PlotPoint& a, const ui::PlotPoint& b) {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
@@ -107,6 +120,10 @@ std::string MeasureTool::press(const ToolContext& c) {
     pending_.anchors.emplace_back(c.scene->simulation().meshAsRead(), *point);
     pending_.at.push_back(point->position);
     if (pending_.complete()) {
+        if (kind == ui::MeasureKind::point) {
+            removePlotted();
+            c.scene->readout().plot(pending_.anchors.front());
+        }
         points_.push_back(std::exchange(pending_, {kind, {}, {}}));
         rows_.push_back({++lastId_, kind, {}, false});
         measure(rows_.size() - 1, *c.scene);
@@ -126,6 +143,18 @@ bool MeasureTool::dropPending() {
     pending_.anchors.clear();
     pending_.at.clear();
     return had;
+}
+
+bool MeasureTool::plotsPoint() const {
+    return std::ranges::count(rows_, ui::MeasureKind::point, &ui::MeasureRow::kind) > 0;
+}
+
+/// One point is plotted at a time.
+void MeasureTool::removePlotted() {
+    const auto row = std::ranges::find(rows_, ui::MeasureKind::point, &ui::MeasureRow::kind);
+    if (row != rows_.end()) {
+        remove(row->id);
+    }
 }
 
 void MeasureTool::remove(int id) {
@@ -187,6 +216,10 @@ void MeasureTool::measure(std::size_t index, EditorScene& scene) {
             if (!row.isOld) {
                 row.figures = pieceFigures(points.anchors.front(), scene.simulation().mesh(), unit);
             }
+            return;
+        case ui::MeasureKind::point:
+            row.figures = pointFigures(
+                valuesAt(scene.simulation().meshAsRead(), points.anchors.front()), unit);
             return;
     }
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tools/surface_anchor.h"
+#include "app/scene/readout/surface_anchor.h"
 #include "app/tools/tool_table.h"
 
 namespace kerf::app {
@@ -24,6 +24,8 @@ class MeasureTool : public Tool {
     bool any() const { return !rows_.empty() || !pending_.anchors.empty(); }
     /// Removes a measurement by its number, or all of them by 0.
     void remove(int id);
+    /// Whether one of them is of the point that is plotted.
+    bool plotsPoint() const;
 
     /// Follows the body between two steps: updates all points, and while paused the measures of
     /// pieces. Returns "" or a sentence about what ended.
@@ -44,6 +46,7 @@ class MeasureTool : public Tool {
         bool complete() const;
     };
     bool dropPending();
+    void removePlotted();
     void measure(std::size_t index, EditorScene& scene);
     void drawPoints(ui::Overlay& overlay, const ViewFrame& view, const Points& points) const;
 

@@ -14,11 +14,12 @@ namespace kerf::ui {
 namespace {
 
 bool isPlotted(Reading reading) {
-    return std::ranges::any_of(kPlots, [reading](const PlotKind& plot) {
+    const auto shows = [reading](const PlotKind& plot) {
         return std::ranges::any_of(plot.curves, [reading](const CurveKind& curve) {
             return curve.label != nullptr && curve.reading == reading;
         });
-    });
+    };
+    return std::ranges::any_of(kPlots, shows) || std::ranges::any_of(kPointPlots, shows);
 }
 
 TEST(Plots, ShowEveryReadingButThatOfTheStatusBar) {

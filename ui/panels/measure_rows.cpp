@@ -20,6 +20,8 @@ constexpr std::array kKinds{
     KindButton{MeasureKind::distance, "Distance", "Click two points: straight-line distance"},
     KindButton{MeasureKind::angle, "Angle", "Click three points: angle at the second"},
     KindButton{MeasureKind::piece, "Piece", "Click a piece: areas and volume"},
+    KindButton{MeasureKind::point, "Plot",
+               "Click a point: plots its strain, displacement and speed over time"},
 };
 
 bool chooseKind(ToolSettings& tools) {
@@ -27,6 +29,11 @@ bool chooseKind(ToolSettings& tools) {
     for (const KindButton& button : kKinds) {
         if (button.kind != kKinds.front().kind) {
             ImGui::SameLine();
+        }
+        const float width = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                            ImGui::CalcTextSize(button.label).x;
+        if (ImGui::GetContentRegionAvail().x < width) {
+            ImGui::NewLine();
         }
         if (ImGui::RadioButton(button.label, tools.measure == button.kind)) {
             tools.measure = button.kind;

@@ -149,15 +149,21 @@ float plotHeight(float room, std::size_t count) {
 
 std::vector<PlotSpec> chosenPlots(const PlotsState& state, const Settings& settings) {
     std::vector<PlotSpec> plots;
+    const auto add = [&](const PlotKind& kind) {
+        plots.push_back({.id = kind.id,
+                         .title = kind.title,
+                         .curves = curvesOf(kind, *state.history),
+                         .marks = state.history->marks,
+                         .reference = referenceOf(kind, state),
+                         .minSpan = kind.minSpan,
+                         .readoutDecimals = kind.readoutDecimals});
+    };
+    if (!(*state.history)[Reading::pointStrain].empty()) {
+        std::ranges::for_each(kPointPlots, add);
+    }
     for (const PlotKind& kind : kPlots) {
         if (isChosen(settings, kind.id)) {
-            plots.push_back({.id = kind.id,
-                             .title = kind.title,
-                             .curves = curvesOf(kind, *state.history),
-                             .marks = state.history->marks,
-                             .reference = referenceOf(kind, state),
-                             .minSpan = kind.minSpan,
-                             .readoutDecimals = kind.readoutDecimals});
+            add(kind);
         }
     }
     return plots;

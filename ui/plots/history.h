@@ -30,6 +30,11 @@ enum class Reading : std::uint8_t {
     frameMs,  ///< from picture to picture
     renderMs,
     otherMs,  ///< of a frame, beside the stages of its steps and drawing the scene
+    // Of the plotted point, if any:
+    pointStrain,  ///< the larger principal strain [%]
+    pointArea,    ///< change of area [%]
+    pointWay,     ///< from its place at rest [m]
+    pointSpeed,   ///< [m/s]
     count
 };
 
@@ -121,6 +126,25 @@ inline constexpr std::array kPlots{
                    {"new surface", Reading::fractureEnergy, Hue::vermillion, CurveStyle::dashed}},
         .minSpan = 0.001,
         .readoutDecimals = 4},
+};
+
+/// The plots of a point of the surface, shown while one is plotted.
+inline constexpr std::array kPointPlots{
+    PlotKind{.id = "point_strain",
+             .title = "Point: strain, %",
+             .curves = {{"strain", Reading::pointStrain, Hue::purple},
+                        {"area change", Reading::pointArea, Hue::orange, CurveStyle::dashed}},
+             .readoutDecimals = 2},
+    PlotKind{.id = "point_way",
+             .title = "Point: displacement, m",
+             .curves = {{"displacement", Reading::pointWay, Hue::green}},
+             .minSpan = 1e-12,
+             .readoutDecimals = 4},
+    PlotKind{.id = "point_speed",
+             .title = "Point: speed, m/s",
+             .curves = {{"speed", Reading::pointSpeed, Hue::vermillion}},
+             .minSpan = 1e-12,
+             .readoutDecimals = 3},
 };
 
 }  // namespace kerf::ui

@@ -7,7 +7,7 @@
 namespace kerf::ui {
 
 std::string_view nameOf(MeasureKind kind) {
-    static constexpr std::array<std::string_view, 3> kNames{"distance", "angle", "piece"};
+    static constexpr std::array<std::string_view, 4> kNames{"distance", "angle", "piece", "point"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

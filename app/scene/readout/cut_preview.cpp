@@ -114,7 +114,8 @@ std::optional<Vec3> meet(const Corners& c, const Vec3& origin, const Vec3& direc
     return shares / shares.sum();
 }
 
-/// What the normals at its corners take.
+}  // namespace
+
 void bringAround(const SurfaceMesh& mesh, int triangle) {
     std::vector<int> vertices;
     for (const int v : mesh.triangle(triangle)) {
@@ -123,8 +124,6 @@ void bringAround(const SurfaceMesh& mesh, int triangle) {
     sortUnique(vertices);
     mesh.bring(vertices);
 }
-
-}  // namespace
 
 OrientedBox boxAbout(std::span<const Blade> way) {
     std::vector<Vec3> points;

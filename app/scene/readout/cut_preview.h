@@ -33,6 +33,8 @@ struct SurfacePoint {
 /// The first hit of a ray from outside among `triangles`, alive and ascending. O(triangles).
 std::optional<SurfacePoint> pickSurface(const SurfaceMesh& mesh, std::span<const int> triangles,
                                         const render::Ray& ray);
+/// Reads a triangle and those around its corners back, if stale.
+void bringAround(const SurfaceMesh& mesh, int triangle);
 /// A thin box around the ray, as far as it can hit something in `bounds`.
 OrientedBox boxAbout(const render::Ray& ray, const Bounds& bounds);
 

@@ -70,6 +70,19 @@ constexpr std::array kFromPicture{
     FromPicture{Reading::otherMs, [](double, double, double otherMs) { return otherMs; }},
 };
 
+/// A reading of the plotted point.
+struct FromPoint {
+    Reading reading;
+    double PointValues::*value;
+    double unit;  ///< times the value
+};
+constexpr std::array kFromPoint{
+    FromPoint{Reading::pointStrain, &PointValues::strain, 100},
+    FromPoint{Reading::pointArea, &PointValues::area, 100},
+    FromPoint{Reading::pointWay, &PointValues::way, 1},
+    FromPoint{Reading::pointSpeed, &PointValues::speed, 1},
+};
+
 /// Whether each reading comes from somewhere, in the order of ui::Reading.
 constexpr bool coversReadings() {
     std::size_t next = 0;
@@ -77,6 +90,7 @@ constexpr bool coversReadings() {
         return row.reading == Reading{static_cast<std::uint8_t>(next++)};
     };
     return std::ranges::all_of(kFromReport, isNext) && std::ranges::all_of(kFromPicture, isNext) &&
+           std::ranges::all_of(kFromPoint, isNext) &&
            next == static_cast<std::size_t>(Reading::count);
 }
 static_assert(coversReadings(), "a Reading comes from nowhere, or not at its place");
@@ -147,6 +161,18 @@ void EditorReadings::addPicture(double time, std::optional<double> elapsedSecond
     unexplainedMs_ -= otherMs;
     for (const auto& [reading, valueIn] : kFromPicture) {
         history_[reading].add(time, valueIn(*elapsedSeconds, renderMs, otherMs));
+    }
+}
+
+void EditorReadings::addPoint(double time, const PointValues& values) {
+    for (const auto& [reading, value, unit] : kFromPoint) {
+        history_[reading].add(time, unit * values.*value);
+    }
+}
+
+void EditorReadings::forgetPoint() {
+    for (const FromPoint& row : kFromPoint) {
+        history_[row.reading] = {};
     }
 }
 

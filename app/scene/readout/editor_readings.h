@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene/readout/point_values.h"
 #include "sim/run/simulation.h"
 #include "ui/plots/history.h"
 #include "ui/state/panel_model.h"
@@ -32,6 +33,9 @@ class EditorReadings {
     /// Takes the times of a frame, `elapsedSeconds` after the previous one; nothing where time
     /// stood still between them.
     void addPicture(double time, std::optional<double> elapsedSeconds, double renderMs);
+    /// Takes the values of the plotted point.
+    void addPoint(double time, const PointValues& values);
+    void forgetPoint();
     void mark(double time, std::string label) {
         history_.marks.push_back({time, std::move(label)});
     }

@@ -52,6 +52,7 @@ void SceneReadout::addStep(const StepReport& report, int piecesBefore) {
         readings_.mark(timeline_.time(), "cut");
     }
     readings_.addStep(timeline_.time(), body_.simulation);
+    addPoint();
     if (!report.open && volumes_.add(report.step, body_.simulation.measuredPieces())) {
         body_.messages.push_back(volumes_.sentence());
     }
@@ -61,6 +62,7 @@ void SceneReadout::addJump(const char* name) {
     volumes_ = {};
     readings_.addJump(timeline_.time(), body_.simulation);
     readings_.mark(timeline_.time(), name);
+    addPoint();
     pieces_.refresh(body_.simulation);
 }
 
@@ -70,6 +72,23 @@ void SceneReadout::goBack(bool countsAnew) {
     }
     readings_.forgetAfter(timeline_.time());
     pieces_.refresh(body_.simulation);
+}
+
+void SceneReadout::plot(std::optional<SurfaceAnchor> point) {
+    point_ = std::move(point);
+    readings_.forgetPoint();
+    addPoint();
+}
+
+/// Of a point whose material was cut away there are no more values.
+void SceneReadout::addPoint() {
+    const SurfaceMesh& mesh = body_.simulation.meshAsRead();
+    if (point_ && !point_->follow(mesh)) {
+        point_.reset();
+    }
+    if (point_) {
+        readings_.addPoint(timeline_.time(), valuesAt(mesh, *point_));
+    }
 }
 
 void SceneReadout::addPicture(std::optional<double> elapsedSeconds, double renderMs) {

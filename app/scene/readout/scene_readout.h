@@ -72,11 +72,14 @@ class SceneReadout {
     void addJump(const char* name);
     /// Follows a jump of the body to another time, which may count from another start.
     void goBack(bool countsAnew);
+    /// Plots the values of a point from now on, in place of another; none: of no point.
+    void plot(std::optional<SurfaceAnchor> point);
     /// Records a frame: the time since the previous one [s], nothing where time stood still between
     /// them, and drawing time since then [ms].
     void addPicture(std::optional<double> elapsedSeconds, double renderMs);
 
   private:
+    void addPoint();
     void describeModels(ui::PanelModel& model) const;
     void describeChanges(ui::ChangeList& list) const;
 
@@ -88,6 +91,7 @@ class SceneReadout {
     ThicknessMap thickness_;
     CutQuality cuts_;
     EditorReadings readings_;
+    std::optional<SurfaceAnchor> point_;  ///< that is plotted
     VolumeWatch volumes_;
     PieceTable pieces_;
     MarkTable marks_;

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "app/tools/surface_anchor.h"
+#include "app/scene/readout/surface_anchor.h"
 #include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
@@ -200,6 +200,46 @@ TEST(SurfaceAnchor, EndsWhereItsMaterialIsGone) {
     }
     EXPECT_FALSE(anchor.follow(rest));
     EXPECT_TRUE(anchor.follow(whole)) << "nothing had changed";
+}
+
+double lastOf(const ui::PanelModel& model, ui::Reading reading) {
+    return (*model.plots.history)[reading].last();
+}
+
+TEST_F(EditorMeasureTest, APointIsPlottedOverTime) {
+    click("measure.Plot");
+    clickAt(0.2, 0.1);
+    ASSERT_EQ(rows().size(), 1U);
+    EXPECT_TRUE(editor->itemRects().contains("plot.point_strain"));
+    EXPECT_NEAR(lastOf(panels(), ui::Reading::pointStrain), 0, 1e-6);
+    tap(Key::v);
+    tap(Key::space);
+    frames(20);
+    tap(Key::space);
+    settle();
+    const auto buckets = (*panels().plots.history)[ui::Reading::pointSpeed].buckets();
+    EXPECT_EQ(buckets.size(), 1U + panels().transport.step) << "a value per step";
+    const double time = panels().transport.time;
+    EXPECT_NEAR(lastOf(panels(), ui::Reading::pointSpeed), 9.81 * time, 0.05 * 9.81 * time);
+    EXPECT_GT(lastOf(panels(), ui::Reading::pointWay), 0);
+    clickAt(-0.2, 0.1);
+    EXPECT_EQ(rows().size(), 1U) << "one at a time";
+    click("measure.clear");
+    EXPECT_FALSE(editor->itemRects().contains("plot.point_strain"));
+}
+
+TEST_F(EditorMeasureTest, APlottedPointFollowsItsMaterialThroughACut) {
+    click("measure.Plot");
+    clickAt(0.2, 0.1);
+    tap(Key::c);
+    drag(pixelOf(0.21, 0.7), pixelOf(0.19, -0.7), 30);
+    settle();
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    ASSERT_EQ(rows().size(), 1U);
+    const std::size_t before = (*panels().plots.history)[ui::Reading::pointStrain].buckets().size();
+    tap(Key::period);
+    frames(2);
+    EXPECT_GT((*panels().plots.history)[ui::Reading::pointStrain].buckets().size(), before);
 }
 
 }  // namespace

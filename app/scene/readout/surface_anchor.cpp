@@ -1,4 +1,4 @@
-#include "app/tools/surface_anchor.h"
+#include "app/scene/readout/surface_anchor.h"
 
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"

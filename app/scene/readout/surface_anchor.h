@@ -20,6 +20,8 @@ class SurfaceAnchor {
     /// Its present position [m]; reads back only its triangle if stale.
     Vec3 position(const SurfaceMesh& mesh) const;
     int triangle() const { return triangle_; }
+    const Vec3& shares() const { return shares_; }  ///< of its corners
+    const Vec3& rest() const { return rest_; }      ///< its position at rest [m]
 
   private:
     bool stands(const SurfaceMesh& mesh) const;
