@@ -22,10 +22,10 @@ struct JournalEntry {
     Origin origin = Origin::editor;
     SessionEvent event;
     bool failed = false;    ///< a command that failed during playback
-    bool missed = false;    ///< the end of a stroke that met no body
     bool doubtful = false;  ///< a check that an earlier change has invalidated
     /// The values that a doubtful check found during playback.
     std::optional<CheckEvent> found;
+    bool missed = false;  ///< the end of a stroke that met no body
 };
 
 /// A place in a journal: before a step, after an entry (its id, 0 for none).
