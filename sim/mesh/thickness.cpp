@@ -84,15 +84,17 @@ class InnerRays {
         nearest_ = kNearest * tree_.bounds().diagonal();
     }
 
-    /// From beside a vertex against a normal until the body is left; -1 where it never is.
-    double lengthFrom(int vertex, const Vec3& start, const Vec3& normal) {
+    /// From beside a vertex, on its triangles of one kind, against a normal until the body is left;
+    /// -1 where it never is.
+    double lengthFrom(int vertex, SurfaceKind kind, const Vec3& start, const Vec3& normal) {
         const BoxRay ray(start, -normal.normalized());
         double best = kMissesBox;
         tree_.find(
             boundsOf_, [&](const Bounds& box) { return entryInto(box, ray, best) < kMissesBox; },
             [&](int t) {
                 if (const auto at = exitThrough(cornersOf(mesh_, t), ray);
-                    at && *at > nearest_ && *at < best && !hasCorner(mesh_.triangle(t), vertex)) {
+                    at && *at > nearest_ && *at < best &&
+                    (mesh_.kind(t) != kind || !hasCorner(mesh_.triangle(t), vertex))) {
                     best = *at;
                 }
             });
@@ -157,8 +159,10 @@ std::vector<float> surfaceThickness(const SurfaceMesh& mesh, const ShareDone& do
         const bool atRim = fans[first].weight > 0 && fans[first + 1].weight > 0;
         for (const std::size_t slot : {first, first + 1}) {
             if (fans[slot].normal.squaredNorm() > 0) {
+                const SurfaceKind kind = slot == first ? SurfaceKind::skin : SurfaceKind::wall;
                 const Vec3 start = startAt(mesh, v, fans[slot], atRim);
-                thickness[slot] = static_cast<float>(rays.lengthFrom(v, start, fans[slot].normal));
+                thickness[slot] =
+                    static_cast<float>(rays.lengthFrom(v, kind, start, fans[slot].normal));
             }
         }
     }

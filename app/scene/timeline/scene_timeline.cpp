@@ -57,7 +57,12 @@ void SceneTimeline::countFromHere() {
 
 std::string SceneTimeline::perform(const Command& wanted) {
     const Command command = asReplayed(wanted, body_.document.session.origin);
-    const bool misses = std::holds_alternative<LiftBlade>(command) && strokeMisses();
+    const bool isDown = body_.simulation.blade().has_value();
+    const bool misses =
+        isDown && std::holds_alternative<LiftBlade>(command) && strokesThatMet() == metBefore_;
+    if (!isDown && std::holds_alternative<MoveBlade>(command)) {
+        metBefore_ = strokesThatMet();
+    }
     std::string problem = body_.simulation.execute(command);
     if (problem.empty()) {
         const int step = body_.simulation.stepCount();
@@ -74,10 +79,8 @@ std::string SceneTimeline::perform(const Command& wanted) {
     return problem;
 }
 
-/// Whether the blade is down and has met nothing so far.
-bool SceneTimeline::strokeMisses() const {
-    const std::vector<StrokeRecord>& strokes = body_.simulation.strokes();
-    return body_.simulation.blade() && !strokes.empty() && !strokes.back().metBody();
+long SceneTimeline::strokesThatMet() const {
+    return std::ranges::count_if(body_.simulation.strokes(), &StrokeRecord::metBody);
 }
 
 void SceneTimeline::extendTo(int step) {

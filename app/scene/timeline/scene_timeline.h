@@ -99,7 +99,7 @@ class SceneTimeline {
 
   private:
     void beginPlayback();
-    bool strokeMisses() const;
+    long strokesThatMet() const;
     std::vector<PlayedAction> movesOnTheirWay() const;
     bool play(JournalEntry& entry);
     void addKeyframe(std::size_t bytes);
@@ -109,6 +109,7 @@ class SceneTimeline {
     void endPast();
 
     SceneBody& body_;
+    long metBefore_ = 0;  ///< strokes that had met the body when the blade was put down
     SessionJournal journal_;
     /// Plays a session with events, or the past, until the user cuts.
     std::optional<SessionPlayback> playback_;

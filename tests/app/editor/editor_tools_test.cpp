@@ -68,7 +68,7 @@ TEST_F(EditorToolsTest, DotsTellHowFarTheCutLagsBehindThePointer) {
     press(true);
     settle();
     moveTo(kTop.x(), kBottom.y());
-    frames(1);
+    frames(2);
     const std::vector<ui::PlotPoint> lag = panels().view.overlay.lag;
     ASSERT_GE(lag.size(), 2U);
     EXPECT_NEAR(lag.back().y, kBottom.y(), 1) << "up to the pointer";

@@ -59,9 +59,9 @@ TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
 int lowestOfBall(const render::Image& picture) {
     int lowest = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
-        if (picture.pixels[i] > picture.pixels[i + 2] + 60) {
-            lowest = static_cast<int>(i / 4) / picture.width;
-        }
+        const int row = static_cast<int>(i / 4) / picture.width;
+        const bool red = picture.pixels[i] > 120 && picture.pixels[i] > picture.pixels[i + 2] + 80;
+        lowest = red && row < kHeight - 80 ? row : lowest;
     }
     return lowest;
 }
