@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/support/body_upload.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
