@@ -84,8 +84,4 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     ImGui::End();
 }
 
-float topBoxesHeight() {
-    return 11 * ImGui::GetFontSize();
-}
-
 }  // namespace kerf::ui

@@ -12,7 +12,4 @@ namespace kerf::ui {
 /// it if possible; nothing if the title is empty.
 void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& actions);
 
-/// Below the upper edge of the view, where work, toasts and axes end [px].
-float topBoxesHeight();
-
 }  // namespace kerf::ui

@@ -170,8 +170,8 @@ void drawScene(State& s) {
 void advance(State& s, double elapsedSeconds) {
     s.clock.elapse(elapsedSeconds);
     s.picture.measure();
-    if (s.onceSought && s.scene.meanwhile().seekSteps() == 0) {
-        s.apply(*std::exchange(s.onceSought, std::nullopt));
+    if (s.scene.onceSought && s.scene.meanwhile().seekSteps() == 0) {
+        s.apply(*std::exchange(s.scene.onceSought, std::nullopt));
     }
     s.workOff();
     if (s.scene != nullptr && !s.scene.underWay()) {

@@ -77,7 +77,7 @@ void cancelWork(State& s) {
     if (scene.stroke().pending() == 0) {
         scene.playing() = false;
         scene.stopSeeking();
-        s.onceSought.reset();
+        s.scene.onceSought.reset();
     }
     stopTools(s);
     s.scene.stops = s.scene.underWay();
@@ -97,7 +97,7 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
     if (back && s.scene->timeline().hasForgotten()) {
         s.scene->recallHistory();
         s.offers.comingBack = true;
-        s.onceSought = ui::ActionId::undo;
+        s.scene.onceSought = ui::ActionId::undo;
         return;
     }
     if (!s.execute(undoOrRedo)) {
@@ -485,7 +485,7 @@ struct Answer {
     void operator()(const ui::OpenExperiment& wanted) const {
         const auto file = gpu::dataPath("assets/sessions/" + wanted.name + ".kerf.json");
         s.askBefore("Open " + wanted.name, [&s = s, file] {
-            OpeningOrder order = orderOf(file, s.ends);
+            OpeningOrder order = orderOf(file, s.sessionFile.ends);
             order.atEnd = false;  // It is to be watched.
             s.open(std::move(order));
         });

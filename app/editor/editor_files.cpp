@@ -145,7 +145,7 @@ void Editor::State::open(OpeningOrder order, const Mending& mending) {
 
 void Editor::State::openStartScene(std::size_t card) {
     const ui::StartCard& wanted = startCards()->at(card);
-    OpeningOrder order = orderOf(startSession(wanted.name), ends);
+    OpeningOrder order = orderOf(startSession(wanted.name), sessionFile.ends);
     order.title = "Opening " + wanted.title;
     order.file.clear();  // none of the recent files
     order.shown = [this, tip = wanted.tip] { guide.suggest(tip); };
@@ -279,7 +279,7 @@ void Editor::State::take(const ChosenFile& chosen) {
 void Editor::State::openAsked(const std::filesystem::path& file, const std::string& remark) {
     if (!isMaterialFile(file)) {
         askBefore("Open " + file.filename().string(), [this, file, remark] {
-            OpeningOrder order = orderOf(file, ends);
+            OpeningOrder order = orderOf(file, sessionFile.ends);
             order.remark = remark;
             open(std::move(order));
         });
@@ -372,7 +372,8 @@ void Editor::State::save(const ChosenFile& chosen) {
                                        isTest ? SavedAs::test : SavedAs::session);
     work.save(isTest
                   ? startSavingTest(chosen.file, std::move(saved))
-                  : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(), ends));
+                  : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(),
+                                sessionFile.ends));
 }
 
 int Editor::State::savePicture(render::Image image, const std::string& name) {

@@ -94,7 +94,6 @@ void Editor::State::leaveScene() {
     sceneHistory.clear();
     work.onceSaved = nullptr;
     offers.comingBack = false;
-    onceSought.reset();
     work.stopPlacing();
     scene.set(nullptr);
     clock.stop();

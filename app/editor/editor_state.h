@@ -40,10 +40,10 @@ struct Editor::State {
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles, panels.settings.now.folders),
+          sessionFile({options.storedEnds, options.driver}),
           materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
-          ends(options.storedEnds, options.driver),
           offers(options.journals),
           driverCheck(options.driverReports, options.driver) {
         view.resize(options.width, options.height);
@@ -69,10 +69,8 @@ struct Editor::State {
     MaterialShelf materials;
     FileWork work;
     WorkKeeping keeping;
-    const StoredEnds ends;
     LeftWorkOffers offers;
     DriverCheck driverCheck;
-    std::optional<ui::ActionId> onceSought;  ///< to do when a seek has come to its end
     bool closing = false;
 
     // A picture: editor.cpp.
@@ -106,7 +104,7 @@ struct Editor::State {
     void say(const std::string& problem);
 
     // Files: editor_files.cpp.
-    void open(const std::filesystem::path& file) { open(orderOf(file, ends)); }
+    void open(const std::filesystem::path& file) { open(orderOf(file, sessionFile.ends)); }
     /// Opens a file after a question about unsaved work, and shows the remark then. A material is
     /// applied at once.
     void openAsked(const std::filesystem::path& file, const std::string& remark = "");

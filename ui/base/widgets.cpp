@@ -41,6 +41,10 @@ std::string shortenedTo(float width, std::string_view text) {
     return shown;
 }
 
+float topBoxesHeight() {
+    return 11 * ImGui::GetFontSize();
+}
+
 void beginPanel(const char* name, const Rect& rect, bool withMenu) {
     ImGui::SetNextWindowPos({rect.x, rect.y});
     ImGui::SetNextWindowSize({rect.width, rect.height});

@@ -51,6 +51,9 @@ void placePopupBelowItem();
 /// The width of a button with this text [px].
 float buttonWidth(std::string_view label);
 
+/// Below the upper edge of the view, where work, toasts and axes end [px].
+float topBoxesHeight();
+
 /// The text with an ellipsis at its end if it is wider than `width` [px]; "" if not even that fits.
 std::string shortenedTo(float width, std::string_view text);
 

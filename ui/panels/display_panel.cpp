@@ -13,7 +13,6 @@
 #include "ui/state/action_table.h"
 #include "ui/state/fault_legend.h"
 #include "ui/state/panel_model.h"
-#include "ui/work_box.h"
 
 namespace kerf::ui {
 namespace {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/editor/steps/busy_scene.h"
 #include "app/editor/steps/work_in_portions.h"
@@ -21,6 +22,7 @@ enum class SceneWork { steps, change };
 class SceneAtWork {
   public:
     std::deque<ui::Action> waiting;  ///< until the scene has finished its work
+    std::optional<ui::ActionId> onceSought;  ///< to do when a seek has come to its end
     bool stops = false;              ///< its steps were cancelled, and the last one is not done yet
 
     /// Replaces the previous one, cancelling its work and what waits; null for none.

@@ -4,12 +4,19 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "app/scene/document/stored_ends.h"
 
 namespace kerf::app {
 
 /// The session file of the open scene, which saving writes again.
 class SessionFile {
   public:
+    const StoredEnds ends;  ///< of the sessions that were saved
+
+    explicit SessionFile(StoredEnds stored) : ends(std::move(stored)) {}
+
     /// Begins with the file that was opened; empty for none, as for the sessions of Kerf's own.
     void begin(const std::filesystem::path& file);
     /// Records that this window has written the file.
