@@ -201,6 +201,7 @@ void EditorScene::goToEnd() {
     if (document().session.events.empty()) {
         return;
     }
+    timeline().noteReopened();
     const std::optional<StoredEnd> end = std::exchange(body().document.end, std::nullopt);
     if (end && timeline().goTo(*end)) {
         readout().startAnew();

@@ -91,7 +91,8 @@ int SceneRecorder::stepsAsSaved() const {
 bool SceneRecorder::endsNow() const {
     const int step = body_.simulation.stepCount();
     if (const SessionPlayback* const playback = timeline_.playback()) {
-        return step > body_.document.session.steps && step == playback->steps();
+        return timeline_.goesOn() && step > body_.document.session.steps &&
+               step == playback->steps();
     }
     return step > 0 && !isUntouched();
 }

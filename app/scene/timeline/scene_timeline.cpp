@@ -28,6 +28,7 @@ void SceneTimeline::startAnew() {
     start_ = {};
     seekTarget_.reset();
     undoBegins_.reset();
+    reopened_ = false;
     body_.followPlacement();
     beginPlayback();
 }
@@ -301,7 +302,7 @@ SceneTimeline::StepEnd SceneTimeline::endStep() {
         seekTarget_.reset();
     }
     const int step = body_.simulation.stepCount();
-    if (playback_ && step > playback_->steps()) {
+    if (playback_ && step > playback_->steps() && goesOn()) {
         playback_->extendTo(step);
     } else if (playback_ && step == playback_->steps()) {
         return endSession();

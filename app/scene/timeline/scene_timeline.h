@@ -36,6 +36,10 @@ class SceneTimeline {
     SessionJournal& journal() { return journal_; }
     /// Whether a user has changed anything since the start.
     bool hasChanged() const { return journal_.firstChange().has_value(); }
+    /// Whether time that runs beyond the end of a session belongs to it: after a change, and where
+    /// it was reopened at its end.
+    bool goesOn() const { return reopened_ || hasChanged(); }
+    void noteReopened() { reopened_ = true; }
 
     /// Begins, paused, with a simulation at its start, and a session at its first event.
     void startAnew();
@@ -116,6 +120,7 @@ class SceneTimeline {
     Keyframes keyframes_;
     std::optional<int> seekTarget_;
     std::optional<int> undoBegins_;  ///< the step of a stored end
+    bool reopened_ = false;          ///< the session was opened at its end
     CountStart start_;
 };
 
