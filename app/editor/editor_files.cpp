@@ -370,10 +370,9 @@ void Editor::State::save(const ChosenFile& chosen) {
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                                        isTest ? SavedAs::test : SavedAs::session);
-    work.save(isTest
-                  ? startSavingTest(chosen.file, std::move(saved))
-                  : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(),
-                                sessionFile.ends));
+    work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
+                     : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(),
+                                   sessionFile.ends));
 }
 
 int Editor::State::savePicture(render::Image image, const std::string& name) {

@@ -21,9 +21,9 @@ enum class SceneWork { steps, change };
 /// wait.
 class SceneAtWork {
   public:
-    std::deque<ui::Action> waiting;  ///< until the scene has finished its work
+    std::deque<ui::Action> waiting;          ///< until the scene has finished its work
     std::optional<ui::ActionId> onceSought;  ///< to do when a seek has come to its end
-    bool stops = false;              ///< its steps were cancelled, and the last one is not done yet
+    bool stops = false;  ///< its steps were cancelled, and the last one is not done yet
 
     /// Replaces the previous one, cancelling its work and what waits; null for none.
     void set(std::unique_ptr<EditorScene> scene);

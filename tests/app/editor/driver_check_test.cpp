@@ -65,7 +65,7 @@ TEST_F(DriverCheckTest, OfAWrongDriverThePersonIsToldAndOfferedTheSoftwareRender
     ASSERT_EQ(panels().question.choices.size(), 2u);
     tap(Key::enter);
     frames(2);
-    EXPECT_THAT(panels().toast.text, HasSubstr("start it again"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Restart Kerf"));
     EXPECT_THAT(test::readBytes(folder / "settings.json"),
                 HasSubstr("\"software_renderer\": true"));
     meet("Maker's renderer");
@@ -85,8 +85,7 @@ TEST_F(DriverCheckTest, WhoGoesOnWithTheDriverKeepsIt) {
 TEST_F(DriverCheckTest, AnExaminationThatCrashesIsTold) {
     examinationEnds("kill -SEGV $$", "");
     meet("Maker's renderer");
-    EXPECT_THAT(panels().question.text,
-                HasSubstr("did not come to its end (it was ended by signal 11)"));
+    EXPECT_THAT(panels().question.text, HasSubstr("did not finish (it was ended by signal 11)"));
     tap(Key::escape);
     meet("Maker's renderer");
     EXPECT_EQ(examinations(), 2u) << "it may have been the machine";

@@ -224,8 +224,11 @@ TEST_F(EditorMeasureTest, APointIsPlottedOverTime) {
     EXPECT_GT(lastOf(panels(), ui::Reading::pointWay), 0);
     clickAt(-0.2, 0.1);
     EXPECT_EQ(rows().size(), 1U) << "one at a time";
+    editor->resize(kWidth, 2 * kHeight);  // so that the button is in view
+    frames(2);
     click("measure.clear");
     frames(2);
+    EXPECT_TRUE(rows().empty());
     EXPECT_FALSE(editor->itemRects().contains("plot.point_strain"));
 }
 

@@ -53,7 +53,7 @@ TEST_F(EditorStart, ACardOpensItsSceneAndTellsWhatToTry) {
     EXPECT_TRUE(panels().files.recent.empty()) << "it is no file of a person's";
     cutAcross();
     EXPECT_EQ(editor->title(), "Kerf - jelly - 2 pieces");
-    EXPECT_THAT(panels().help.hint.text, StartsWith("2 pieces"));
+    EXPECT_THAT(panels().help.hint.text, StartsWith("Cut into 2 pieces"));
 }
 
 TEST_F(EditorStart, ArrowsAndEnterChooseACard) {

@@ -80,7 +80,7 @@ TEST_F(EditorToolsTest, DotsTellHowFarTheCutLagsBehindThePointer) {
 }
 
 TEST_F(EditorToolsTest, AStrokeBesideTheBodyLeavesNoMark) {
-    drag(Vec2(kTop.x() - 140, kTop.y()), Vec2(kTop.x() - 150, kBottom.y()), 10);
+    drag(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
     settle();
     EXPECT_GT(panels().transport.step, 0);
     EXPECT_TRUE(panels().session.past.empty());

@@ -55,13 +55,15 @@ TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
     EXPECT_NEAR(panels().view.overlay.handles[0].at.y, before.y + 30, 0.5);
 }
 
-/// The last row of the picture that shows the ball.
+/// The last row of the picture that shows the ball, between the panels.
 int lowestOfBall(const render::Image& picture) {
     int lowest = 0;
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
         const int row = static_cast<int>(i / 4) / picture.width;
+        const int column = static_cast<int>(i / 4) % picture.width;
         const bool red = picture.pixels[i] > 120 && picture.pixels[i] > picture.pixels[i + 2] + 80;
-        lowest = red && row < kHeight - 80 ? row : lowest;
+        const bool inView = column > kWidth / 3 && column < 2 * kWidth / 3 && row < kHeight - 80;
+        lowest = red && inView ? row : lowest;
     }
     return lowest;
 }

@@ -334,7 +334,7 @@ TEST_F(FilmTest, MistakesAreRefusedBeforeAnythingRuns) {
     }
     const ProgramRun run = replay({"--movie", path("missing/a.mp4")});
     EXPECT_EQ(run.exitCode, 5);
-    EXPECT_THAT(run.errors, HasSubstr("its folder is not there"));
+    EXPECT_THAT(run.errors, HasSubstr("that folder doesn't exist"));
     EXPECT_THAT(names(), UnorderedElementsAre("test.kerf.json"));
 }
 
