@@ -128,8 +128,8 @@ class Display:
         with os.fdopen(out) as said:
             self.name = ":" + said.readline().strip()
 
-    def has_window(self):
-        found = subprocess.run(["xdotool", "search", "--name", "^Kerf - "], capture_output=True,
+    def has_window(self, title="^Kerf"):
+        found = subprocess.run(["xdotool", "search", "--name", title], capture_output=True,
                                env={**os.environ, "DISPLAY": self.name}, check=False)
         return found.returncode == 0 and found.stdout.strip() != b""
 
@@ -156,13 +156,15 @@ def end(process):
 def complaint_of_window(text, folder, environment, display):
     """Each line opens a window of its own. Returns what is wrong, or nothing."""
     for line in [line for line in joined_lines(text) if not line.startswith("export ")]:
+        # Of the file that it opens; without one the start page is shown.
+        title = "^Kerf - " if len(shlex.split(line)) > 1 else "^Kerf$"
         with display.lock:
             process = shell(line, folder, {**environment, "DISPLAY": display.name},
                             start_new_session=True)
             until = time.monotonic() + PATIENCE
-            while process.poll() is None and time.monotonic() < until and not display.has_window():
+            while process.poll() is None and time.monotonic() < until and not display.has_window(title):
                 time.sleep(0.2)
-            opened = process.poll() is None and display.has_window()
+            opened = process.poll() is None and display.has_window(title)
             said = end(process)
             gone = time.monotonic() + 30
             while display.has_window() and time.monotonic() < gone:
