@@ -14,6 +14,7 @@
 #include "app/files/import/joined_models.h"
 #include "app/files/import/model_units.h"
 #include "app/files/io/sha256.h"
+#include "sim/base/quantity_text.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
@@ -101,6 +102,18 @@ std::string remarkOnOrigin(const Bounds& all, const Vec3& origin) {
         all.center().norm(), origin.x(), origin.y(), origin.z());
 }
 
+/// What people should know of a model that the floor will push up at once.
+std::string remarkOnFloor(const std::string& name, const Bounds& placed, double floor) {
+    constexpr double kDeep = 0.005;  // of the model
+    const double depth = floor - placed.low.y();
+    if (depth < kDeep * placed.diagonal()) {
+        return "";
+    }
+    return fmt::format(
+        "{} starts {} below the floor and will be pushed up; raise it by \"placement\".", name,
+        lengthText(depth));
+}
+
 /// Puts models where the scene has them, counted from an origin beside them.
 void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& placements) {
     std::vector<Bounds> bounds;
@@ -143,6 +156,14 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
         placement.translate += session.origin;
     }
     placeAll(models, placements);
+    for (std::size_t m = 0; m < models.size() && session.params.floor; ++m) {
+        const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
+        const Bounds placed = meshBounds(models[m].mesh);
+        const double floor = *session.params.floor + session.origin.y() - models[m].origin.y();
+        if (std::string remark = remarkOnFloor(reference.name(), placed, floor); !remark.empty()) {
+            models[m].remarks.push_back(std::move(remark));
+        }
+    }
     return joined(std::move(models));
 }
 
