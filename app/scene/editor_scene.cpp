@@ -9,6 +9,7 @@
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "sim/run/start/body_upload.h"
+#include "sim/run/undo/undo_history.h"
 
 namespace kerf::app {
 namespace {
@@ -78,7 +79,22 @@ std::string EditorScene::place(const Placement& wanted, bool continues, int mode
     return execute(body().placeCommand(wanted, continues, model));
 }
 
+/// The parameter that an undo during a played stroke reverts: as a change of it, since an undo
+/// would end the stroke.
+std::optional<SetParam> EditorScene::undoneWhileCutting(const Command& command) const {
+    const UndoHistory& history = simulation().history();
+    if (!std::holds_alternative<Undo>(command) || !timeline().playingBack() ||
+        !simulation().blade() || !history.canUndo()) {
+        return std::nullopt;
+    }
+    const auto* change = std::get_if<UndoEntry::ParamChange>(&history.lastDone().change);
+    return change ? std::optional(SetParam{change->param, change->before, true}) : std::nullopt;
+}
+
 std::string EditorScene::execute(const Command& command) {
+    if (const std::optional<SetParam> reverted = undoneWhileCutting(command)) {
+        return execute(*reverted);
+    }
     if (std::holds_alternative<MovePins>(command)) {
         timeline().takeOver();
         hands().settle();

@@ -102,6 +102,7 @@ class EditorScene {
     const SceneReadout& readout() const;
 
   private:
+    std::optional<SetParam> undoneWhileCutting(const Command& command) const;
     void startAnew();
     void forgetStroke();
     void chooseAsBefore(const Params& before);

@@ -583,6 +583,30 @@ TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
     EXPECT_EQ(panels().session.playback.steps, 60);
 }
 
+TEST_F(EditorTest, UndoOfAParameterDuringAPlayedStrokeLeavesTheStroke) {
+    test::writeText(folder / "slice.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
+    openAtStart(folder / "slice.kerf.json");
+    tap(Key::space);
+    frames(10);
+    tap(Key::space);
+    Simulation& simulation = editor->scene()->simulation();
+    ASSERT_TRUE(simulation.blade());
+    const ParamValue before = getParam(simulation.params(), "iterations");
+    ASSERT_EQ(editor->scene()->execute(SetParam{"iterations", 9.0}), "");
+    tap(Key::z, {.control = true});
+    EXPECT_EQ(getParam(simulation.params(), "iterations"), before);
+    EXPECT_TRUE(simulation.blade());
+    EXPECT_EQ(panels().session.playback.steps, 60);
+    tap(Key::space);
+    frames(60);
+    EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
+    EXPECT_EQ(panels().session.playback.step, 60);
+}
+
 TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
     const auto run = [&] {
         tap(Key::r);
