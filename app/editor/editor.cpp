@@ -171,7 +171,7 @@ void advance(State& s, double elapsedSeconds) {
     s.clock.elapse(elapsedSeconds);
     s.picture.measure();
     if (s.scene.onceSought && s.scene.meanwhile().seekSteps() == 0) {
-        s.apply(*std::exchange(s.scene.onceSought, std::nullopt));
+        std::exchange(s.scene.onceSought, nullptr)();
     }
     s.workOff();
     if (s.scene != nullptr && !s.scene.underWay()) {
@@ -284,6 +284,12 @@ bool Editor::workOn() {
     }
     s.sparingly([&] { s.goOn(); });
     return true;
+}
+
+void Editor::lookAtFiles() {
+    if (state_->scene != nullptr && state_->work.models.look()) {
+        state_->redraw.panels();
+    }
 }
 
 double Editor::idleSeconds() const {

@@ -42,6 +42,9 @@ class Editor {
     /// Continues the scene's work, if no frame is due before it is done. False if one is, or
     /// without work.
     bool workOn();
+    /// Looks whether the files of the open models were changed by other programs; about once a
+    /// second. An offer to reload them is shown by the next frame.
+    void lookAtFiles();
     /// Time until something changes without input [s]; 0 while something moves.
     double idleSeconds() const;
 

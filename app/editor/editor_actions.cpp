@@ -61,6 +61,9 @@ void cancel(State& s) {
         s.hideFaulty();
     } else if (s.panels.startOpen && s.scene != nullptr && s.work.opening() == nullptr) {
         s.panels.startOpen = false;
+    } else if (!s.view.holds() && !s.work.models.changed().empty()) {
+        s.work.models.ignore();
+        s.redraw.panels();
     } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
         s.redraw.panels();
     } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
@@ -77,7 +80,7 @@ void cancelWork(State& s) {
     if (scene.stroke().pending() == 0) {
         scene.playing() = false;
         scene.stopSeeking();
-        s.scene.onceSought.reset();
+        s.scene.onceSought = nullptr;
     }
     stopTools(s);
     s.scene.stops = s.scene.underWay();
@@ -97,7 +100,7 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
     if (back && s.scene->timeline().hasForgotten()) {
         s.scene->recallHistory();
         s.offers.comingBack = true;
-        s.scene.onceSought = ui::ActionId::undo;
+        s.scene.onceSought = [&s] { s.apply(ui::ActionId::undo); };
         return;
     }
     if (!s.execute(undoOrRedo)) {
@@ -305,6 +308,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
     Handler{ActionId::addModel, Needs::scene,
             [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
+    Handler{ActionId::reloadModels, Needs::body, [](State& s) { s.reloadModels(); }},
     Handler{ActionId::saveSession, Needs::scene, [](State& s) { s.saveSession(); }},
     Handler{ActionId::saveSessionAs, Needs::scene,
             [](State& s) { s.browse(FilePurpose::saveSession); }},

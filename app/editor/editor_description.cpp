@@ -77,6 +77,15 @@ ui::WorkState sceneWork(const State& s) {
     return {};
 }
 
+ui::Hint offerToReload(const std::vector<std::filesystem::path>& changed) {
+    const std::string names =
+        joined(changed, ", ", [](const auto& f) { return f.filename().string(); });
+    const bool one = changed.size() == 1;
+    return {
+        names + (one ? " has changed on disk. Reload it?" : " have changed on disk. Reload them?"),
+        {{ui::ActionId::reloadModels, "Reload"}, {ui::ActionId::cancel, "Ignore"}}};
+}
+
 }  // namespace
 
 void Editor::State::describeScene() {
@@ -121,6 +130,9 @@ void Editor::State::describe(bool withOverlay) {
     }
     timeLeft.follow(model.work);
     toast.describe(model);
+    if (!work.models.changed().empty() && !panels.startOpen) {
+        model.help.hint = offerToReload(work.models.changed());
+    }
     describeFaults();
 }
 

@@ -125,14 +125,23 @@ void askAboutRepair(State& s) {
     s.redraw.scene();
 }
 
+void tellOfExchange(State& s, const std::string& change, const TriangleFigures& before) {
+    const std::string outcome =
+        change == kPart ? fmt::format("{}: {}", change, s.scene->simulation().modelCount())
+                        : fmt::format("{}: {}", change, changeText(before, figuresOf(*s.scene)));
+    spdlog::info("{}: {}", s.scene->document().name, outcome);
+    s.toast.offer(outcome, {ui::ActionId::undo, "Undo"});
+}
+
 /// Reopens the scene with `model` of `start`, as a change that can be undone.
 void exchangeModel(State& s, const Session& start, const ModelReference& model,
                    const std::string& doing, const std::string& change) {
-    const OpeningOrder order{doing, model.file(),
-                             [name = s.scene->document().name, start](const ReadOptions& options) {
-                                 return openScene(name, start, options);
-                             },
-                             nullptr, change};
+    const OpeningOrder order{
+        doing, model.file(),
+        [name = s.scene->document().name, start](const ReadOptions& options) {
+            return openScene(name, start, options);
+        },
+        [&s, change, before = figuresOf(*s.scene)] { tellOfExchange(s, change, before); }, change};
     if (s.panels.told.model.untouched && s.scene->document().session.events.empty()) {
         s.open(order);
         return;
@@ -243,8 +252,6 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     // It may fail for want of memory; what is open stays then.
     auto next =
         std::make_unique<EditorScene>(std::move(uploaded.document), std::move(uploaded.body));
-    const TriangleFigures before = figuresOf(*scene);
-    const TriangleFigures now = figuresOf(*next);
     view.cancelTools(restingScene());
     scene->timeline().playing = false;
     scene->timeline().stopSeeking();
@@ -256,11 +263,6 @@ void Editor::State::exchange(UploadedDocument uploaded, const std::string& chang
     keeping.begin();
     view.beginAgain(*scene);
     beginScene();
-    const std::string outcome =
-        change == kPart ? fmt::format("{}: {}", change, scene->simulation().modelCount())
-                        : fmt::format("{}: {}", change, changeText(before, now));
-    spdlog::info("{}: {}", scene->document().name, outcome);
-    toast.offer(outcome, {ui::ActionId::undo, "Undo"});
 }
 
 bool Editor::State::undoesScene() {

@@ -18,35 +18,6 @@ using State = Editor::State;
 /// The choices of askAboutTest().
 enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
-/// The scene begins anew: who has cut is asked, "Reset and add".
-void openAnew(State& s, OpeningOrder order, const std::string& verb) {
-    if (!s.scene->timeline().hasChanged()) {
-        s.open(std::move(order));
-        return;
-    }
-    const auto open = [&s, order] { s.open(order); };
-    s.askToSave(
-        {order.title + " resets the scene",
-         "Cuts and other changes are removed, and undo can't restore them. You can continue "
-         "later from a saved session.",
-         {"", verb, "Cancel"}},
-        open, open);
-}
-
-/// Reopens the scene with the model of a file added, or with a model removed.
-void addModel(State& s, const std::filesystem::path& file) {
-    if (s.scene == nullptr) {
-        s.open(file);
-        return;
-    }
-    openAnew(
-        s,
-        {"Adding " + file.filename().string(), file,
-         [name = s.scene->document().name, start = s.scene->body().start(),
-          file](const ReadOptions& options) { return openWithModel(name, start, file, options); }},
-        "Reset and add");
-}
-
 /// The scene stays as it is until the new one stands and the hand is free.
 void followOpening(State& s) {
     if (s.work.opening() == nullptr) {
@@ -59,6 +30,9 @@ void followOpening(State& s) {
         if (auto uploaded = s.work.advanceOpening(rests && !s.view.holds())) {
             std::string& note = uploaded->document.note;
             note = order.remark + (order.remark.empty() || note.empty() ? "" : " ") + note;
+            if (order.complete) {
+                order.complete(uploaded->document);
+            }
             if (order.change.empty()) {
                 s.show(std::move(*uploaded));
             } else {
@@ -152,18 +126,6 @@ void Editor::State::openStartScene(std::size_t card) {
     askBefore("Open " + wanted.title, [this, order] { open(order); });
 }
 
-void Editor::State::removeModel(int model) {
-    Session start = scene->body().start();
-    takeModelOut(start, model);
-    const std::filesystem::path file = start.model.file();
-    openAnew(*this,
-             {"Removing model " + std::to_string(model), file,
-              [name = scene->document().name, start](const ReadOptions& options) {
-                  return openScene(name, start, options);
-              }},
-             "Reset and remove");
-}
-
 void Editor::State::show(UploadedDocument uploaded) {
     const std::string note = uploaded.document.note;
     if (uploaded.document.inFile) {
@@ -191,7 +153,9 @@ void Editor::State::beginScene() {
     work.stopPlacing();
     sceneHistory.wanted = SceneHistory::Exchange::none;
     offers.comingBack = false;
+    scene.onceSought = nullptr;
     work.onceSaved = nullptr;
+    work.models.begin(app::modelFiles(scene->document().session));
     guide.begin(*scene);
     kernels.begin();
     const std::filesystem::path& session = sessionFile.path();
@@ -263,7 +227,7 @@ void Editor::State::askAboutTest() {
 void Editor::State::take(const ChosenFile& chosen) {
     if (chosen.purpose == ui::FilePurpose::open) {
         if (chosen.what == BrowseFor::addition) {
-            addModel(*this, chosen.file);
+            addModel(chosen.file);
         } else {
             openAsked(chosen.file);
         }

@@ -111,7 +111,6 @@ struct Editor::State {
     void open(OpeningOrder order, const Mending& mending = {});
     /// Opens a scene of the start page, after a question about unsaved work.
     void openStartScene(std::size_t card);
-    void removeModel(int model);
     void show(UploadedDocument uploaded);
     /// Called after another scene was opened.
     void beginScene();
@@ -119,6 +118,13 @@ struct Editor::State {
     /// Places a model: a large one is prepared in the background first.
     void place(const Place& command);
     void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
+
+    // Other models below what was done so far: editor_models.cpp.
+    /// Reopens the scene with the model of a file added, or with a model removed.
+    void addModel(const std::filesystem::path& file);
+    void removeModel(int model);
+    /// Reads the models of the scene again.
+    void reloadModels();
 
     // Faults, and what is done about them: editor_faults.cpp.
     /// Shows the scene again.

@@ -21,7 +21,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kLongestWait = 1;  // between two looks at what the system wants [s]
+constexpr double kLongestWait = 1;  // between two looks at what the system wants, and at files [s]
 
 EditorOptions optionsFor(const Window& window) {
     const gpu::DeviceInfo device = gpu::queryDevice();
@@ -45,8 +45,13 @@ EditorOptions optionsFor(const Window& window) {
 /// Draws while something moves, and else waits: a still picture costs nothing.
 void runLoop(Window& window, Editor& editor) {
     Stopwatch watch;
+    Stopwatch sinceLook;
     while (!editor.closing()) {
         window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
+        if (sinceLook.seconds() >= kLongestWait) {
+            sinceLook.restart();
+            editor.lookAtFiles();
+        }
         if (window.closing()) {
             window.stayOpen();
             editor.askToLeave();

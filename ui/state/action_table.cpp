@@ -40,6 +40,7 @@ constexpr std::array kOtherActions{
     ActionRow{ActionId::openFile, at(Key::o, kControl, "Ctrl+O"), "Open...", "File", always},
     ActionRow{ActionId::addModel, at(Key::o, kControlShift, "Ctrl+Shift+O"), "Add model...", "File",
               withBody},
+    ActionRow{ActionId::reloadModels, at(Key::f5, kPlain, "F5"), "Reload models", "File", withBody},
     ActionRow{ActionId::saveSession, at(Key::s, kControl, "Ctrl+S"), "Save", "File", withBody},
     ActionRow{ActionId::saveSessionAs, at(Key::s, kControlShift, "Ctrl+Shift+S"), "Save as...",
               "File", withBody},

@@ -22,6 +22,7 @@ enum class ActionId : std::uint8_t {
     newScene,
     openFile,
     addModel,
+    reloadModels,
     saveSession,
     saveSessionAs,
     saveTest,

@@ -9,7 +9,7 @@ namespace kerf::app {
 void SceneAtWork::set(std::unique_ptr<EditorScene> scene) {
     work_.giveUp();
     waiting.clear();
-    onceSought.reset();
+    onceSought = nullptr;
     scene_ = std::move(scene);
     giveBackFreedMemory();
 }

@@ -21,8 +21,8 @@ enum class SceneWork { steps, change };
 /// wait.
 class SceneAtWork {
   public:
-    std::deque<ui::Action> waiting;          ///< until the scene has finished its work
-    std::optional<ui::ActionId> onceSought;  ///< to do when a seek has come to its end
+    std::deque<ui::Action> waiting;    ///< until the scene has finished its work
+    std::function<void()> onceSought;  ///< called when a seek has come to its end; may be null
     bool stops = false;  ///< its steps were cancelled, and the last one is not done yet
 
     /// Replaces the previous one, cancelling its work and what waits; null for none.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/editor/storage/file_saving.h"
+#include "app/editor/storage/model_watch.h"
 #include "app/files/jobs/current_job.h"
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/document/body_placing.h"
@@ -19,6 +20,7 @@ namespace kerf::app {
 /// pictures and plots, for which nobody waits.
 class FileWork {
   public:
+    ModelWatch models;  ///< of the open scene
     /// Called once the file being saved exists; may be null.
     std::function<void()> onceSaved;
     /// Called once the session being named or saved is saved; may be null.

@@ -1,7 +1,5 @@
 #include "app/editor/storage/session_file.h"
 
-#include <system_error>
-
 #include "app/editor/storage/file_chooser.h"
 
 namespace kerf::app {
@@ -19,20 +17,13 @@ void SessionFile::noteWritten(const std::filesystem::path& file) {
 }
 
 std::string SessionFile::doubt() const {
-    const std::optional<Stamp> now = stampOf(path_);
+    const std::optional<FileStamp> now = stampOf(path_);
     if (!now || (ours_ && now == stamp_)) {
         return "";
     }
     const std::string name = path_.filename().string();
     return now == stamp_ ? name + " is the session that you opened. Saving replaces it."
                          : name + " was changed by another program. Saving replaces that version.";
-}
-
-std::optional<SessionFile::Stamp> SessionFile::stampOf(const std::filesystem::path& file) {
-    std::error_code error;
-    const Stamp stamp{std::filesystem::last_write_time(file, error),
-                      error ? 0 : std::filesystem::file_size(file, error)};
-    return error ? std::nullopt : std::optional(stamp);
 }
 
 }  // namespace kerf::app

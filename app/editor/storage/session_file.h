@@ -1,12 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/scene/document/stored_ends.h"
+
+#include "app/files/io/file_stamp.h"
 
 namespace kerf::app {
 
@@ -26,18 +27,9 @@ class SessionFile {
     std::string doubt() const;
 
   private:
-    /// What a file is known by.
-    struct Stamp {
-        std::filesystem::file_time_type written;
-        std::uintmax_t bytes = 0;
-        bool operator==(const Stamp&) const = default;
-    };
-    /// None if it is not there.
-    static std::optional<Stamp> stampOf(const std::filesystem::path& file);
-
     std::filesystem::path path_;
-    std::optional<Stamp> stamp_;  ///< when it was opened or written
-    bool ours_ = false;           ///< written by this window
+    std::optional<FileStamp> stamp_;  ///< when it was opened or written
+    bool ours_ = false;               ///< written by this window
 };
 
 }  // namespace kerf::app

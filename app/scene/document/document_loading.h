@@ -45,7 +45,9 @@ struct OpeningOrder {
     /// Its name as a change of the open scene, such as "Remesh", which is kept for undo. Empty: it
     /// is another document.
     std::string change = {};
-    bool atEnd = false;       ///< a session is shown at its end, see EditorScene::goToEnd()
+    bool atEnd = false;  ///< a session is shown at its end, see EditorScene::goToEnd()
+    /// Called with it, on this thread, before it is shown; may be null.
+    std::function<void(Document&)> complete = nullptr;
     std::string remark = {};  ///< told once it is open, before what is told of the document
 };
 /// The editor's options for reading models: with their faults, if the search is short.

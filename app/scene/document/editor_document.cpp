@@ -152,13 +152,13 @@ Document openScene(const std::string& name, Session scene, const ReadOptions& op
 }
 
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
-                       const ReadOptions& options) {
-    const std::size_t others = scene.moreModels.size() + 1;
+                       double right, const ReadOptions& options) {
+    const std::size_t count = scene.moreModels.size() + 1;
     if (isJson(file)) {
         throw InputError(file.filename().string() +
                          ": a session can't be added to a scene; add its model file instead.");
     }
-    if (others >= kMostModels) {
+    if (count >= kMostModels) {
         throw InputError("A scene can hold at most " + std::to_string(kMostModels) +
                          " models; remove one before you add another.");
     }
@@ -168,20 +168,22 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     const ModelMesh read = readModel(file, ours);
     const SurfaceMesh& own = read.mesh;
     const UnitGuess guess = guessUnits(file, meshBounds(own), read.facts.units);
-    FurtherModel added = furtherModel(others);
+    FurtherModel added = furtherModel(count);
     added.model.path = std::filesystem::absolute(file);
     added.model.add(options);
     const Placement stands = standing(guess, own.restPositions());
     const ModelMesh there = loadSessionModel(scene, {});
+    right += scene.origin.x() - there.origin.x();
     scene = withOrigin(std::move(scene), there.origin);
-    const Bounds before = meshBounds(there.mesh);
+    Bounds before = meshBounds(there.mesh);
+    before.high.x() = std::max(before.high.x(), right);
     added.placement = beside(before, stands, own.restPositions());
     scene.moreModels.push_back(std::move(added));
     ReadOptions all;
     all.findFaults = options.findFaults;
     all.findCrossingsUpTo = options.findCrossingsUpTo;
     Document document = openScene(name, std::move(scene), all);
-    document.note = "Added as model " + std::to_string(others) + ". " + modelNote(report, guess);
+    document.note = "Added as model " + std::to_string(count) + ". " + modelNote(report, guess);
     return document;
 }
 

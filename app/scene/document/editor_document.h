@@ -41,10 +41,11 @@ Document openDocument(const std::filesystem::path& file, const ReadOptions& opti
 
 /// Opens a scene that no file holds. Throws like openDocument().
 Document openScene(const std::string& name, Session scene, const ReadOptions& options = {});
-/// Opens a scene with the model of a file added as its last. Throws like openDocument(), and
+/// Opens a scene with the model of a file added as its last, at the right of the others and of
+/// `right` [m]. Throws like openDocument(), and
 /// InputError for a session.
 Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
-                       const ReadOptions& options = {});
+                       double right, const ReadOptions& options = {});
 
 /// A scene of one model, whose file has `objects` objects, with a model for each.
 Session parted(Session scene, int objects);

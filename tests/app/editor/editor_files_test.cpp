@@ -329,28 +329,6 @@ TEST_F(EditorFilesTest, ARecordingDoesNotBeginOverUnsavedCutsUnasked) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
-TEST_F(EditorFilesTest, AddingAModelOffersToSaveWhatWasCut) {
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup()));
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::o, {.shift = true, .control = true});
-    frames(2);
-    type("box.obj");
-    tap(Key::enter);
-    frames(2);
-    EXPECT_EQ(panels().question.title, "Adding box.obj resets the scene");
-    EXPECT_THAT(panels().question.choices,
-                ::testing::ElementsAre("Save...", "Reset and add", "Cancel"));
-    click("question.0");
-    frames(2);
-    ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
-    tap(Key::enter);
-    waitForWork();
-    waitForWork();
-    EXPECT_TRUE(std::filesystem::exists(folder / "ball-cut.kerf.json"));
-    EXPECT_EQ(editor->scene()->simulation().modelCount(), 2);
-}
-
 TEST_F(EditorFilesTest, TheManualOpensAsTheDesktopHasIt) {
     const std::filesystem::path program = folder / "xdg-open";
     const std::string path = std::getenv("PATH");
