@@ -35,8 +35,9 @@ std::string statusText(const PanelModel& model) {
     if (model.name.empty()) {
         return "No file open";
     }
-    return model.name + "   |   " + counted(model.pieces.rows.size(), "piece", "pieces") +
-           lossesOf(model) + "   |   " + std::to_string(model.body.vertices) + " vertices, " +
+    return model.name + (model.session.unsaved ? " (unsaved)" : "") + "   |   " +
+           counted(model.pieces.rows.size(), "piece", "pieces") + lossesOf(model) + "   |   " +
+           std::to_string(model.body.vertices) + " vertices, " +
            std::to_string(model.body.triangles) + " triangles   |   " + stateOf(model);
 }
 

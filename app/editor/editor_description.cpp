@@ -133,6 +133,7 @@ void Editor::State::describe(bool withOverlay) {
     if (!work.models.changed().empty() && !panels.startOpen) {
         model.help.hint = offerToReload(work.models.changed());
     }
+    model.session.unsaved = hasUnsavedWork();
     describeFaults();
 }
 

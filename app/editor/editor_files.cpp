@@ -329,6 +329,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         keeping.noteSaved(deeds);
         if (!isTest) {
             sessionFile.noteWritten(file);
+            scene->body().document.name = shortName(file);
         }
     };
     SavedSession saved =

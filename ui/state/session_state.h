@@ -30,6 +30,7 @@ struct SessionMark {
 
 /// The state of the timeline and the list of marks.
 struct SessionPanelState {
+    bool unsaved = false;  ///< something was done that no file has
     PlaybackState playback;
     /// Pictures, exports and checks of the session that would be saved now, by step.
     std::vector<SessionMark> marks;

@@ -20,14 +20,6 @@ bool isJson(const std::filesystem::path& file) {
     return lowerCase(file.extension().string()) == ".json";
 }
 
-std::string shortName(const std::filesystem::path& file) {
-    const std::string name = file.filename().string();
-    if (name.ends_with(kSessionEnding)) {
-        return name.substr(0, name.size() - kSessionEnding.size());
-    }
-    return file.stem().string();
-}
-
 std::string modelNote(const MeshReport& report, const UnitGuess& guess) {
     const std::string repairs = joined(report.repairs, "; ");
     return repairs.empty() ? guess.sentence : guess.sentence + " Repaired: " + repairs + ".";
@@ -122,6 +114,14 @@ FurtherModel furtherModel(std::size_t number) {
 }
 
 }  // namespace
+
+std::string shortName(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    if (name.ends_with(kSessionEnding)) {
+        return name.substr(0, name.size() - kSessionEnding.size());
+    }
+    return file.stem().string();
+}
 
 Session parted(Session scene, int objects) {
     scene.model.object = 1;

@@ -32,6 +32,9 @@ struct Document {
     std::filesystem::path file = {};                ///< of the session; empty for none
 };
 
+/// The name of a document in this file: without folder, extension or kSessionEnding.
+std::string shortName(const std::filesystem::path& file);
+
 /// The memory for opening and cutting it in the editor.
 MemoryNeed memoryNeedOf(const Document& document);
 

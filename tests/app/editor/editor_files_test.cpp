@@ -329,6 +329,21 @@ TEST_F(EditorFilesTest, ARecordingDoesNotBeginOverUnsavedCutsUnasked) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
+TEST_F(EditorFilesTest, TheNameIsThatOfTheSavedFileAndUnsavedWorkIsMarked) {
+    EXPECT_FALSE(panels().session.unsaved);
+    drag(kTop, kBottom, 10);
+    settle();
+    EXPECT_TRUE(panels().session.unsaved);
+    tap(Key::s, {.shift = true, .control = true});
+    frames(2);
+    type("halves");
+    tap(Key::enter);
+    waitForWork();
+    EXPECT_FALSE(panels().session.unsaved);
+    EXPECT_EQ(editor->title(), "Kerf - halves - 2 pieces");
+    EXPECT_EQ(panels().name, "halves");
+}
+
 TEST_F(EditorFilesTest, TheManualOpensAsTheDesktopHasIt) {
     const std::filesystem::path program = folder / "xdg-open";
     const std::string path = std::getenv("PATH");
