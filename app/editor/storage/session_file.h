@@ -5,9 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "app/scene/document/stored_ends.h"
-
 #include "app/files/io/file_stamp.h"
+#include "app/scene/document/stored_ends.h"
 
 namespace kerf::app {
 
