@@ -289,7 +289,7 @@ TEST_F(EditorSessionTest, TheWindowGoesOnWhileALongTestIsSavedAndCancellingLeave
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
         "steps": 1000000,
         "events": [{"step": 9, "type": "screenshot", "file": "9.png"}]})");
-    openAtStart(folder / "long.kerf.json");
+    start(options(), openDocument(folder / "long.kerf.json"));
     askForTest("mine", false);
     const auto isReplaying = [&] {
         frames(1);
