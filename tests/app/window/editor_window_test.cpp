@@ -265,7 +265,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     EXPECT_EQ(values["exit"], "0");
 
     acts.feed(editor);
-    EXPECT_EQ(editor.title(), "Kerf - drop-in - 5 pieces");
+    EXPECT_EQ(editor.title(), "Kerf - drop-in-cut - 5 pieces") << "as it was saved";
     const render::Image shown = render::readPng(fileEnding(window.path(), ".png"));
     EXPECT_EQ(shown.width, kPictureWidth);
     EXPECT_EQ(shown.height, kPictureHeight);
