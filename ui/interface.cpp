@@ -300,6 +300,7 @@ Interface::Interface(Theme theme, float scale) : context_(theme, scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.BackendPlatformName = "kerf input queue";
     io.ConfigInputTextCursorBlink = false;
+    io.ConfigDragClickToInputText = true;
     mapKeys(io);
 }
 

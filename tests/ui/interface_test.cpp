@@ -65,6 +65,11 @@ class InterfaceTest : public test::GlTest {
         press(false);
     }
 
+    void tap(Key key) {
+        update({KeyChange{key, true, {}}});
+        update({KeyChange{key, false, {}}});
+        update({});
+    }
     void clickOn(const std::string& item) {
         const Rect place = interface->itemRects().at(item);
         click(place.x + place.width / 2, place.y + place.height / 2);
@@ -406,9 +411,63 @@ TEST_F(InterfaceTest, ANumberIsDraggedAndTyped) {
     update({ButtonChange{Button::left, true, {.control = true}}});
     update({ButtonChange{Button::left, false, {}}});
     update({Character{'7'}});
-    update({KeyChange{Key::enter, true, {}}});
-    update({KeyChange{Key::enter, false, {}}});
+    tap(Key::enter);
     EXPECT_EQ(model.parameters.now.iterations, 7);
+}
+
+// A click did nothing; Ctrl+click alone opened the number, which nobody guesses.
+TEST_F(InterfaceTest, ANumberIsTypedAfterOneClickAndChangesOnceItIsAccepted) {
+    model.parameters.now.iterations = 35;
+    update({});
+    clickOn("param.iterations.number");
+    update({Character{'1'}});
+    update({Character{'2'}});
+    EXPECT_EQ(model.parameters.now.iterations, 35);  // what was there is selected, and typed over
+    tap(Key::enter);
+    EXPECT_EQ(model.parameters.now.iterations, 12);
+    clickOn("param.iterations.number");
+    update({Character{'9'}});
+    tap(Key::escape);
+    EXPECT_EQ(model.parameters.now.iterations, 12);
+    clickOn("param.iterations.number");
+    tap(Key::enter);
+    EXPECT_EQ(model.parameters.now.iterations, 12);
+}
+
+TEST_F(InterfaceTest, ATypedNumberBeyondItsRangeBecomesTheNearestOne) {
+    clickOn("param.iterations.number");
+    for (const char digit : {'9', '9', '9', '9', '9', '9'}) {
+        update({Character{static_cast<unsigned char>(digit)}});
+    }
+    tap(Key::enter);
+    EXPECT_EQ(model.parameters.now.iterations, findParam("iterations")->high);
+}
+
+TEST_F(InterfaceTest, TabGoesOnToTheNextNumber) {
+    clickOn("param.gravity.number");
+    update({Character{'1'}});
+    tap(Key::tab);
+    update({});
+    update({Character{'2'}});
+    tap(Key::enter);
+    EXPECT_EQ(model.parameters.now.gravity.x(), 1);
+    EXPECT_EQ(model.parameters.now.gravity.y(), 2);
+}
+
+TEST_F(InterfaceTest, ANumberOfABoxIsTypedAfterOneClick) {
+    model.body.boxes = {{}};
+    update({});
+    clickOn("tab.Boxes");
+    update({});
+    clickOn("box.0");
+    update({});
+    clickOn("box.0.Rotate");
+    update({Character{'4'}});
+    update({Character{'5'}});
+    others.clear();
+    tap(Key::enter);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(std::get<ChangeBox>(others[0]).box.rotate, Vec3(0, 45, 0));
 }
 
 TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {

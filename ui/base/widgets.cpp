@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -239,6 +240,11 @@ ImGuiSliderFlags flagsOf(const Slide& slide) {
            (slide.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
+double numberAt(int type, const void* value) {
+    return type == ImGuiDataType_Double ? *static_cast<const double*>(value)
+                                        : *static_cast<const int*>(value);
+}
+
 std::string numberOf(const Slide& slide) {
     char text[64];
     if (slide.type == ImGuiDataType_Double) {
@@ -249,6 +255,72 @@ std::string numberOf(const Slide& slide) {
                       *static_cast<const int*>(slide.value));
     }
     return text;
+}
+
+/// A number that is being typed: nothing changes before it is accepted.
+struct TypedNumber {
+    double number = 0;
+    int frame = 0;  ///< of the last update in which it was shown
+};
+std::map<ImGuiID, TypedNumber> typedNumbers;
+
+/// "0.001 to 100", and what becomes of a number beyond that.
+std::string rangeOf(const Slide& slide, double typed) {
+    const double low = numberAt(slide.type, slide.low);
+    const double high = numberAt(slide.type, slide.high);
+    char text[96];
+    const bool inside = typed >= low && typed <= high;
+    std::snprintf(text, sizeof text, inside ? "%g to %g" : "%g to %g; Enter takes %g", low, high,
+                  std::clamp(typed, low, high));
+    return text;
+}
+
+/// Takes the number that was typed, unless by Escape. Returns whether that changed it.
+bool acceptTyped(const Slide& slide, const TypedNumber& typed) {
+    const double before = numberAt(slide.type, slide.value);
+    if (typed.frame < ImGui::GetFrameCount() - 1 || typed.number == before ||
+        keyPressed(ImGuiKey_Escape)) {
+        return false;
+    }
+    const double now =
+        std::clamp(typed.number, numberAt(slide.type, slide.low), numberAt(slide.type, slide.high));
+    if (slide.type == ImGuiDataType_Double) {
+        *static_cast<double*>(slide.value) = now;
+    } else {
+        *static_cast<int*>(slide.value) = static_cast<int>(now);
+    }
+    return now != before;
+}
+
+/// A number that is dragged, or typed after a click.
+bool dragScalar(const char* id, const Slide& slide, float speed) {
+    const ImGuiID item = ImGui::GetID(id);
+    const double before = numberAt(slide.type, slide.value);
+    const auto typing = typedNumbers.find(item);
+    double real = typing != typedNumbers.end() ? typing->second.number : before;
+    int whole = static_cast<int>(std::clamp(real, -2e9, 2e9));
+    void* const shown = slide.type == ImGuiDataType_Double ? static_cast<void*>(&real) : &whole;
+    const bool changed =
+        ImGui::DragScalar(id, slide.type, shown, speed, slide.low, slide.high, slide.format.c_str(),
+                          flagsOf(slide) & ~ImGuiSliderFlags_AlwaysClamp);
+    const double now = numberAt(slide.type, shown);
+    if (ImGui::TempInputIsActive(item)) {
+        typedNumbers[item] = {now, ImGui::GetFrameCount()};
+        ImGui::SetTooltip("%s", rangeOf(slide, now).c_str());
+        return false;
+    }
+    if (typing != typedNumbers.end()) {
+        const TypedNumber typed = typing->second;
+        typedNumbers.erase(typing);
+        return acceptTyped(slide, typed);
+    }
+    return changed && acceptTyped(slide, {now, ImGui::GetFrameCount()});
+}
+
+/// Of the number, with room to type [px].
+float numberWidth(const Slide& slide) {
+    const bool typed = typedNumbers.contains(ImGui::GetID("##number"));
+    return std::max(widthOf(numberOf(slide)), typed ? 4 * ImGui::GetFontSize() : 0);
 }
 
 /// Of the last item; `id` tells it from others of its row.
@@ -263,15 +335,14 @@ SlideEdit editOf(const char* id, bool changed) {
 SlideEdit dragNumber(const Slide& slide, float right) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float pad = 0.3F * ImGui::GetFontSize();
-    const float width = widthOf(numberOf(slide)) + 2 * pad;
+    const float width = numberWidth(slide) + 2 * pad;
     ImGui::SameLine();
     ImGui::SetCursorPosX(right - width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4{0, 0, 0, 0});
     ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::DragScalar("##number", slide.type, slide.value, 0, slide.low,
-                                           slide.high, slide.format.c_str(), flagsOf(slide));
+    const bool changed = dragScalar("##number", slide, 0);
     const SlideEdit made = editOf("number", changed);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
@@ -306,7 +377,7 @@ SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float
     ImGui::PushID(text.item.c_str());
     ImGui::BeginGroup();
     const float left = ImGui::GetCursorPosX();
-    const float number = widthOf(numberOf(slide)) + ImGui::GetFontSize() + room;
+    const float number = numberWidth(slide) + ImGui::GetFontSize() + room;
     ImGui::TextUnformatted(shortenedTo(width - number, text.label).c_str());
     tellUnlessHeld(text.tooltip);
     const SlideEdit dragged = dragNumber(slide, left + width - room);
@@ -318,6 +389,23 @@ SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float
     ImGui::EndGroup();
     ImGui::PopID();
     return {dragged.changed || slid.changed, dragged.continues || slid.continues};
+}
+
+bool dragNumbers(std::span<double> values, Slide slide, float speed) {
+    bool changed = false;
+    ImGui::BeginGroup();
+    ImGui::PushMultiItemsWidths(static_cast<int>(values.size()), ImGui::CalcItemWidth());
+    for (double& value : values) {
+        slide.value = &value;
+        ImGui::PushID(static_cast<int>(&value - values.data()));
+        changed |= dragScalar("##value", slide, speed);
+        ImGui::PopID();
+        ImGui::PopItemWidth();
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    ImGui::NewLine();
+    ImGui::EndGroup();
+    return changed;
 }
 
 bool keyPressed(int key, bool repeats) {

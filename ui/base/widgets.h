@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -99,9 +100,13 @@ struct SlideEdit {
     bool continues = false;  ///< part of the previous gesture
 };
 /// Draws a label and, at the right end of the line, the number, which is dragged, or typed after a
-/// double click; below them the slider. All in `width` [px], of which the number leaves `room`
-/// free.
+/// click; below them the slider. A number changes once it is accepted. All in `width` [px], of
+/// which the number leaves `room` free.
 SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float room = 0);
+
+/// Numbers side by side, each dragged by `speed` per pixel, or typed after a click. Returns whether
+/// one changed.
+bool dragNumbers(std::span<double> values, Slide slide, float speed);
 
 /// Whether a key of Dear ImGui went down in this picture, or `repeats` as it is held.
 bool keyPressed(int key, bool repeats = false);

@@ -33,9 +33,9 @@ DragEdit dragVector(const char* label, Vec3& value, const DragRange& range,
     ImGui::TextUnformatted((std::string(label) + ", " + range.unit).c_str());
     ImGui::SetNextItemWidth(-1);
     DragEdit drag;
-    drag.changed =
-        ImGui::DragScalarN("##value", ImGuiDataType_Double, value.data(), 3, range.speed,
-                           &range.low, &range.high, range.format, ImGuiSliderFlags_AlwaysClamp);
+    drag.changed = dragNumbers(
+        {value.data(), 3}, {ImGuiDataType_Double, nullptr, &range.low, &range.high, range.format},
+        range.speed);
     noteItem(name + "." + label);
     drag.continues = continuesGesture(drag.changed);
     ImGui::PopID();

@@ -57,28 +57,28 @@ std::optional<std::size_t> drawChoice(const char* label, const std::string& name
 /// How a row of numbers is changed.
 struct NumberRow {
     const char* label;
-    int count;
+    std::size_t count;
     float speed;  ///< per pixel of a drag
     double low;
     double high;
     const char* format;
-    ImGuiSliderFlags flags = 0;
+    bool logarithmic = false;
 };
 constexpr NumberRow kTurnRow{"Rotate", 3, 0.5F, -kMostTurn, kMostTurn, "%.1f\u00b0"};
-constexpr NumberRow kScaleRow{
-    "Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g", ImGuiSliderFlags_Logarithmic};
+constexpr NumberRow kScaleRow{"Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g", true};
 
 /// A body that is too large to follow each move of a drag takes typed numbers.
 bool changeNumbers(const NumberRow& row, bool live, double* values) {
     if (live) {
-        return ImGui::DragScalarN("##value", ImGuiDataType_Double, values, row.count, row.speed,
-                                  &row.low, &row.high, row.format,
-                                  row.flags | ImGuiSliderFlags_AlwaysClamp);
+        return dragNumbers(
+            {values, row.count},
+            {ImGuiDataType_Double, nullptr, &row.low, &row.high, row.format, row.logarithmic},
+            row.speed);
     }
     const bool changed =
-        ImGui::InputScalarN("##value", ImGuiDataType_Double, values, row.count, nullptr, nullptr,
-                            row.format, ImGuiInputTextFlags_EnterReturnsTrue);
-    for (int i = 0; i < row.count; ++i) {
+        ImGui::InputScalarN("##value", ImGuiDataType_Double, values, static_cast<int>(row.count),
+                            nullptr, nullptr, row.format, ImGuiInputTextFlags_EnterReturnsTrue);
+    for (std::size_t i = 0; i < row.count; ++i) {
         values[i] = std::clamp(values[i], row.low, row.high);
     }
     return changed;

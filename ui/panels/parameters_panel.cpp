@@ -86,7 +86,7 @@ std::string tooltipOf(const ParamInfo& info) {
             }
         }
     } else if (info.type != ParamType::choice) {
-        text += "\n" + rangeText(info) + ". Ctrl+click the number to type a value.";
+        text += "\n" + rangeText(info) + ". Click the number to type a value.";
     }
     if (const std::string_view paper = paperValue(info.name); !paper.empty()) {
         text += "\nPaper: " + std::string(paper) + ".";
