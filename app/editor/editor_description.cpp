@@ -8,6 +8,7 @@
 #include "app/scene/section_pick.h"
 #include "app/tools/measure_tool.h"
 #include "sim/base/text.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {

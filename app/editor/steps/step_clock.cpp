@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/scene/editor_scene.h"
+#include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/pausing.h"
 
 namespace kerf::app {
