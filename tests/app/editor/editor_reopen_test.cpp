@@ -9,7 +9,7 @@
 #include "app/session/session.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/app/editor/editor_fixture.h"
-#include "tests/support/run_kerf.h"
+#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {

@@ -118,8 +118,8 @@ TEST_F(EditorStart, ItFitsEveryWindow) {
         editor->resize(width, height);
         editor->setScale(scale);
         frames(3);
-        const auto inWindow = [&, w = float(width)](const ui::Rect& r) {
-            return r.x >= 0 && r.x + r.width <= w && r.width > 60 * scale;
+        const auto inWindow = [w = float(width), least = 60 * scale](const ui::Rect& r) {
+            return r.x >= 0 && r.x + r.width <= w && r.width > least;
         };
         for (const ui::StartCard& scene : *startCards()) {
             EXPECT_TRUE(inWindow(editor->itemRects().at("start." + scene.name)))
