@@ -11,6 +11,7 @@
 #include "app/scene/document/document_loading.h"
 #include "app/scene/document/editor_document.h"
 #include "app/scene/editor_scene.h"
+#include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "app/scene/timeline/scene_timeline.h"
