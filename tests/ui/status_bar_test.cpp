@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ui/plots/history.h"
+#include "ui/state/panel_model.h"
+
 namespace kerf::ui {
 namespace {
 

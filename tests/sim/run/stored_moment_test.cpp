@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "sim/run/state_hash.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
