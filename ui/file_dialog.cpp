@@ -171,7 +171,6 @@ std::string_view verbOf(const FileDialogState& dialog) {
         case FilePurpose::saveMaterial:
             return "Save";
         case FilePurpose::exportMesh:
-            return "Export";
         case FilePurpose::makeFilm:
             return "Export";
         case FilePurpose::none:

@@ -202,7 +202,8 @@ void StartPage::drawCards(const Sheet& sheet, std::vector<Action>& actions) {
                                         "What do you want to cut?");
     for (std::size_t i = 0; i < cards_.size(); ++i) {
         const auto column = static_cast<float>(i % kColumns);
-        const auto row = static_cast<float>(i / kColumns);
+        const std::size_t line = i / kColumns;
+        const auto row = static_cast<float>(line);
         const Rect rect{top.x + column * (sheet.card.width + sheet.gap),
                         top.y + sheet.heading + row * (sheet.card.height + sheet.gap),
                         sheet.card.width, sheet.card.height};
