@@ -11,7 +11,6 @@
 #include "app/journal/journal_folder.h"
 #include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
-#include "app/session/session.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/context_loss.h"

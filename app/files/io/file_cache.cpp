@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <fstream>
-#include <string_view>
 #include <utility>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/files/io/sha256.h"
 
 namespace kerf::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kDigest = 64;  // digits of the SHA-256 in front of the bytes
+
+}  // namespace
 
 void FileCache::keep(const std::string& key, const std::vector<std::byte>& bytes) const {
     std::error_code error;
@@ -19,7 +25,10 @@ void FileCache::keep(const std::string& key, const std::vector<std::byte>& bytes
     }
     fs::create_directories(folder_, error);
     try {
-        writeOutputFile(folder_ / key, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        AtomicFile file(folder_ / key);
+        file.write(sha256Of(bytes));
+        file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        file.commit();
     } catch (const OutputError&) {
         return;
     }
@@ -31,12 +40,14 @@ std::optional<std::vector<std::byte>> FileCache::find(const std::string& key) co
     std::error_code error;
     const std::uintmax_t size = folder_.empty() ? 0 : fs::file_size(file, error);
     std::ifstream stream(file, std::ios::binary);
-    if (error || size == 0 || size > budget_ || !stream) {
+    if (error || size < kDigest || size > budget_ || !stream) {
         return std::nullopt;
     }
-    std::vector<std::byte> bytes(size);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!stream) {
+    std::string digest(kDigest, ' ');
+    std::vector<std::byte> bytes(size - kDigest);
+    stream.read(digest.data(), kDigest);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!stream || sha256Of(bytes) != digest) {
         return std::nullopt;
     }
     fs::last_write_time(file, fs::file_time_type::clock::now(), error);

@@ -5,12 +5,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kerf::app {
 
 /// Files by key in a folder of their own, which may be deleted at any time. Beyond a budget those
-/// that were used longest ago are removed. Failures are ignored: then nothing is found.
+/// that were used longest ago are removed. Damaged ones are not found.
 class FileCache {
   public:
     /// `budget` [bytes]. An empty path keeps nothing.

@@ -48,4 +48,11 @@ std::string sha256OfFile(const std::filesystem::path& file) {
     return finish(context);
 }
 
+std::string sha256Of(std::span<const std::byte> bytes) {
+    sha256_ctx context;
+    sha256_init(&context);
+    sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+    return finish(context);
+}
+
 }  // namespace kerf::app

@@ -98,6 +98,21 @@ TEST_F(EditorReopenTest, ByPlayingWhereTheStoredEndIsDamaged) {
     }
 }
 
+TEST_F(EditorReopenTest, ByPlayingWhereAByteOfTheStoredEndHasChanged) {
+    const auto file = saveHalves();
+    const std::string then = hash();
+    const int step = panels().session.playback.step;
+    const std::string stored = test::readBytes(storedEnd());
+    for (const std::size_t at : {stored.size() / 5, stored.size() / 2, stored.size() - 9}) {
+        std::string changed = stored;
+        changed[at] = static_cast<char>(changed[at] ^ 0x40);
+        test::writeText(storedEnd(), changed);
+        reopen(file);
+        expectAt(step, then);
+        EXPECT_TRUE(canUndo()) << at;
+    }
+}
+
 TEST_F(EditorReopenTest, ASessionThatWasEditedIsPlayed) {
     const auto file = saveHalves();
     const int step = panels().session.playback.step;
