@@ -140,13 +140,15 @@ void holdPlots(State& s) {
 }
 
 void freePins(State& s) {
-    if (s.scene->simulation().pinnedVertices().empty()) {
-        return;
-    }
     Bounds everywhere;
     everywhere.add(Vec3::Constant(-kEverywhere));
     everywhere.add(Vec3::Constant(kEverywhere));
-    s.execute(Pin{everywhere, false});
+    if (!s.scene->simulation().pinnedVertices().empty()) {
+        s.execute(Pin{everywhere, false});
+    }
+    if (!s.scene->simulation().forces().empty()) {
+        s.execute(ApplyForce{everywhere, Vec3::Zero()});
+    }
 }
 
 void removeRetractor(State& s) {

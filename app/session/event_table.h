@@ -68,6 +68,9 @@ inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  //
 inline constexpr Limits kModelNumbers{0, kMostModels - 1};                    // from 0
 inline constexpr Limits kObjectNumbers{1, 1e6};
 inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};  // [m]
+inline constexpr Limits kSpeeds = within(1000);                     // [m/s]
+inline constexpr Limits kDurations{1e-6, 1e6};                      // [s]
+inline constexpr Limits kForces = within(1e9);                      // [N]
 inline constexpr Limits kTurns = within(kLargestBoxTurn);           // [degrees]
 inline constexpr Limits kPictureSizes{1, kMaxPictureSize};          // [pixels]
 inline constexpr Limits kFieldsOfView{1, 150};                      // [degrees]
@@ -217,6 +220,12 @@ void describe(auto& fields, Pin& pin) {
                 {"unpin", "What is now in the ball or box is free again."}, pin.pinned);
     describe(fields, pin.region);
     fields.optional({"continues", "One change with the pin or unpin before it."}, pin.continues);
+    fields.optional({"velocity", "It does not stay there, but moves with this velocity [m/s]."},
+                    pin.velocity, kSpeeds);
+    fields.optional({"seconds", "For how long it moves; then it stays. For good if left out [s]."},
+                    pin.seconds, kDurations);
+    fields.check(pin.pinned || !pin.velocity, "velocity", "an unpin has no velocity.");
+    fields.check(pin.velocity || !pin.seconds, "seconds", "seconds need a velocity.");
 }
 
 void describe(auto& fields, MovePins& move) {
@@ -224,6 +233,17 @@ void describe(auto& fields, MovePins& move) {
     fields.required({"by", "How far it moves [m]."}, move.by, kCoordinates);
     fields.optional(kRotate, move.rotate, kTurns);
     fields.optional({"continues", "One change with the move_pins before it."}, move.continues);
+}
+
+void describe(auto& fields, ApplyForce& apply) {
+    fields.type({"force",
+                 "A force acts on what is now in the ball or box, shared by mass, until a force of "
+                 "0 there takes it away."});
+    describe(fields, apply.region);
+    fields.required({"newtons", "The whole force [N]."}, apply.newtons, kForces);
+    fields.optional(
+        {"continues", "Widens the region of the force before it; one change with that."},
+        apply.continues);
 }
 
 void describe(auto& fields, AddBox& add) {

@@ -23,7 +23,8 @@ void addBox(const ViewFrame& view, const Bounds& box, ui::Overlay& overlay) {
     }
 }
 
-/// Pins parts of the body by a brush, with Shift by a box, and with Ctrl frees them again.
+/// Fixes, moves or pushes parts of the body by a brush, with Shift by a box, and with Ctrl frees
+/// them again.
 class PinTool : public Tool {
   public:
     void fitTo(const Bounds& bounds, ui::ToolSettings& settings) override {
@@ -54,7 +55,7 @@ class PinTool : public Tool {
     std::string release(const ToolContext& c) override {
         std::string problem;
         if (box_ && (box_->to - box_->from).norm() >= kLeastBox) {
-            problem = c.scene->execute(Pin{between(*box_, c), box_->pins});
+            problem = change(between(*box_, c), box_->pins, false, c);
         }
         *this = {};
         return problem;
@@ -89,6 +90,21 @@ class PinTool : public Tool {
         Vec2 to = Vec2::Zero();
     };
 
+    static std::string change(const Region& region, bool pins, bool continues,
+                              const ToolContext& c) {
+        const ui::PinSettings& chosen = c.settings.pin;
+        if (chosen.kind == ui::PinKind::push) {
+            const Vec3 force = pins ? chosen.newtons : Vec3(Vec3::Zero());
+            return c.scene->execute(ApplyForce{region, force, continues});
+        }
+        Pin pin{region, pins, continues};
+        if (pins && chosen.kind == ui::PinKind::move) {
+            pin.velocity = chosen.velocity;
+            pin.seconds = chosen.seconds > 0 ? std::optional(chosen.seconds) : std::nullopt;
+        }
+        return c.scene->execute(pin);
+    }
+
     static Bounds between(const Box& box, const ToolContext& c) {
         return boxBetween(c.view, box.from, box.to, c.bounds);
     }
@@ -107,7 +123,7 @@ class PinTool : public Tool {
     void paint(const Vec2& pixel, const ToolContext& c) {
         const auto point = c.scene->pick(c.view.rayThrough(pixel));
         const auto dab = [&] { return Ball{point->position, brush_->radius}; };
-        if (point && c.scene->execute(Pin{dab(), brush_->pins, brush_->begun}).empty()) {
+        if (point && change(dab(), brush_->pins, brush_->begun, c).empty()) {
             brush_->begun = true;
         }
     }

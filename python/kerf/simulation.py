@@ -205,9 +205,20 @@ class Simulation:
         self.apply("release", hand=hand)
 
     def pin(self, *, center: Optional[Point] = None, radius: Optional[float] = None,
-            low: Optional[Point] = None, high: Optional[Point] = None) -> None:
-        """Pins the vertices now in a ball (`center`, `radius`) or a box (`low`, `high`) [m]."""
-        self.apply("pin", center=center, radius=radius, low=low, high=high)
+            low: Optional[Point] = None, high: Optional[Point] = None,
+            velocity: Optional[Point] = None, seconds: Optional[float] = None) -> None:
+        """Pins the vertices now in a ball (`center`, `radius`) or a box (`low`, `high`) [m].
+
+        With a `velocity` [m/s] they move, for `seconds` or for good.
+        """
+        self.apply("pin", center=center, radius=radius, low=low, high=high, velocity=velocity,
+                   seconds=seconds)
+
+    def force(self, newtons: Point, *, center: Optional[Point] = None,
+              radius: Optional[float] = None, low: Optional[Point] = None,
+              high: Optional[Point] = None) -> None:
+        """A force [N] on what is now in a ball or a box, as for pin(); 0 takes forces away."""
+        self.apply("force", newtons=newtons, center=center, radius=radius, low=low, high=high)
 
     def unpin(self, *, center: Optional[Point] = None, radius: Optional[float] = None,
               low: Optional[Point] = None, high: Optional[Point] = None) -> None:

@@ -81,7 +81,9 @@ Line lineOf(int index, int part) {
 #else
 Line lineOf(int index, int part) {
     PullRecord pull = pulls[index];
-    return Line(true, at(pull.vertex), vec3(pull.target_x, pull.target_y, pull.target_z), 0.0);
+    vec3 from = at(pull.vertex);
+    vec3 target = vec3(pull.target_x, pull.target_y, pull.target_z);
+    return Line(true, from, pull.leads == kForcePull ? from + target : target, 0.0);
 }
 #endif
 

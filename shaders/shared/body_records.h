@@ -87,16 +87,18 @@ struct WordWrite {
     uint value;
 };
 
-// A vertex that a hand holds, or that is led back to its place at rest, for a step.
+// A vertex that a hand holds, that is led back to its place at rest, or on which a force acts, for
+// a step.
+SHARED_CONST uint kForcePull = 2u;
 struct PullRecord {
     uint vertex;
-    float target_x;  // where it should be at the end of the step [m]
+    float target_x;  // where it should be at the end of the step; how a force is drawn [m]
     float target_y;
     float target_z;
-    float motion_x;  // of the hand [m/s]
+    float motion_x;  // of the hand [m/s]; acceleration by a force [m/s^2]
     float motion_y;
     float motion_z;
-    uint leads;  // 1: it moves as the hand does, whatever pulls at it; 0: by a spring
+    uint leads;  // 1: it moves as the hand does, whatever pulls at it; 0: by a spring; kForcePull
 };
 
 // Of one piece, in a substep.

@@ -264,6 +264,10 @@ void ReferenceSolver::pull(ReferenceState& state) const {
             continue;
         }
         Vec3& d = state.displacements[pull.vertex];
+        if (pull.leads == shared::kForcePull) {
+            d += h * h / uniforms_.sweeps * Vec3(pull.motion_x, pull.motion_y, pull.motion_z);
+            continue;
+        }
         const Vec3 target(pull.target_x, pull.target_y, pull.target_z);
         const Vec3 slip = d - h * Vec3(pull.motion_x, pull.motion_y, pull.motion_z);
         const Vec3 away = at(state, pull.vertex) - target;

@@ -438,6 +438,10 @@ const std::vector<std::uint32_t>& Simulation::pinnedVertices() const {
     return state_->body.memory.pins.vertices();
 }
 
+const std::vector<Pins::Force>& Simulation::forces() const {
+    return state_->body.memory.pins.forces();
+}
+
 const std::vector<Hands::Hand>& Simulation::hands() const {
     return state_->body.memory.hands.hands();
 }

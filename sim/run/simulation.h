@@ -11,6 +11,7 @@
 #include "sim/run/parts/command.h"
 #include "sim/run/parts/hands.h"
 #include "sim/run/parts/led_blade.h"
+#include "sim/run/parts/pins.h"
 #include "sim/run/parts/step_report.h"
 
 namespace kerf {
@@ -120,6 +121,8 @@ class Simulation {
     const std::vector<StaticBox>& boxes() const;
     /// Pinned vertices, ascending.
     const std::vector<std::uint32_t>& pinnedVertices() const;
+    /// The forces on regions.
+    const std::vector<Pins::Force>& forces() const;
     /// The hands that hold something, by their numbers.
     const std::vector<Hands::Hand>& hands() const;
 

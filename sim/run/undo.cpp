@@ -46,8 +46,7 @@ void Simulation::State::apply(const UndoEntry::MaterialChange& change, bool forw
 
 void Simulation::State::apply(const UndoEntry::PinChange& change, bool forward) {
     log.touch();
-    body.memory.pins = forward ? change.after : change.before;
-    body.solver.masses().setPinned(body.memory.pins.vertices());
+    body.setPins(forward ? change.after : change.before);
 }
 
 void Simulation::State::apply(const UndoEntry::BodySnapshotChange& change, bool forward) {

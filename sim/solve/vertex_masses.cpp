@@ -79,6 +79,16 @@ void VertexMasses::carry(std::span<const uint> vertices, std::span<const Vec3f> 
                                       });
 }
 
+void VertexMasses::carryFrom(std::span<const uint> vertices, std::span<const Vec3f> places,
+                             std::span<const Vec3f> velocities) {
+    carry(vertices, velocities);
+    body_.scatter.write<shared::vec4>(body_.state.positions, body_.model.areas.size(), vertices,
+                                      Scatter::Gaps::keep, [&](uint v) {
+                                          const auto at = std::ranges::lower_bound(vertices, v);
+                                          return packed(places[at - vertices.begin()], 0.0f);
+                                      });
+}
+
 void VertexMasses::setInverse(int vertex, float value) {
     const std::size_t w = 4 * static_cast<std::size_t>(vertex) + 3;
     body_.state.positions.write(w, std::span<const float>(&value, 1));

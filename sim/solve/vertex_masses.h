@@ -30,6 +30,10 @@ class VertexMasses {
     void release(int vertex);
     /// Prescribes the velocities of massless vertices (ascending) in the coming step [m/s].
     void carry(std::span<const std::uint32_t> vertices, std::span<const Vec3f> velocities);
+    /// Puts massless vertices (ascending) at places [m], from which they move with these velocities
+    /// [m/s] until the next refresh().
+    void carryFrom(std::span<const std::uint32_t> vertices, std::span<const Vec3f> places,
+                   std::span<const Vec3f> velocities);
     /// Sets the fixed vertices, ascending, from the next refresh() on.
     void setPinned(std::vector<std::uint32_t> vertices);
     /// Unpins all vertices: of a new body, whose masses are computed later.

@@ -107,11 +107,59 @@ bool drawGrabRow(const Rows& rows) {
                        "Radius of the area that is pulled");
 }
 
+/// Three numbers below their label.
+bool dragVector(const char* label, Vec3& value, double most, float speed) {
+    const double least = -most;
+    ImGui::TextUnformatted(label);
+    ImGui::SetNextItemWidth(-1);
+    const bool changed = dragNumbers({value.data(), 3},
+                                     {ImGuiDataType_Double, nullptr, &least, &most, "%.4g"}, speed);
+    noteItem(std::string("pin.") + label);
+    return changed;
+}
+
+bool drawMotionRows(PinSettings& pin) {
+    const double forGood = 0;
+    const double longest = 100;
+    bool changed = dragVector("Velocity, m/s", pin.velocity, 1000, 0.01F);
+    changed |=
+        slideRow({"Duration", "How long it moves; then it stays. 0: until unpinned", "pin.seconds"},
+                 {ImGuiDataType_Double, &pin.seconds, &forGood, &longest, "%.3g s"},
+                 ImGui::GetContentRegionAvail().x)
+            .changed;
+    return changed;
+}
+
+bool choosePinKind(PinSettings& pin) {
+    bool changed = false;
+    ImGui::PushID("pin");  // There is a tool Move, too.
+    for (std::size_t i = 0; i < kPinKinds.size(); ++i) {
+        const auto kind = static_cast<PinKind>(i);
+        const std::string name(kPinKinds[i]);
+        if (ImGui::RadioButton(name.c_str(), pin.kind == kind)) {
+            pin.kind = kind;
+            changed = true;
+        }
+        noteItem("pin." + name);
+        if (i + 1 < kPinKinds.size()) {
+            ImGui::SameLine();
+        }
+    }
+    ImGui::PopID();
+    if (pin.kind == PinKind::move) {
+        changed |= drawMotionRows(pin);
+    } else if (pin.kind == PinKind::push) {
+        changed |= dragVector("Force, N", pin.newtons, 1e6, 0.01F);
+        itemTooltip("The force on all that a brush stroke covers, shared by mass");
+    }
+    return changed;
+}
+
 bool drawPinRows(const Rows& rows) {
     const float button = 5.4F * ImGui::GetFontSize();
-    const bool changed =
-        slideLength("Brush", rows.tools.pin.radius, kLargestRadius * rows.tools.longest,
-                    "Radius of the brush", button);
+    bool changed = choosePinKind(rows.tools.pin);
+    changed |= slideLength("Brush", rows.tools.pin.radius, kLargestRadius * rows.tools.longest,
+                           "Radius of the brush", button);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     drawButton("Unpin all", "pin.free", button, ActionId::freePins, rows.actions);
     return changed;

@@ -14,7 +14,7 @@ struct BodyState {
     std::vector<StaticBox> boxes;  ///< that it collides with
     int vertices = 0;
     int triangles = 0;
-    std::size_t pinned = 0;  ///< pinned vertices
+    std::size_t pinned = 0;  ///< pinned vertices and forces
     std::size_t hooks = 0;   ///< of retractors, which hold cuts open
 };
 

@@ -89,8 +89,15 @@ struct GuillotineSettings {
 struct GrabSettings {
     double radius = 0.1;  ///< of the hand
 };
+/// What the pin tool does to what it brushes over.
+enum class PinKind { hold, move, push };
+inline constexpr std::array<std::string_view, 3> kPinKinds{"Fix", "Move", "Push"};
 struct PinSettings {
     double radius = 0.1;  ///< of the brush
+    PinKind kind = PinKind::hold;
+    Vec3 velocity{0, 0.1, 0};  ///< of what is moved [m/s]
+    double seconds = 0;        ///< for how long, 0: for good [s]
+    Vec3 newtons{0, 1, 0};     ///< on what is pushed [N]
 };
 
 /// The selected tool and the settings of all, shown and changed by the tools panel.

@@ -24,7 +24,12 @@ struct NameOf {
     }
     std::string operator()(const Grab&) const { return "A hand takes hold"; }
     std::string operator()(const Release&) const { return "The hand lets go"; }
-    std::string operator()(const Pin& pin) const { return pin.pinned ? "Pinned" : "Pins freed"; }
+    std::string operator()(const Pin& pin) const {
+        return pin.velocity ? "Moved" : (pin.pinned ? "Pinned" : "Pins freed");
+    }
+    std::string operator()(const ApplyForce& apply) const {
+        return apply.newtons == Vec3::Zero() ? "Force removed" : "A force acts";
+    }
     std::string operator()(const MovePins&) const { return "Pins moved"; }
     std::string operator()(const AddBox&) const { return "A box is put up"; }
     std::string operator()(const ChangeBox&) const { return "The box is moved"; }

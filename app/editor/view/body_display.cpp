@@ -87,7 +87,7 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
                  render::SceneView& view) {
     view.overlays = overlays;
     view.constraints = simulation.constraintView();
-    if (simulation.hands().empty()) {
+    if (simulation.hands().empty() && simulation.forces().empty()) {
         view.constraints.pullCount = 0;  // those of a step before it let go
     }
     view.pieceBoxes = simulation.pieceBounds();

@@ -146,7 +146,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.parameters.now = countedFrom(simulation.params(), toScene);
     model.parameters.start = countedFrom(body_.document.session.params, toScene);
     model.body.boxes = countedFrom(simulation.boxes(), toScene);
-    model.body.pinned = simulation.pinnedVertices().size();
+    model.body.pinned = simulation.pinnedVertices().size() + simulation.forces().size();
     model.body.hooks = hooksOf(simulation.hands()).size();
     model.body.size = body_.rest.bounds().diagonal();
     model.body.bounds = simulation.bounds();

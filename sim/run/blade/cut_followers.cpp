@@ -52,9 +52,9 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     body.solver.setVolumeTargets(memory.volumeTargets.targets());
     // What is drawn back to its shape, by the pieces.
     memory.recovery.follow(change.pieces.source);
-    // The pins, by the mesh; and the solver with them.
+    // The pins and forces, by the mesh; and the solver with them.
     if (memory.pins.follow(body.mesh(), delta)) {
-        body.solver.masses().setPinned(memory.pins.vertices());
+        body.holdPins();
     }
     // The pieces that are measured in double precision, once somebody asks.
     body.forgetPieces();

@@ -55,11 +55,22 @@ struct Drag {
 struct Release {
     int hand = 0;
 };
-/// Pins the vertices that are now in the region: they are fixed until unpinned.
+/// Pins the vertices that are now in the region: they are fixed, or move as prescribed, until
+/// unpinned.
 struct Pin {
     Region region;
     bool pinned = true;  ///< false unpins those in the region
     /// Part of the gesture of the previous pin: one undo reverts both.
+    bool continues = false;
+    std::optional<Vec3> velocity = std::nullopt;   ///< with which they move [m/s]
+    std::optional<double> seconds = std::nullopt;  ///< for how long, if not for good [s]
+};
+/// A force on the vertices that are now in the region, shared by mass: it acts until it is taken
+/// away, by a force of 0.
+struct ApplyForce {
+    Region region;
+    Vec3 newtons = Vec3::Zero();  ///< on all of them together
+    /// Part of the gesture of the previous force, whose region grows: one undo reverts both.
     bool continues = false;
 };
 /// Turns the pinned vertices about their middle and moves them, at once; they are at rest then.
@@ -105,7 +116,8 @@ struct SetTime {
     bool runs = true;
 };
 
-using Command = std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, MovePins,
-                             AddBox, ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
+using Command =
+    std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, MovePins, ApplyForce,
+                 AddBox, ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
 
 }  // namespace kerf

@@ -190,10 +190,29 @@ void RunningBody::restore(const Snapshot& snapshot) {
     solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
     solver.collisions().remember(snapshot.contact);
     solver.setVolumeTargets(memory.volumeTargets.targets());
-    solver.masses().setPinned(memory.pins.vertices());
+    holdPins();
     solver.savedPieces().save();
     forgetPieces();
     becomeWhole();
+}
+
+void RunningBody::setPins(Pins pins) {
+    pins.goOnFrom(memory.pins, mesh());
+    memory.pins = std::move(pins);
+    holdPins();
+}
+
+void RunningBody::holdPins() {
+    solver.masses().setPinned(memory.pins.vertices());
+    if (memory.hands.empty()) {
+        solver.setPulls(forces(1, {}));
+    }
+}
+
+std::vector<shared::PullRecord> RunningBody::forces(
+    double density, const std::vector<std::uint32_t>& pulled) const {
+    constexpr double kArrow = 0.15;  // diagonals
+    return memory.pins.accelerations(model(), density, pulled, kArrow * diagonal);
 }
 
 Bounds RunningBody::pinnedAfter(const MovePins& move) const {
@@ -223,6 +242,7 @@ void RunningBody::movePinned(const MovePins& move) {
         mesh().setPosition(v, places[i]);
         mesh().setVelocity(v, Vec3::Zero());
     }
+    memory.pins.goOnFrom(memory.pins, mesh());
     solver.setState(stateOf(mesh()));
     sync.forget();
     measureAtRest();
@@ -238,7 +258,18 @@ void RunningBody::prepareStep(const Params& params) {
         const std::vector<shared::PullRecord> leads = leadsBack(params);
         pulls.insert(pulls.end(), leads.begin(), leads.end());
     }
+    std::vector<std::uint32_t> pulled;
+    for (const shared::PullRecord& pull : pulls) {
+        pulled.push_back(pull.vertex);
+    }
+    sortUnique(pulled);
+    const std::vector<shared::PullRecord> pushes = forces(params.density, pulled);
+    pulls.insert(pulls.end(), pushes.begin(), pushes.end());
     solver.setPulls(pulls);
+    const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
+    if (!course.vertices.empty()) {
+        solver.masses().carryFrom(course.vertices, course.from, course.velocities);
+    }
 }
 
 std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {
@@ -321,8 +352,8 @@ void RunningBody::lookUpTriangles() {
 
 bool RunningBody::liesStill() const {
     constexpr double kLongEnough = 1;  // [s]
-    return memory.stillFor >= kLongEnough && memory.hands.empty() && !cutter->inStroke() &&
-           !memory.recovery.draws() && !looksCollapsed();
+    return memory.stillFor >= kLongEnough && memory.hands.empty() && !memory.pins.moves() &&
+           !cutter->inStroke() && !memory.recovery.draws() && !looksCollapsed();
 }
 
 void RunningBody::noteStillness(double timeStep, bool lost) {

@@ -74,6 +74,10 @@ struct RunningBody {
     Bounds pinnedAfter(const MovePins& move) const;
     /// Moves it, at once.
     void movePinned(const MovePins& move);
+    /// Replaces what is pinned, moves and is pushed, by what was so before or will be.
+    void setPins(Pins pins);
+    /// Tells the solver what is pinned, and overlays which forces act.
+    void holdPins();
 
     /// The running mesh; replaced by placements.
     SurfaceMesh& mesh() const { return *uncut->running; }
@@ -113,6 +117,8 @@ struct RunningBody {
   private:
     double speedOfMeeting(const Params& params, bool hasBoxes) const;
     std::vector<shared::PullRecord> leadsBack(const Params& params);
+    std::vector<shared::PullRecord> forces(double density,
+                                           const std::vector<std::uint32_t>& pulled) const;
     void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);

@@ -26,7 +26,7 @@ struct OwnBytes {
     std::size_t operator()(const UndoEntry::MaterialChange&) const { return 0; }
     std::size_t operator()(const UndoEntry::BodySnapshotChange&) const { return 0; }
     std::size_t operator()(const UndoEntry::PinChange& pins) const {
-        return kBytesPerPin * (pins.before.vertices().size() + pins.after.vertices().size());
+        return kBytesPerPin * (pins.before.count() + pins.after.count());
     }
     std::size_t operator()(const UndoEntry::BoxesChange& boxes) const {
         return sizeof(StaticBox) * (boxes.before.size() + boxes.after.size());
@@ -41,9 +41,7 @@ void collect(const SnapshotPointer& snapshot, std::vector<const Snapshot*>& all)
 
 struct TextOf {
     std::string operator()(double number) const { return fmt::format("{:g}", number); }
-    std::string operator()(const Vec3& v) const {
-        return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z());
-    }
+    std::string operator()(const Vec3& v) const { return textOf(v); }
     std::string operator()(std::monostate) const { return "none"; }
     std::string operator()(std::string choice) const {
         std::ranges::replace(choice, '_', ' ');
@@ -56,6 +54,10 @@ struct TextOf {
 std::size_t snapshotBytes(const SurfaceMesh& mesh) {
     return kBytesPerVertex * static_cast<std::size_t>(mesh.vertexCount()) +
            kBytesPerTriangle * static_cast<std::size_t>(mesh.triangleSlots());
+}
+
+std::string textOf(const Vec3& vector) {
+    return fmt::format("({:g}, {:g}, {:g})", vector.x(), vector.y(), vector.z());
 }
 
 std::string nameOfChange(std::string_view param, const ParamValue& value) {

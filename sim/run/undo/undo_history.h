@@ -30,8 +30,8 @@ struct UndoEntry {
         std::string material;  ///< its label
         std::vector<ParamChange> params;
     };
-    /// Vertices that were pinned or unpinned, in the mesh between the previous and the next change
-    /// of the body: see UndoHistory::followCut.
+    /// Vertices that were pinned, moved, pushed or freed, in the mesh between the previous and the
+    /// next change of the body: see UndoHistory::followCut.
     struct PinChange {
         Pins before;
         Pins after;
@@ -110,6 +110,8 @@ class UndoHistory {
     int additions_ = 0;
 };
 
+/// "(1, 0, -2.5)".
+std::string textOf(const Vec3& vector);
 /// The name of a change of a parameter: "Time step: 0.002 s", "Floor: none", "Density of model 2:
 /// 900 kg/m^3".
 std::string nameOfChange(std::string_view param, const ParamValue& value);

@@ -61,13 +61,13 @@ void UndoLog::noteMaterial(const std::string& material, UndoEntry::ParamChange c
     }
 }
 
-void UndoLog::notePins(Pins before, Pins after, const Pin& pin, double time) {
+void UndoLog::notePins(const std::string& name, Pins before, Pins after, bool continues,
+                       double time) {
     auto* last = history_.continued<UndoEntry::PinChange>();
-    if (pin.continues && last != nullptr) {
+    if (continues && last != nullptr) {
         last->after = std::move(after);
     } else {
-        history_.add({pin.pinned ? "Pin" : "Free pins", time,
-                      UndoEntry::PinChange{std::move(before), std::move(after)}});
+        history_.add({name, time, UndoEntry::PinChange{std::move(before), std::move(after)}});
     }
 }
 

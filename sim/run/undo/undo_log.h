@@ -34,7 +34,8 @@ class UndoLog {
                    bool continues, double time);
     /// A material of that label changes a parameter, perhaps after others.
     void noteMaterial(const std::string& material, UndoEntry::ParamChange change, double time);
-    void notePins(Pins before, Pins after, const Pin& pin, double time);
+    /// Of pins, motions and forces.
+    void notePins(const std::string& name, Pins before, Pins after, bool continues, double time);
     void noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, double time);
     /// Records a change of the body. `before` is null if no snapshot fits, or none is kept. Reports
     /// one that is too large, so that neither it nor earlier changes can be undone.

@@ -220,6 +220,36 @@ TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
+TEST_F(EditorToolsTest, ForcesAreRecordedAndReplayToTheSameBits) {
+    tap(Key::p);
+    frames(2);
+    click("pin.Push");
+    dragWith({}, kMiddle - Vec2(60, 0), kMiddle - Vec2(20, 0), 4);
+    ASSERT_EQ(panels().changes.rows.size(), 1U);
+    EXPECT_EQ(panels().changes.rows[0].name, "Force: (0, 1, 0) N");
+    tap(Key::v);
+    tap(Key::space);
+    frames(10);
+    tap(Key::space);
+    expectReplayed(savedSession(), sphereDocument().mesh);
+}
+
+TEST_F(EditorToolsTest, MotionsAreRecordedAndReplayToTheSameBits) {
+    tap(Key::p);
+    frames(2);
+    click("pin.Push");
+    dragWith({}, kMiddle - Vec2(60, 0), kMiddle - Vec2(20, 0), 4);
+    click("pin.Move");
+    ASSERT_EQ(panels().tools.pin.kind, ui::PinKind::move);
+    dragWith({}, kMiddle + Vec2(20, 0), kMiddle + Vec2(60, 0), 4);
+    ASSERT_EQ(panels().changes.rows.size(), 2U);
+    EXPECT_EQ(panels().changes.rows[1].name, "Move: (0, 0.1, 0) m/s");
+    tap(Key::space);
+    frames(10);
+    tap(Key::space);
+    expectReplayed(savedSession(), sphereDocument().mesh);
+}
+
 TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {
     const ui::Modifiers shift{.shift = true};
     editor->post(ui::PointerMove{kTop.x(), kTop.y(), shift});
