@@ -259,6 +259,7 @@ void RunningBody::prepareStep(const Params& params) {
         pulls.insert(pulls.end(), leads.begin(), leads.end());
     }
     std::vector<std::uint32_t> pulled;
+    pulled.reserve(pulls.size());
     for (const shared::PullRecord& pull : pulls) {
         pulled.push_back(pull.vertex);
     }
