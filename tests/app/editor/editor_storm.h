@@ -280,6 +280,11 @@ class EditorStorm : public EditorTest {
         editor->scene()->timeline().playing = false;
         editor->scene()->seek(simulation().stepCount());
         settle();
+        if (simulation()
+                .blade()) {  // of a played stroke: an undo would end it, a redo not resume it
+            editor->scene()->seek(panels().session.playback.steps);
+            settle();
+        }
     }
 
     std::mt19937 random_;

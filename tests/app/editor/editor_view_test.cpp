@@ -243,7 +243,7 @@ int pixelsOf(const render::DisplayColor& color, const std::vector<std::uint8_t>&
 }
 
 TEST_F(EditorViewTest, EachOverlayIsDrawnInItsColourWithALegend) {
-    struct Row {
+    struct Marking {
         Key key;
         render::DisplayColor color;
         int least;
@@ -253,15 +253,15 @@ TEST_F(EditorViewTest, EachOverlayIsDrawnInItsColourWithALegend) {
         settle();
         return viewPixels(editor->readPicture());
     }();
-    for (const Row& row :
-         {Row{Key::e, render::kEdgeColor, 1500}, Row{Key::b, render::kBendColor, 1500},
-          Row{Key::i, render::kIspcColor, 50}, Row{Key::o, render::kBoxColor, 400}}) {
-        tap(row.key);
+    for (const Marking& marking :
+         {Marking{Key::e, render::kEdgeColor, 1500}, Marking{Key::b, render::kBendColor, 1500},
+          Marking{Key::i, render::kIspcColor, 50}, Marking{Key::o, render::kBoxColor, 400}}) {
+        tap(marking.key);
         settle();
         const auto shown = viewPixels(editor->readPicture());
-        EXPECT_GT(pixelsOf(row.color, shown), pixelsOf(row.color, plain) + row.least)
-            << int(row.color[0]);
-        tap(row.key);
+        EXPECT_GT(pixelsOf(marking.color, shown), pixelsOf(marking.color, plain) + marking.least)
+            << int(marking.color[0]);
+        tap(marking.key);
     }
     settle();
     EXPECT_EQ(viewPixels(editor->readPicture()), plain);

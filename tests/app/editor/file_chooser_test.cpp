@@ -115,14 +115,14 @@ TEST_F(FileChooserTest, BookmarksOfOneNameAreToldApart) {
     chooser.addRecent(folder / "here.obj");
     chooser.browse(FilePurpose::open, "");
     std::vector<std::string> labels;
-    std::vector<std::filesystem::path> folders;
+    std::vector<std::filesystem::path> places;
     for (const ui::FolderLink& link : dialog().bookmarks) {
         labels.push_back(link.label);
-        folders.push_back(link.folder);
+        places.push_back(link.folder);
     }
     EXPECT_EQ(std::ranges::count(labels, "a/models"), 1);
     EXPECT_EQ(std::ranges::count(labels, "b/models"), 1);
-    EXPECT_EQ(std::ranges::count(folders, folder.path()), 1) << "it is the current folder already";
+    EXPECT_EQ(std::ranges::count(places, folder.path()), 1) << "it is the current folder already";
 }
 
 TEST_F(FileChooserTest, AModelIsExportedBesideItUntilAnotherFolderIsChosen) {
