@@ -95,6 +95,9 @@ std::string EditorScene::execute(const Command& command) {
     if (const std::optional<SetParam> reverted = undoneWhileCutting(command)) {
         return execute(*reverted);
     }
+    if (std::holds_alternative<Redo>(command) && !simulation().history().canRedo()) {
+        return timeline().perform(command);  // is refused, and changes nothing
+    }
     if (std::holds_alternative<MovePins>(command)) {
         timeline().takeOver();
         hands().settle();

@@ -280,9 +280,22 @@ class EditorStorm : public EditorTest {
         editor->scene()->timeline().playing = false;
         editor->scene()->seek(simulation().stepCount());
         settle();
-        if (simulation()
-                .blade()) {  // of a played stroke: an undo would end it, a redo not resume it
-            editor->scene()->seek(panels().session.playback.steps);
+        endStroke();
+    }
+
+    /// An undo would end a stroke on its way, and a redo not resume it.
+    void endStroke() {
+        if (simulation().blade()) {
+            goToTheEnd();
+        }
+        if (simulation().blade()) {
+            editor->scene()->step();  // it was told to lift, but time stands
+        }
+    }
+
+    void goToTheEnd() {
+        if (const SessionPlayback* played = editor->scene()->timeline().playback()) {
+            editor->scene()->seek(played->steps());
             settle();
         }
     }

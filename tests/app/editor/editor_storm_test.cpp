@@ -68,8 +68,7 @@ class EditorStormTest : public EditorStorm {
 
     /// A session that is played is saved whole, with what was changed.
     void playToTheEnd() {
-        editor->scene()->seek(panels().session.playback.steps);
-        settle();
+        goToTheEnd();
         editor->scene()->timeline().playing = false;
     }
 
