@@ -254,7 +254,7 @@ class EditorSoak : public EditorStorm {
 TEST_F(EditorSoak, ClicksOnNothingThatLiesUnderAFileDialog) {
     tap(Key::s, {.control = true});
     frames(2);
-    const ui::Rect bookmark = editor->itemRects().at("file.place.Here");
+    const ui::Rect bookmark = editor->itemRects().at("file.place.Current folder");
     for (int i = 0; i < 500; ++i) {
         const std::optional<Vec2> at = someItem();
         ASSERT_TRUE(at);
