@@ -22,7 +22,8 @@ class Memory : public ::testing::Test {
     void SetUp() override {
         test::writeText(folder / "fall.kerf.json",
                         R"({"format": "kerf-session", "version": 1,
-                            "model": {"builtin": "sphere768"}, "steps": 2, "events": []})");
+                            "model": {"builtin": "sphere768"}, "params": {"floor": -0.6},
+                            "steps": 2, "events": []})");
     }
     ProgramRun replay(const std::map<std::string, std::string>& environment) const {
         return runKerf({"replay", folder / "fall.kerf.json", "--out", folder / "out"}, environment);
