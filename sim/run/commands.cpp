@@ -103,15 +103,16 @@ std::string Simulation::State::carryOut(const Pin& pin) {
     if (!pin.velocity.value_or(Vec3::Zero()).allFinite() || !(pin.seconds.value_or(1) > 0)) {
         return "A motion needs a finite velocity, and a time above 0.";
     }
-    Pins before = body.memory.pins;
-    if (body.memory.pins.change(pin, body.mesh()) == 0) {
+    Pins after = body.memory.pins;
+    if (after.change(pin, body.mesh()) == 0) {
         return pin.pinned ? "No free vertex lies in that region; nothing was pinned."
                           : "No pinned vertex lies in that region; nothing was freed.";
     }
-    body.holdPins();
     const std::string name = pin.velocity ? "Move: " + textOf(*pin.velocity) + " m/s"
                                           : (pin.pinned ? "Pin" : "Free pins");
-    log.notePins(name, std::move(before), body.memory.pins, pin.continues, output.clock.time);
+    log.notePins(name, body.memory.pins, after, pin.continues, output.clock.time);
+    body.memory.pins = std::move(after);
+    body.holdPins();
     return "";
 }
 
@@ -121,15 +122,16 @@ std::string Simulation::State::carryOut(const ApplyForce& apply) {
         return "A force needs finite newtons.";
     }
     log.touch();
-    Pins before = body.memory.pins;
+    Pins after = body.memory.pins;
     const bool frees = apply.newtons == Vec3::Zero();
-    if (body.memory.pins.change(apply, body.mesh()) == 0) {
+    if (after.change(apply, body.mesh()) == 0) {
         return frees ? "No force acts in that region; nothing was changed."
                      : "No vertex without this force lies in that region; nothing was changed.";
     }
-    body.holdPins();
     const std::string name = frees ? "Remove force" : "Force: " + textOf(apply.newtons) + " N";
-    log.notePins(name, std::move(before), body.memory.pins, apply.continues, output.clock.time);
+    log.notePins(name, body.memory.pins, after, apply.continues, output.clock.time);
+    body.memory.pins = std::move(after);
+    body.holdPins();
     return "";
 }
 

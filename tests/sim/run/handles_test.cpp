@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sim/body/piece_masses.h"
+#include "sim/run/stored_moment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 
@@ -275,6 +276,16 @@ TEST_F(HandlesTest, MistakesAreOneSentenceAndChangeNothing) {
     EXPECT_EQ(simulation.stateHash(), hash);
     EXPECT_TRUE(simulation.hands().empty());
     EXPECT_TRUE(simulation.pinnedVertices().empty());
+}
+
+// What moves, by an empty list, kept a body from sleeping, but not in its replay.
+TEST_F(HandlesTest, AMotionOfNothingLeavesNothingBehind) {
+    Simulation simulation(test::icosphere(1), weightless());
+    const auto before = bytesOf(simulation.moment());
+    Pin pin{Ball{{9, 9, 9}, 1}};
+    pin.velocity = Vec3(1, 0, 0);
+    EXPECT_THAT(simulation.execute(pin), HasSubstr("nothing was pinned"));
+    EXPECT_EQ(bytesOf(simulation.moment()), before);
 }
 
 TEST_F(HandlesTest, AHandThatHoldsAgainLetsGoOfWhatItHeld) {
