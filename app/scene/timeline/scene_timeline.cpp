@@ -202,9 +202,11 @@ bool SceneTimeline::play(JournalEntry& entry) {
 
 // --- Seeking -----------------------------------------------------------------------------------
 
+/// A moment forgets what the blade is told for the coming step.
 void SceneTimeline::keepKeyframe() {
     const std::size_t bytes = snapshotBytes(body_.simulation.mesh());
-    if (keyframes_.wants(body_.simulation.stepCount(), bytes)) {
+    if (body_.simulation.bladeActions().empty() &&
+        keyframes_.wants(body_.simulation.stepCount(), bytes)) {
         addKeyframe(bytes);
     }
 }

@@ -179,6 +179,26 @@ TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
     expectItReplays();
 }
 
+TEST_F(EditorPastTest, ABladeThatIsLiftedWhereAMomentIsKeptStaysLifted) {
+    const int kept = 50;
+    while (step() < kept - 2) {
+        scene().step();
+    }
+    for (double y = 0.7; step() < kept; y = 0) {
+        ASSERT_EQ(scene().execute(MoveBlade{{{-1, y, 0.01}, {1, y, 0.01}}}), "");
+        scene().step();
+    }
+    ASSERT_EQ(scene().execute(LiftBlade{}), "");
+    for (int i = 0; i < 5; ++i) {
+        scene().step();
+    }
+    const int end = step();
+    const std::string last = hash();
+    goTo(kept);
+    goTo(end);
+    EXPECT_EQ(hash(), last);
+}
+
 TEST_F(EditorPastTest, ASessionThatAPersonWentOnWithGoesBackIntoItself) {
     test::writeText(folder / "slice.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
