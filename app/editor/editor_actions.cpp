@@ -54,23 +54,6 @@ void showStart(State& s) {
     s.redraw.scene();
 }
 
-void cancel(State& s) {
-    if (s.panels.helpOpen) {
-        s.panels.helpOpen = false;
-    } else if (s.view.faulty) {
-        s.hideFaulty();
-    } else if (s.panels.startOpen && s.scene != nullptr && s.work.opening() == nullptr) {
-        s.panels.startOpen = false;
-    } else if (!s.view.holds() && !s.work.models.changed().empty()) {
-        s.work.models.ignore();
-        s.redraw.panels();
-    } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
-        s.redraw.panels();
-    } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
-        stopTools(s);
-    }
-}
-
 /// What takes long: the file, or else the stroke, or time.
 void cancelWork(State& s) {
     if (s.work.cancel() || s.scene == nullptr) {
@@ -84,6 +67,25 @@ void cancelWork(State& s) {
     }
     stopTools(s);
     s.scene.stops = s.scene.underWay();
+}
+
+void cancel(State& s) {
+    if (s.panels.helpOpen) {
+        s.panels.helpOpen = false;
+    } else if (s.view.faulty) {
+        s.hideFaulty();
+    } else if (s.panels.startOpen && s.scene != nullptr && s.work.opening() == nullptr) {
+        s.panels.startOpen = false;
+    } else if (!s.view.holds() && !s.work.models.changed().empty()) {
+        s.work.models.ignore();
+        s.redraw.panels();
+    } else if (s.view.tools.inHand().escape(s.view.tools.settings())) {
+        s.redraw.panels();
+    } else if (!s.view.holds() && s.scene != nullptr && s.scene.meanwhile().seekSteps() > 0) {
+        cancelWork(s);
+    } else if ((s.view.holds() || !s.work.cancel()) && s.scene != nullptr) {
+        stopTools(s);
+    }
 }
 
 /// Whether taking it back moves the body at once.

@@ -210,6 +210,12 @@ TEST_F(EditorReopenTest, ALongSessionTellsHowFarItIsAndCanBeCancelled) {
     EXPECT_FALSE(panels().transport.seeking);
     EXPECT_LT(panels().session.playback.step, 5000);
     EXPECT_EQ(panels().session.playback.steps, 5000) << "nothing was lost";
+    scene().seek(5000);
+    frame();
+    ASSERT_TRUE(panels().transport.seeking);
+    tap(Key::escape);
+    settle();
+    EXPECT_LT(panels().session.playback.step, 5000) << "Esc stops it, too";
 }
 
 }  // namespace
