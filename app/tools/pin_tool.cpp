@@ -3,6 +3,7 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/cut_preview.h"
+#include "app/session/event_table.h"
 #include "app/tools/box_placement.h"
 #include "app/tools/tool_marks.h"
 #include "app/tools/tool_table.h"
@@ -100,7 +101,9 @@ class PinTool : public Tool {
         Pin pin{region, pins, continues};
         if (pins && chosen.kind == ui::PinKind::move) {
             pin.velocity = chosen.velocity;
-            pin.seconds = chosen.seconds > 0 ? std::optional(chosen.seconds) : std::nullopt;
+            pin.seconds = chosen.seconds > 0
+                              ? std::optional(std::max(chosen.seconds, kDurations.low))
+                              : std::nullopt;
         }
         return c.scene->execute(pin);
     }

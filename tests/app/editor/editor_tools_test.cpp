@@ -250,6 +250,22 @@ TEST_F(EditorToolsTest, MotionsAreRecordedAndReplayToTheSameBits) {
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
+// A session with less than a microsecond could not be read again.
+TEST_F(EditorToolsTest, TheShortestMotionIsReadAgain) {
+    editor->resize(kWidth, 2 * kHeight);
+    tap(Key::p);
+    frames(2);
+    click("pin.Move");
+    click("pin.seconds.number");
+    type("1e-9");
+    tap(Key::enter);
+    ASSERT_EQ(panels().tools.pin.seconds, 1e-9);
+    dragWith({}, Vec2(kWidth / 2.0, kHeight), Vec2(kWidth / 2.0 + 60, kHeight), 4);
+    ASSERT_EQ(panels().changes.rows.size(), 1U);
+    tap(Key::period);
+    expectReplayed(savedSession(), sphereDocument().mesh);
+}
+
 TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {
     const ui::Modifiers shift{.shift = true};
     editor->post(ui::PointerMove{kTop.x(), kTop.y(), shift});
