@@ -95,7 +95,11 @@ struct Feed {
         io.KeysDown[static_cast<int>(e.key)] = e.down;
         applyModifiers(io, e.modifiers);
     }
-    void operator()(const Character& e) const { io.AddInputCharacter(e.code); }
+    /// A number that is typed would drop a comma: "0,5" be 5.
+    void operator()(const Character& e) const {
+        const bool isPoint = e.code == ',' && ImGui::TempInputIsActive(ImGui::GetActiveID());
+        io.AddInputCharacter(isPoint ? '.' : e.code);
+    }
     void operator()(const FileDrop&) const {}
     void operator()(const FocusLost&) const {
         std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);

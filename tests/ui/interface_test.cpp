@@ -443,6 +443,20 @@ TEST_F(InterfaceTest, ATypedNumberBeyondItsRangeBecomesTheNearestOne) {
     EXPECT_EQ(model.parameters.now.iterations, findParam("iterations")->high);
 }
 
+TEST_F(InterfaceTest, ACommaIsThePointOfATypedNumber) {
+    const auto type = [&](const std::string& text) {
+        clickOn("param.ispc_stiffness.number");
+        for (const char letter : text) {
+            update({Character{static_cast<unsigned char>(letter)}});
+        }
+        tap(Key::enter);
+        return model.parameters.now.ispcStiffness;
+    };
+    EXPECT_EQ(type("0,25"), 0.25);
+    EXPECT_EQ(type("0"), 0);
+    EXPECT_EQ(type("1e-2"), 0.01);
+}
+
 TEST_F(InterfaceTest, TabGoesOnToTheNextNumber) {
     clickOn("param.gravity.number");
     update({Character{'1'}});

@@ -278,8 +278,8 @@ std::string rangeOf(const Slide& slide, double typed) {
 /// Takes the number that was typed, unless by Escape. Returns whether that changed it.
 bool acceptTyped(const Slide& slide, const TypedNumber& typed) {
     const double before = numberAt(slide.type, slide.value);
-    if (typed.frame < ImGui::GetFrameCount() - 1 || typed.number == before ||
-        keyPressed(ImGuiKey_Escape)) {
+    if (typed.frame < ImGui::GetFrameCount() - 1 || std::isnan(typed.number) ||
+        typed.number == before || keyPressed(ImGuiKey_Escape)) {
         return false;
     }
     const double now =
