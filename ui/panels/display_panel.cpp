@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -186,17 +188,6 @@ bool chooseColorMap(render::FieldChoice& choice) {
     return changed;
 }
 
-/// An end of the range that is typed, in the unit that is shown.
-bool typeEnd(const char* label, float& end, float unit, const char* format) {
-    float shown = end * unit;
-    ImGui::SetNextItemWidth(0.47F * ImGui::GetContentRegionMax().x);
-    const bool typed = ImGui::InputFloat((std::string("##") + label).c_str(), &shown, 0, 0, format);
-    noteItem(std::string("display.range_") + label);
-    itemTooltip(std::string("The value of the ") + label + " colour");
-    end = shown / unit;
-    return typed;
-}
-
 /// A box for the automatic range, and where it is off, the ends of the fixed one.
 bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend) {
     bool automatic = !choice.range;
@@ -212,16 +203,22 @@ bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend) {
         return changed;
     }
     const bool length = render::infoOf(choice.field).isLength;
-    const float unit = length ? 1 : 100;
-    const char* const format = length ? "%.4g m" : "%.4g %%";
-    render::FieldRange range = *choice.range;
-    bool typed = typeEnd("first", range.low, unit, format);
-    ImGui::SameLine();
-    typed |= typeEnd("last", range.high, unit, format);
-    if (typed && range.low != range.high) {
-        choice.range = range;
+    const double unit = length ? 1 : 100;
+    const double most = 1e6;
+    const double least = -most;
+    std::array<double, 2> ends{choice.range->low * unit, choice.range->high * unit};
+    const auto speed = static_cast<float>(std::abs(ends[1] - ends[0]) / 200);
+    ImGui::SetNextItemWidth(-1);
+    if (dragNumbers(ends,
+                    {ImGuiDataType_Double, nullptr, &least, &most, length ? "%.4g m" : "%.4g %%"},
+                    std::max(speed, 1e-5F))) {
+        const auto low = static_cast<float>(ends[0] / unit);
+        const auto high = static_cast<float>(ends[1] / unit);
+        choice.range = {low, high == low ? std::nextafter(low, FLT_MAX) : high};
         changed = true;
     }
+    noteItem("display.range");
+    itemTooltip("The values of the first and of the last colour");
     return changed;
 }
 

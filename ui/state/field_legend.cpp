@@ -70,7 +70,7 @@ void drawFieldScale(const FieldLegend& legend, float scale) {
     const float height = kHeight * scale;
     drawColors(legend.colors->colors, at.x, at.y, width, height);
     const float span = legend.range.high - legend.range.low;
-    if (legend.underPointer && span > 0) {
+    if (legend.underPointer && span != 0) {
         const float share = (static_cast<float>(*legend.underPointer) - legend.range.low) / span;
         const float x = at.x + width * std::min(std::max(share, 0.0F), 1.0F);
         drawPointer({x, at.y + 0.4F * height}, 0.6F * height);

@@ -117,6 +117,30 @@ TEST_F(EditorLegendTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
     EXPECT_FALSE(panels().looks.field.underPointer) << "beside the body";
 }
 
+// Each key stroke counted, so that an end could not pass the other one, and 1e999 was taken.
+TEST_F(EditorLegendTest, BothEndsOfTheRangeAreTypedInAnyOrder) {
+    editor->resize(kWidth, 4 * kHeight);
+    tap(Key::j);
+    click("section.display");
+    click("display.automatic_range");
+    const auto typed = [&](double share, const std::string& text) {
+        const ui::Rect place = editor->itemRects().at("display.range");
+        moveTo(place.x + share * place.width, place.y + place.height / 2);
+        press(true);
+        press(false);
+        frames(2);
+        type(text);
+        tap(Key::enter);
+        frames(2);
+        return panels().looks.field.range;
+    };
+    typed(0.8, "10");
+    EXPECT_FLOAT_EQ(typed(0.2, "10").low, 0.1F);
+    EXPECT_EQ(typed(0.8, "20"), (render::FieldRange{0.1F, 0.2F}));
+    EXPECT_EQ(typed(0.2, "1e999"), (render::FieldRange{1e4F, 0.2F}));
+    EXPECT_EQ(typed(0.2, "0,5"), (render::FieldRange{0.005F, 0.2F}));
+}
+
 TEST_F(EditorLegendTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     tap(Key::j);
     tap(Key::v);
