@@ -29,7 +29,16 @@ const Monitor* monitorOf(const ui::WindowPlace& place, std::span<const Monitor> 
         return middle >= m.x && middle < m.x + m.width && place.y >= m.y &&
                place.y < m.y + m.height;
     });
-    return found == monitors.end() || place.width <= 0 ? nullptr : &*found;
+    const bool isEmpty = place.width <= 0 || place.height <= 0;
+    return found == monitors.end() || isEmpty ? nullptr : &*found;
+}
+
+ui::WindowPlace fitted(ui::WindowPlace place, const Monitor& monitor) {
+    place.width = std::min(place.width, monitor.width);
+    place.height = std::min(place.height, monitor.height);
+    place.x = std::clamp(place.x, monitor.x, monitor.x + monitor.width - place.width);
+    place.y = std::clamp(place.y, monitor.y, monitor.y + monitor.height - place.height);
+    return place;
 }
 
 }  // namespace kerf::app

@@ -23,4 +23,7 @@ float scaleOf(int width, int height, int wide, int high);
 /// The monitor that has the middle of the window's upper edge, by which it is moved; null for none.
 const Monitor* monitorOf(const ui::WindowPlace& place, std::span<const Monitor> monitors);
 
+/// Moved onto the monitor, and shrunk if larger.
+ui::WindowPlace fitted(ui::WindowPlace place, const Monitor& monitor);
+
 }  // namespace kerf::app

@@ -262,14 +262,14 @@ void Window::State::open(const std::string& name, const ui::WindowPlace& former)
     const std::vector<Monitor> monitors = monitorsNow();
     const Monitor* const again = monitorOf(former, monitors);
     const Monitor area = again ? *again : monitors.empty() ? Monitor{} : monitors.front();
-    int width = again ? former.width : static_cast<int>(kPreferredWidth * area.scale);
-    int height = again ? former.height : static_cast<int>(kPreferredHeight * area.scale);
-    width = area.width > 0 ? std::min(width, area.width) : width;
-    height = area.height > 0 ? std::min(height, area.height) : height;
+    place = {0, 0, static_cast<int>(kPreferredWidth * area.scale),
+             static_cast<int>(kPreferredHeight * area.scale)};
+    place = area.width > 0 ? fitted(again ? former : place, area) : place;
+    const auto [x, y, width, height, maximized] = place;
     scale = area.scale;
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, again ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, again ? GLFW_FALSE : GLFW_TRUE);
-    glfwWindowHint(GLFW_MAXIMIZED, again && former.maximized ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, maximized ? GLFW_TRUE : GLFW_FALSE);
     window = glfwCreateWindow(width, height, name.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         failToOpen(lastGlfwError());
@@ -277,8 +277,7 @@ void Window::State::open(const std::string& name, const ui::WindowPlace& former)
     glfwSetWindowSizeLimits(window, std::min(width, kLeastWidth), std::min(height, kLeastHeight),
                             GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (again != nullptr) {
-        place = former;
-        glfwSetWindowPos(window, std::min(former.x, area.x + area.width - width), former.y);
+        glfwSetWindowPos(window, x, y);
         glfwShowWindow(window);
     }
     title = name;

@@ -32,6 +32,15 @@ TEST(WindowPlace, CountsOnlyWhereAMonitorIs) {
     EXPECT_EQ(monitorOf({100, -200, 800, 600}, two), nullptr) << "its title can't be reached";
     EXPECT_EQ(monitorOf({100, 50, 800, 600}, {}), nullptr);
     EXPECT_EQ(monitorOf({}, two), nullptr) << "unknown";
+    EXPECT_EQ(monitorOf({100, 50, 800, 0}, two), nullptr) << "no window is that low";
+}
+
+TEST(WindowPlace, IsMovedOntoItsMonitor) {
+    const Monitor monitor{1920, 0, 1280, 1024};
+    EXPECT_EQ(fitted({2000, 50, 800, 600}, monitor), (ui::WindowPlace{2000, 50, 800, 600}));
+    EXPECT_EQ(fitted({3000, 900, 800, 600}, monitor), (ui::WindowPlace{2400, 424, 800, 600}));
+    EXPECT_EQ(fitted({1700, 300, 1920, 1080, true}, monitor),
+              (ui::WindowPlace{1920, 0, 1280, 1024, true}));
 }
 
 }  // namespace
