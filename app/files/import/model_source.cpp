@@ -71,7 +71,9 @@ void checkFile(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (status.type() == fs::file_type::not_found) {
-        throw InputError("no such file; check the path");
+        throw InputError(file.native().find("://") == std::string::npos
+                             ? "no such file; check the path"
+                             : "this is an address, not a file; download it first");
     }
     if (status.type() == fs::file_type::directory) {
         throw InputError("this is a folder; name a model file in it");

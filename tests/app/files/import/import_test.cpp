@@ -270,6 +270,8 @@ TEST_F(Import, OpenModelIsRefusedWithItsReport) {
 TEST_F(Import, MissingFileFolderEmptyFile) {
     EXPECT_EQ(sentenceOf([&] { loadModel("/nowhere/a.obj"); }),
               "/nowhere/a.obj: no such file; check the path");
+    EXPECT_EQ(sentenceOf([&] { loadModel("http://example.com/a.obj"); }),
+              "http://example.com/a.obj: this is an address, not a file; download it first");
     EXPECT_THAT(sentenceOf([&] { loadModel(folder_.path()); }), HasSubstr("this is a folder"));
     EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", "")); }), HasSubstr("is empty"));
     EXPECT_THAT(sentenceOf([&] { loadModel("/dev/null"); }), HasSubstr("not a regular file"));
