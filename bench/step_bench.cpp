@@ -12,8 +12,8 @@
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_solver.h"
 #include "sim/solve/gpu_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 namespace {

@@ -36,10 +36,10 @@ struct Examination {
     std::function<void(const std::string& part)> next = nullptr;
 };
 
-/// Examines the driver of the current context: its limits, each kernel against the double-precision
-/// reference, free fall, rest, contact, a cut and its repetition, a picture, and the speed of the
-/// paper's models. Exceptions, as of a shader that does not compile, are findings. Throws
-/// InputError if the builtin models are missing.
+/// Examines the driver of the current context: its limits, each kernel against what the
+/// double-precision reference answered, free fall, rest, contact, a cut and its repetition, a
+/// picture, and the speed of the paper's models. Exceptions, as of a shader that does not compile,
+/// are findings. Throws InputError if the builtin models are missing.
 Diagnosis diagnose(const Examination& examination = {});
 
 }  // namespace kerf::app

@@ -15,9 +15,9 @@ struct DriverFinding {
     bool right = false;
 };
 
-/// Compares each kernel of the solver, and a whole step, with the double-precision reference, on
-/// builtin models that are perturbed and in motion. Throws gpu::ShaderError, gpu::OutOfMemory,
-/// InputError if the builtin models are missing.
+/// Compares each kernel of the solver, and a whole step, with what the double-precision reference
+/// answered (recorded_answers.h), on builtin models that are perturbed and in motion. Throws
+/// gpu::ShaderError, gpu::OutOfMemory, InputError if the builtin models or answers are missing.
 std::vector<DriverFinding> kernelFindings(const std::vector<std::string>& models = {
                                               "sphere20", "sphere768", "banana"});
 

@@ -42,7 +42,6 @@ FLOORS = {
     "sim/run/undo": (370, 490, 106, "changes taken\nback"),
     "sim/run/blade": (500, 490, 106, "the course of\na stroke"),
     "sim/run": (630, 490, 104, "Simulation:\na step"),
-    "sim/reference": (760, 490, 130, "plain kernels to\ncompare with"),
     "sim/base": (130, 810, 94, "mathematics,\npredicates"),
     "sim/mesh": (130, 724, 94, "half-edges,\npieces, trees"),
     "sim/repair": (20, 724, 84, "files made\ncuttable"),
@@ -62,7 +61,6 @@ WAYS = {
     ("app/session", "render"): [(48, 144), (48, 162), (112, 162), (112, 355), (469, 355), (469, 383)],
     ("app/study", "ui"): [(279, 144), (279, 297)],
     ("app/scene", "ui"): [(441, 144), (441, 297)],
-    ("app/doctor", "sim/reference"): [(358, 144), (358, 168), (745, 168), (745, 478), (790, 478), (790, 489)],
     ("app/files/film", "app/files/io"): [(816, 224), (816, 256), (198, 256), (198, 243)],
     ("sim/repair", "sim/cut/exact"): [(64, 786), (64, 892), (445, 892), (445, 865)],
     ("sim/repair", "sim/mesh"): [(106, 755), (129, 755)],
@@ -70,7 +68,6 @@ WAYS = {
     ("render/scene", "sim/solve"): [(166, 428), (166, 446), (184, 446), (184, 581), (400, 581), (400, 589)],
     ("sim/run/start", "sim/solve"): [(130, 552), (130, 568), (430, 568), (430, 589)],
     ("sim/run/start", "sim/cut/stroke"): [(90, 552), (90, 574), (833, 574), (833, 771)],
-    ("sim/reference", "sim/solve"): [(825, 552), (825, 567), (470, 567), (470, 589)],
     ("sim/contact", "gpu"): [(239, 652), (239, 919)],
     ("sim/cut/exact", "sim/base"): [(392, 841), (225, 841)],
 }
@@ -144,10 +141,9 @@ def way(a, b):
 
 
 def arrow(d, a, b):
-    color = GREY if a == "sim/reference" else COLORS[a.split("/")[0]]
-    dashes = ' stroke-dasharray="4 4"' if a == "sim/reference" else ""
+    color = COLORS[a.split("/")[0]]
     d.add(f'<path d="{way(a, b)}" fill="none" stroke="{color}" stroke-width="1.6" '
-          f'marker-end="url(#tip{color[1:]})"{dashes}/>')
+          f'marker-end="url(#tip{color[1:]})"/>')
 
 
 def main():

@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The room of plain versions of the kernels, which tests and benchmarks alone may include.
-const fs::path kReference = "sim/reference";
-/// Who compares the GPU with it on people's machines.
-const std::vector<fs::path> kComparing = {"app/doctor"};
-
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
 /// and what runs them behind (render, app).
@@ -50,7 +45,6 @@ const std::vector<fs::path> kRooms = {
     "sim/run/undo",
     "sim/run/blade",
     "sim/run",
-    "sim/reference",
     "render/scene",
     "render/passes",
     "render",
@@ -98,10 +92,7 @@ std::optional<std::size_t> rankOf(const fs::path& path) {
 bool mayInclude(const fs::path& from, const fs::path& included) {
     const std::optional<std::size_t> own = rankOf(from);
     const std::optional<std::size_t> other = rankOf(included);
-    const bool testOnly =
-        *included.begin() == "tests" || *included.begin() == "bench" ||
-        (included.parent_path() == kReference && from.parent_path() != kReference &&
-         std::ranges::count(kComparing, from.parent_path()) == 0);
+    const bool testOnly = *included.begin() == "tests" || *included.begin() == "bench";
     return !own || (!testOnly && (!other || *other <= *own));
 }
 
@@ -146,11 +137,9 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_FALSE(mayInclude("ui/panel.h", "app/session/session.h"));
     EXPECT_FALSE(mayInclude("app/files/io/file_io.h", "app/files/import/model_source.h"));
     EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/gl_fixture.h"));
-    EXPECT_FALSE(mayInclude("app/main.cpp", "sim/reference/reference_solver.h"));
+    EXPECT_FALSE(mayInclude("app/main.cpp", "tests/support/reference/reference_solver.h"));
     EXPECT_FALSE(mayInclude("app/cli/cli.cpp", "bench/timing.h"));
     EXPECT_TRUE(mayInclude("bench/timing.h", "app/session/session.h"));
-    EXPECT_FALSE(mayInclude("sim/reference/reference_solver.h", "ui/panel.h"));
-    EXPECT_TRUE(mayInclude("sim/reference/reference_solver.h", "sim/run/simulation.h"));
     EXPECT_TRUE(mayInclude("tests/app/some_test.cpp", "app/session/session.h"));
 }
 

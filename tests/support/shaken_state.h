@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf::test {
 

@@ -8,9 +8,9 @@
 #include "sim/body/ispc_builder.h"
 #include "sim/body/ray_tree.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_solver.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
+#include "tests/support/reference/reference_solver.h"
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "sim/reference/reference_constraints.h"
+#include "tests/support/reference/reference_constraints.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 #include <gtest/gtest.h>
 

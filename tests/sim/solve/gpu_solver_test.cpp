@@ -8,9 +8,9 @@
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_constraints.h"
-#include "sim/reference/solver_pair.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/reference/reference_constraints.h"
+#include "tests/support/reference/solver_pair.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -8,12 +8,12 @@
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/reference/reference_solver.h"
 #include "sim/run/simulation.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/folds.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/reference/reference_solver.h"
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 

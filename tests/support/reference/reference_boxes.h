@@ -8,7 +8,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/obstacles.h"
 #include "sim/contact/static_box.h"
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 
 #include "shaders/shared/contact_records.h"
 #include "sim/body/body_model.h"
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 

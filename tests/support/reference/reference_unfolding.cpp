@@ -1,4 +1,4 @@
-#include "sim/reference/reference_unfolding.h"
+#include "tests/support/reference/reference_unfolding.h"
 
 #include <Eigen/LU>
 #include <algorithm>

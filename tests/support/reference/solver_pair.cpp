@@ -1,4 +1,4 @@
-#include "sim/reference/solver_pair.h"
+#include "tests/support/reference/solver_pair.h"
 
 #include <algorithm>
 #include <random>

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "sim/base/params.h"
-#include "sim/reference/reference_solver.h"
 #include "sim/solve/gpu_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 

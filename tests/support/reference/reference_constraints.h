@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "sim/body/constraint_lists.h"
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 

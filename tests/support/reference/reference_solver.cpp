@@ -1,4 +1,4 @@
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/piece_masses.h"
 #include "sim/mesh/triangle.h"
-#include "sim/reference/reference_constraints.h"
-#include "sim/reference/reference_unfolding.h"
+#include "tests/support/reference/reference_constraints.h"
+#include "tests/support/reference/reference_unfolding.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/body/body_model.h"
-#include "sim/reference/reference_solver.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 
