@@ -1,18 +1,15 @@
 #include "app/files/film/film_encoder.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <initializer_list>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "sim/base/text.h"
@@ -114,10 +111,7 @@ FilmEncoder::FilmEncoder(const std::filesystem::path& file, std::filesystem::pat
 }
 
 FilmEncoder::~FilmEncoder() {
-    if (child_ != 0) {
-        ::kill(child_, SIGKILL);
-        ::waitpid(child_, nullptr, 0);
-    }
+    child_.reset();
     for (const std::filesystem::path& file : {unfinished_, colors(), inColors()}) {
         std::error_code ignored;
         std::filesystem::remove(file, ignored);
@@ -131,31 +125,17 @@ std::filesystem::path FilmEncoder::inColors() const {
     return std::filesystem::path(unfinished_).concat(".gif");
 }
 
-void FilmEncoder::start(Words words) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    if (pictures_.read.get() >= 0) {
-        posix_spawn_file_actions_adddup2(&actions, pictures_.read.get(), STDIN_FILENO);
-    }
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, log_.get(), STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words) {
-        pointers.push_back(word.data());
-    }
-    pointers.push_back(nullptr);
-    const int error =
-        ::posix_spawnp(&child_, kProgram, &actions, nullptr, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    pictures_.read.close();
-    if (error != 0) {
-        child_ = 0;
-        const std::string why = error == ENOENT ? "which is not there" : std::strerror(error);
-        throw OutputError(shownPath(name_) + ": films are made by the program ffmpeg, " + why +
+void FilmEncoder::start(const Words& words) {
+    try {
+        child_.emplace(
+            ChildOrder{.words = words, .input = pictures_.read.get(), .log = log_.get()});
+    } catch (const std::system_error& error) {
+        const bool missing = error.code() == std::errc::no_such_file_or_directory;
+        throw OutputError(shownPath(name_) + ": films are made by the program ffmpeg, " +
+                          (missing ? "which is not there" : error.code().message()) +
                           "; install the package ffmpeg.");
     }
+    pictures_.read.close();
 }
 
 void FilmEncoder::add(const render::Image& picture) {
@@ -194,19 +174,18 @@ void FilmEncoder::reduceColors() {
 
 /// Waits for the child.
 void FilmEncoder::requireDone() {
-    int status = 0;
-    while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
-    child_ = 0;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    const ChildEnd end = child_->wait();
+    child_.reset();
+    if (end.exitCode != 0) {
         complain();
     }
 }
 
 void FilmEncoder::complain() {
-    if (child_ != 0) {
+    if (child_) {
         pictures_.write.close();
-        ::waitpid(std::exchange(child_, 0), nullptr, 0);
+        child_->wait();
+        child_.reset();
     }
     const std::string said = logIn(log_.get());
     throw OutputError(shownPath(name_) + ": ffmpeg could not make the film" +

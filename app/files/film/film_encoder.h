@@ -1,14 +1,14 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/files/film/film_formats.h"
 #include "app/files/io/descriptor.h"
 #include "app/files/io/file_io.h"
+#include "app/files/jobs/child_process.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {
@@ -33,7 +33,7 @@ class FilmEncoder {
     void finish();
 
   private:
-    void start(std::vector<std::string> words);
+    void start(const std::vector<std::string>& words);
     void requireDone();
     void reduceColors();
     std::filesystem::path colors() const;
@@ -46,7 +46,7 @@ class FilmEncoder {
     std::filesystem::path unfinished_;
     Descriptor log_;
     Pipe pictures_;
-    pid_t child_ = 0;  ///< 0 once it has ended
+    std::optional<ChildProcess> child_;  ///< none once it has ended
 };
 
 }  // namespace kerf::app

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/jobs/child_runs.h"
+#include "app/files/jobs/child_process.h"
 #include "app/files/jobs/work_progress.h"
 
 namespace kerf::app {

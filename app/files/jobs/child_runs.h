@@ -5,17 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/files/jobs/child_process.h"
 #include "app/files/jobs/work_progress.h"
 
 namespace kerf::app {
-
-/// How a child of this program ended.
-struct ChildEnd {
-    int exitCode = -1;  ///< -1 if a signal ended it
-    int signal = 0;     ///< that signal, else 0
-};
-/// Waits for the child of that number to end.
-ChildEnd waitForChild(int process);
 
 /// The end of a program that ran as a child of this one.
 struct ChildOutcome : ChildEnd {
@@ -31,9 +24,9 @@ struct ChildOutcome : ChildEnd {
 void runChildren(const std::vector<std::vector<std::string>>& runs, int jobs,
                  const std::function<void(std::size_t run, const ChildOutcome& outcome)>& done);
 
-/// Runs this program once and calls `lines` after each of its lines on standard output with their
-/// number. Throws WorkCancelled soon after `progress` was cancelled, once the child has ended, and
-/// OutputError if it can't be started.
+/// Runs this program once and calls `lines`, unless it is null, after each of its lines on standard
+/// output with their number. Throws WorkCancelled soon after `progress` was cancelled, once the
+/// child has ended, and OutputError if it can't be started.
 ChildOutcome runChild(const std::vector<std::string>& arguments, const WorkProgress& progress,
                       const std::function<void(int count)>& lines);
 
