@@ -38,6 +38,18 @@ fs::path dataPath(std::string_view relative) {
     return fs::path(KERF_SOURCE_DIR) / relative;
 }
 
+fs::path userPath(const char* variable, const char* usual, std::string_view name) {
+    if (const char* base = std::getenv(variable); base != nullptr && base[0] == '/') {
+        return fs::path(base) / "kerf" / name;
+    }
+    const char* const home = std::getenv("HOME");
+    return home == nullptr || *home == '\0' ? fs::path() : fs::path(home) / usual / "kerf" / name;
+}
+
+fs::path statePath(std::string_view name) {
+    return userPath("XDG_STATE_HOME", ".local/state", name);
+}
+
 fs::path programFolder() {
     std::error_code failed;
     return namedFolder().empty() ? fs::read_symlink("/proc/self/exe", failed).parent_path()

@@ -10,6 +10,12 @@ namespace kerf::gpu {
 /// source tree that it was built from.
 std::filesystem::path dataPath(std::string_view relative);
 
+/// The file or folder of that name which Kerf keeps in one of the XDG base directories: below
+/// `variable`, if an absolute path, else below `usual` in the home folder; empty without a home.
+std::filesystem::path userPath(const char* variable, const char* usual, std::string_view name);
+/// That of Kerf's state: $XDG_STATE_HOME/kerf/NAME, by default below ~/.local/state.
+std::filesystem::path statePath(std::string_view name);
+
 /// dataPath("shaders").
 std::filesystem::path shaderRoot();
 

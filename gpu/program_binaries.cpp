@@ -134,13 +134,7 @@ void ProgramBinaries::save(std::uint32_t program, const std::string& sources) co
 }
 
 fs::path programBinariesFolder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && fs::path(cache).is_absolute()) {
-        return fs::path(cache) / "kerf" / "programs";
-    }
-    const char* home = std::getenv("HOME");
-    const bool homeless = home == nullptr || *home == '\0';
-    return homeless ? fs::path() : fs::path(home) / ".cache" / "kerf" / "programs";
+    return userPath("XDG_CACHE_HOME", ".cache", "programs");
 }
 
 }  // namespace kerf::gpu

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "app/files/io/file_io.h"
-#include "app/files/io/state_folder.h"
 #include "app/journal/journal_writer.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 namespace {
@@ -125,8 +125,7 @@ std::vector<LeftWork> lookForLeftWork(const fs::path& folder) {
 }
 
 fs::path defaultJournalFolder() {
-    const fs::path state = stateFolder();
-    return state.empty() ? state : state / "journal";
+    return gpu::statePath("journal");
 }
 
 }  // namespace kerf::app

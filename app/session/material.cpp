@@ -8,7 +8,6 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/state_folder.h"
 #include "gpu/data_path.h"
 #include "sim/base/text.h"
 
@@ -276,8 +275,7 @@ std::string describeMaterial(const Material& material) {
 }
 
 fs::path defaultMaterialFolder() {
-    const fs::path data = baseFolder("XDG_DATA_HOME", ".local/share");
-    return data.empty() ? data : data / "materials";
+    return gpu::userPath("XDG_DATA_HOME", ".local/share", "materials");
 }
 
 }  // namespace kerf::app

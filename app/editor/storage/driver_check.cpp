@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "app/files/io/file_io.h"
-#include "app/files/io/state_folder.h"
 #include "app/files/jobs/child_runs.h"
+#include "gpu/data_path.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -102,8 +102,7 @@ ui::Question questionAbout(const DriverProblem& problem) {
 fs::path defaultDriverReports() {
     const char* const examines = std::getenv("KERF_EXAMINES_DRIVER");
     const bool wanted = examines == nullptr || std::string_view(examines) != "no";
-    const fs::path state = stateFolder();
-    return wanted && !state.empty() ? state / "drivers" : fs::path();
+    return wanted ? gpu::statePath("drivers") : fs::path();
 }
 
 void useSoftwareRenderer() {

@@ -8,7 +8,7 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/state_folder.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 namespace {
@@ -87,8 +87,7 @@ std::vector<fs::path> RecentFiles::folders() const {
 }
 
 fs::path recentFilesStore() {
-    const fs::path state = stateFolder();
-    return state.empty() ? state : state / "recent-files";
+    return gpu::statePath("recent-files");
 }
 
 }  // namespace kerf::app

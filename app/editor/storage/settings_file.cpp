@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session_json.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
 namespace {
@@ -196,16 +196,7 @@ std::string SettingsFile::save() {
 }
 
 std::filesystem::path defaultSettingsFile() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    std::filesystem::path folder;
-    // A relative path there means nothing, by the XDG base directory specification.
-    if (config != nullptr && std::filesystem::path(config).is_absolute()) {
-        folder = config;
-    } else if (home != nullptr && *home != '\0') {
-        folder = std::filesystem::path(home) / ".config";
-    }
-    return folder.empty() ? folder : folder / "kerf" / "settings.json";
+    return gpu::userPath("XDG_CONFIG_HOME", ".config", "settings.json");
 }
 
 }  // namespace kerf::app

@@ -5,7 +5,7 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/sha256.h"
-#include "app/files/io/state_folder.h"
+#include "gpu/data_path.h"
 #include "sim/base/byte_archive.h"
 #include "sim/run/state_hash.h"
 
@@ -56,8 +56,7 @@ std::optional<StoredEnd> StoredEnds::of(const fs::path& session) const {
 }
 
 fs::path defaultStoredEnds() {
-    const fs::path cache = baseFolder("XDG_CACHE_HOME", ".cache");
-    return cache.empty() ? cache : cache / "ends";
+    return gpu::userPath("XDG_CACHE_HOME", ".cache", "ends");
 }
 
 }  // namespace kerf::app
