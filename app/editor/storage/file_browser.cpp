@@ -1,10 +1,11 @@
 #include "app/editor/storage/file_browser.h"
 
+#include <spdlog/fmt/chrono.h>
+
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
+#include <cstring>
 #include <fstream>
 #include <span>
 #include <system_error>
@@ -66,30 +67,7 @@ bool isOfKerf(const fs::path& file) {
 
 /// Numbers by their value: "a2" before "a10". Case does not matter.
 bool comesBefore(const std::string& a, const std::string& b) {
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() && j < b.size()) {
-        const auto x = static_cast<unsigned char>(a[i]);
-        const auto y = static_cast<unsigned char>(b[j]);
-        if (std::isdigit(x) != 0 && std::isdigit(y) != 0) {
-            const std::size_t endA = std::min(a.find_first_not_of("0123456789", i), a.size());
-            const std::size_t endB = std::min(b.find_first_not_of("0123456789", j), b.size());
-            const std::string numberA = a.substr(i, endA - i);
-            const std::string numberB = b.substr(j, endB - j);
-            if (numberA.size() != numberB.size() || numberA != numberB) {
-                return numberA.size() != numberB.size() ? numberA.size() < numberB.size()
-                                                        : numberA < numberB;
-            }
-            i = endA;
-            j = endB;
-        } else if (std::tolower(x) != std::tolower(y)) {
-            return std::tolower(x) < std::tolower(y);
-        } else {
-            ++i;
-            ++j;
-        }
-    }
-    return i == a.size() && j < b.size();
+    return ::strverscmp(lowerCase(a).c_str(), lowerCase(b).c_str()) < 0;
 }
 
 std::string localTime(const fs::directory_entry& entry) {
@@ -98,13 +76,9 @@ std::string localTime(const fs::directory_entry& entry) {
     if (error) {
         return "";
     }
-    const std::time_t seconds =
-        std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(written));
-    std::tm local{};
-    localtime_r(&seconds, &local);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
-    return text;
+    const auto time = std::chrono::file_clock::to_sys(written);
+    return fmt::format("{:%Y-%m-%d %H:%M}",
+                       fmt::localtime(std::chrono::system_clock::to_time_t(time)));
 }
 
 std::vector<ui::FolderLink> crumbsOf(const fs::path& folder) {

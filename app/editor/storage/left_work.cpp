@@ -1,24 +1,13 @@
 #include "app/editor/storage/left_work.h"
 
-#include <ctime>
+#include <spdlog/fmt/chrono.h>
+
 #include <iterator>
 #include <utility>
 
 #include "sim/base/text.h"
 
 namespace kerf::app {
-namespace {
-
-std::string timeText(std::time_t when) {
-    std::tm local{};
-    localtime_r(&when, &local);
-    char text[64];
-    std::strftime(text, sizeof text, "%Y-%m-%d at %H:%M:%S", &local);
-    return text;
-}
-
-}  // namespace
-
 LeftWorkOffers::LeftWorkOffers(const std::filesystem::path& folder) : folder_(folder) {
     lookAgain();
 }
@@ -52,7 +41,8 @@ ui::Question questionAbout(const LeftWork& work) {
         work.kept.cuts == 0 ? "changes but no cuts" : counted(work.kept.cuts, "cut", "cuts");
     return {"Recover unsaved work?",
             "Kerf closed unexpectedly. Your work on " + work.kept.name + " from " +
-                timeText(work.when) + ", with " + cuts + ", has not been saved.",
+                fmt::format("{:%Y-%m-%d at %H:%M:%S}", fmt::localtime(work.when)) + ", with " +
+                cuts + ", has not been saved.",
             {"Recover", "Discard", "Not now"},
             work.picture};
 }
