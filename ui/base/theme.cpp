@@ -49,83 +49,66 @@ constexpr Palette kLight{
 
 const Palette* paletteNow = &kDark;
 
-ImVec4 rgb(int red, int green, int blue, float alpha = 1) {
-    return {static_cast<float>(red) / 255, static_cast<float>(green) / 255,
-            static_cast<float>(blue) / 255, alpha};
-}
+/// Of 255 each, and the opacity.
+struct Rgb {
+    int red;
+    int green;
+    int blue;
+    float alpha = 1;
+};
 
-void applyDarkColors(ImVec4* c) {
-    c[ImGuiCol_WindowBg] = rgb(23, 25, 31, 0.94F);
-    c[ImGuiCol_PopupBg] = rgb(28, 31, 38, 0.98F);
-    c[ImGuiCol_Border] = rgb(255, 255, 255, 0.06F);
-    c[ImGuiCol_ModalWindowDimBg] = rgb(0, 0, 0, 0.3F);
-    c[ImGuiCol_FrameBg] = rgb(41, 46, 57);
-    c[ImGuiCol_FrameBgHovered] = rgb(50, 57, 71);
-    c[ImGuiCol_FrameBgActive] = rgb(56, 65, 82);
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = rgb(30, 33, 41);
-    c[ImGuiCol_CheckMark] = rgb(86, 180, 233);
-    c[ImGuiCol_SliderGrab] = rgb(75, 132, 168);
-    c[ImGuiCol_SliderGrabActive] = rgb(96, 172, 216);
-    c[ImGuiCol_Button] = rgb(50, 59, 72);
-    c[ImGuiCol_ButtonHovered] = rgb(63, 77, 96);
-    c[ImGuiCol_ButtonActive] = rgb(75, 132, 168);
-    c[ImGuiCol_Header] = rgb(40, 46, 58);
-    c[ImGuiCol_HeaderHovered] = rgb(50, 59, 74);
-    c[ImGuiCol_HeaderActive] = rgb(56, 66, 83);
-    c[ImGuiCol_MenuBarBg] = rgb(28, 31, 39);
-    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = rgb(30, 34, 43);
-    c[ImGuiCol_TabHovered] = rgb(63, 77, 96);
-    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = rgb(50, 59, 72);
-    c[ImGuiCol_PlotHistogram] = rgb(75, 132, 168);
-    c[ImGuiCol_Separator] = rgb(255, 255, 255, 0.08F);
-    c[ImGuiCol_TableHeaderBg] = rgb(36, 40, 49);
-    c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = rgb(255, 255, 255, 0.07F);
-    c[ImGuiCol_TableRowBgAlt] = rgb(255, 255, 255, 0.025F);
-    c[ImGuiCol_ScrollbarGrab] = rgb(60, 67, 80);
-}
-
-void applyLightColors(ImVec4* c) {
-    c[ImGuiCol_WindowBg] = rgb(245, 246, 248, 0.96F);
-    c[ImGuiCol_PopupBg] = rgb(255, 255, 255, 0.98F);
-    c[ImGuiCol_Border] = rgb(0, 0, 0, 0.12F);
-    c[ImGuiCol_ModalWindowDimBg] = rgb(0, 0, 0, 0.1F);
-    c[ImGuiCol_FrameBg] = rgb(224, 227, 232);
-    c[ImGuiCol_FrameBgHovered] = rgb(212, 218, 226);
-    c[ImGuiCol_FrameBgActive] = rgb(200, 209, 220);
-    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = rgb(230, 233, 238);
-    c[ImGuiCol_CheckMark] = rgb(0, 104, 163);
-    c[ImGuiCol_SliderGrab] = rgb(110, 160, 196);
-    c[ImGuiCol_SliderGrabActive] = rgb(0, 114, 178);
-    c[ImGuiCol_Button] = rgb(214, 219, 226);
-    c[ImGuiCol_ButtonHovered] = rgb(198, 208, 220);
-    c[ImGuiCol_ButtonActive] = rgb(160, 190, 214);
-    c[ImGuiCol_Header] = rgb(222, 226, 232);
-    c[ImGuiCol_HeaderHovered] = rgb(208, 216, 226);
-    c[ImGuiCol_HeaderActive] = rgb(196, 208, 221);
-    c[ImGuiCol_MenuBarBg] = rgb(233, 235, 239);
-    c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = rgb(229, 232, 237);
-    c[ImGuiCol_TabHovered] = rgb(198, 208, 220);
-    c[ImGuiCol_TabActive] = c[ImGuiCol_TabUnfocusedActive] = rgb(208, 215, 224);
-    c[ImGuiCol_PlotHistogram] = rgb(110, 160, 196);
-    c[ImGuiCol_Separator] = rgb(0, 0, 0, 0.12F);
-    c[ImGuiCol_TableHeaderBg] = rgb(228, 231, 236);
-    c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = rgb(0, 0, 0, 0.10F);
-    c[ImGuiCol_TableRowBgAlt] = rgb(0, 0, 0, 0.03F);
-    c[ImGuiCol_ScrollbarGrab] = rgb(186, 192, 201);
-}
+/// A colour of Dear ImGui in both themes.
+struct StyleColor {
+    ImGuiCol of;
+    Rgb dark;
+    Rgb light;
+};
+constexpr std::array kStyleColors{
+    StyleColor{ImGuiCol_WindowBg, {23, 25, 31, 0.94F}, {245, 246, 248, 0.96F}},
+    StyleColor{ImGuiCol_PopupBg, {28, 31, 38, 0.98F}, {255, 255, 255, 0.98F}},
+    StyleColor{ImGuiCol_Border, {255, 255, 255, 0.06F}, {0, 0, 0, 0.12F}},
+    StyleColor{ImGuiCol_ModalWindowDimBg, {0, 0, 0, 0.3F}, {0, 0, 0, 0.1F}},
+    StyleColor{ImGuiCol_FrameBg, {41, 46, 57}, {224, 227, 232}},
+    StyleColor{ImGuiCol_FrameBgHovered, {50, 57, 71}, {212, 218, 226}},
+    StyleColor{ImGuiCol_FrameBgActive, {56, 65, 82}, {200, 209, 220}},
+    StyleColor{ImGuiCol_TitleBg, {30, 33, 41}, {230, 233, 238}},
+    StyleColor{ImGuiCol_TitleBgActive, {30, 33, 41}, {230, 233, 238}},
+    StyleColor{ImGuiCol_CheckMark, {86, 180, 233}, {0, 104, 163}},
+    StyleColor{ImGuiCol_SliderGrab, {75, 132, 168}, {110, 160, 196}},
+    StyleColor{ImGuiCol_SliderGrabActive, {96, 172, 216}, {0, 114, 178}},
+    StyleColor{ImGuiCol_Button, {50, 59, 72}, {214, 219, 226}},
+    StyleColor{ImGuiCol_ButtonHovered, {63, 77, 96}, {198, 208, 220}},
+    StyleColor{ImGuiCol_ButtonActive, {75, 132, 168}, {160, 190, 214}},
+    StyleColor{ImGuiCol_Header, {40, 46, 58}, {222, 226, 232}},
+    StyleColor{ImGuiCol_HeaderHovered, {50, 59, 74}, {208, 216, 226}},
+    StyleColor{ImGuiCol_HeaderActive, {56, 66, 83}, {196, 208, 221}},
+    StyleColor{ImGuiCol_MenuBarBg, {28, 31, 39}, {233, 235, 239}},
+    StyleColor{ImGuiCol_Tab, {30, 34, 43}, {229, 232, 237}},
+    StyleColor{ImGuiCol_TabUnfocused, {30, 34, 43}, {229, 232, 237}},
+    StyleColor{ImGuiCol_TabHovered, {63, 77, 96}, {198, 208, 220}},
+    StyleColor{ImGuiCol_TabActive, {50, 59, 72}, {208, 215, 224}},
+    StyleColor{ImGuiCol_TabUnfocusedActive, {50, 59, 72}, {208, 215, 224}},
+    StyleColor{ImGuiCol_PlotHistogram, {75, 132, 168}, {110, 160, 196}},
+    StyleColor{ImGuiCol_Separator, {255, 255, 255, 0.08F}, {0, 0, 0, 0.12F}},
+    StyleColor{ImGuiCol_TableHeaderBg, {36, 40, 49}, {228, 231, 236}},
+    StyleColor{ImGuiCol_TableBorderLight, {255, 255, 255, 0.07F}, {0, 0, 0, 0.10F}},
+    StyleColor{ImGuiCol_TableBorderStrong, {255, 255, 255, 0.07F}, {0, 0, 0, 0.10F}},
+    StyleColor{ImGuiCol_TableRowBgAlt, {255, 255, 255, 0.025F}, {0, 0, 0, 0.03F}},
+    StyleColor{ImGuiCol_ScrollbarGrab, {60, 67, 80}, {186, 192, 201}},
+};
 
 void applyColors(Theme theme, ImGuiStyle& style) {
-    ImVec4* c = style.Colors;
-    if (theme == Theme::light) {
-        ImGui::StyleColorsLight(&style);
-        applyLightColors(c);
-    } else {
-        ImGui::StyleColorsDark(&style);
-        applyDarkColors(c);
+    const bool light = theme == Theme::light;
+    light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
+    ImVec4* const c = style.Colors;
+    for (const StyleColor& color : kStyleColors) {
+        const Rgb& rgb = light ? color.light : color.dark;
+        c[color.of] = ImColor(rgb.red, rgb.green, rgb.blue);
+        c[color.of].w = rgb.alpha;
     }
     c[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(palette().text);
     c[ImGuiCol_TextDisabled] = ImGui::ColorConvertU32ToFloat4(palette().dimText);
-    c[ImGuiCol_ChildBg] = c[ImGuiCol_TableRowBg] = c[ImGuiCol_ScrollbarBg] = rgb(0, 0, 0, 0);
+    c[ImGuiCol_ChildBg] = c[ImGuiCol_TableRowBg] = c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
 }
 
 void applySizes(ImGuiStyle& style) {
