@@ -17,7 +17,7 @@
 #include "gpu/data_path.h"
 #include "sim/base/stopwatch.h"
 #include "ui/interface.h"
-#include "ui/panels/plots_panel.h"
+#include "ui/panels/panels.h"
 
 namespace kerf {
 namespace {

@@ -1,12 +1,9 @@
-#include "ui/axes_widget.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
-#include "ui/base/item_rects.h"
-#include "ui/base/widgets.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -80,8 +77,7 @@ bool addButton(const AxisEnd& end, const ImVec2& at, float scale, std::vector<Ac
     if (ImGui::InvisibleButton(name.c_str(), {2 * radius, 2 * radius})) {
         actions.emplace_back(end.action());
     }
-    noteItem("axes." + name);
-    itemTooltip(describeAction(end.action()));
+    describeItem("axes." + name, describeAction(end.action()));
     return ImGui::IsItemHovered();
 }
 

@@ -1,10 +1,10 @@
 #include "ui/file_dialog.h"
 
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "ui/base/item_rects.h"
@@ -31,31 +31,36 @@ int replaceText(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-/// Keys that decide something don't repeat: a held Enter must not answer the question that it
-/// raised.
-void drawDim(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-}
-
 void drawPreview(const FileDialogState& state) {
     for (std::size_t i = 0; i < state.preview.size(); ++i) {
         textWrapped(state.preview[i], i > 0);
     }
 }
 
-const char* adviceFor(FilePurpose purpose) {
-    switch (purpose) {
-        case FilePurpose::open:
-            return "Type to search, Enter to open, Backspace to go up a folder.";
-        case FilePurpose::saveTest:
-            return "The expected results are saved beside it, in NAME.expected.";
-        case FilePurpose::saveMaterial:
-            return "Materials in this folder appear in the list of materials.";
-        default:
-            return "";
-    }
+/// What a dialog says.
+struct DialogText {
+    const char* title = "";
+    const char* verb = "";  ///< on the button that accepts the file
+    const char* advice = "";
+};
+constexpr const char* kFindingAdvice =
+    "Type to search, Enter to open, Backspace to go up a folder.";
+constexpr DialogText kAdding{"Add model", "Add", kFindingAdvice};
+/// By purpose.
+constexpr std::array<DialogText, 7> kDialogs{{
+    {},
+    {"Open model or session", "Open", kFindingAdvice},
+    {"Save session", "Save"},
+    {"Save as test", "Save", "The expected results are saved beside it, in NAME.expected."},
+    {"Export model", "Export"},
+    {"Export video", "Export"},
+    {"Save material", "Save", "Materials in this folder appear in the list of materials."},
+}};
+
+const DialogText& textOf(const FileDialogState& dialog) {
+    return dialog.adds && dialog.purpose == FilePurpose::open
+               ? kAdding
+               : kDialogs[static_cast<std::size_t>(dialog.purpose)];
 }
 
 /// Something that a film may have, as people call it.
@@ -92,8 +97,7 @@ bool drawFilmChoice(const std::string& item, std::array<FilmChoice<Value>, kCoun
     const bool open =
         ImGui::BeginCombo(("##" + item).c_str(), now == choices.end() ? "" : now->label);
     if (!open) {
-        noteItem("file." + item);
-        itemTooltip(tip);
+        describeItem("file." + item, tip);
         return false;
     }
     for (const FilmChoice<Value>& choice : choices) {
@@ -113,28 +117,23 @@ bool drawFilmChoice(const std::string& item, std::array<FilmChoice<Value>, kCoun
 void drawFilmLook(const FileDialogState& state, std::vector<Action>& actions) {
     FilmLook look = state.film;
     const bool isGif = state.kinds[state.kind].find(".gif") != std::string::npos;
-    bool changed = ImGui::Checkbox("Captions", &look.captions);
-    noteItem("file.captions");
-    itemTooltip("Show the time and what happens");
+    bool changed =
+        checkbox("Captions", look.captions, "file.captions", "Show the time and what happens");
     ImGui::SameLine();
-    changed = ImGui::Checkbox("Turntable", &look.turntable) || changed;
-    noteItem("file.turntable");
-    itemTooltip("The camera orbits the scene once");
+    changed |=
+        checkbox("Turntable", look.turntable, "file.turntable", "The camera orbits the scene once");
     ImGui::SameLine();
-    changed = drawFilmChoice("speed", kFilmSpeeds, kFilmSpeeds.front().label, look.speed,
-                             "Playback speed") ||
-              changed;
+    changed |= drawFilmChoice("speed", kFilmSpeeds, kFilmSpeeds.front().label, look.speed,
+                              "Playback speed");
     ImGui::SameLine();
     FilmSize size{look.width, look.height};
-    changed = drawFilmChoice("size", kFilmSizes, isGif ? "640 x 360" : "1280 x 720", size,
-                             "Size in pixels") ||
-              changed;
+    changed |= drawFilmChoice("size", kFilmSizes, isGif ? "640 x 360" : "1280 x 720", size,
+                              "Size in pixels");
     look.width = size[0];
     look.height = size[1];
     ImGui::SameLine();
-    changed = drawFilmChoice("rate", kFilmRates, isGif ? "25 fps" : "30 fps", look.rate,
-                             "Frames per second") ||
-              changed;
+    changed |= drawFilmChoice("rate", kFilmRates, isGif ? "25 fps" : "30 fps", look.rate,
+                              "Frames per second");
     if (changed) {
         actions.emplace_back(FileAction(SetFilmLook{look}));
     }
@@ -142,55 +141,12 @@ void drawFilmLook(const FileDialogState& state, std::vector<Action>& actions) {
 
 }  // namespace
 
-std::string_view titleOf(const FileDialogState& dialog) {
-    switch (dialog.purpose) {
-        case FilePurpose::open:
-            return dialog.adds ? "Add model" : "Open model or session";
-        case FilePurpose::saveSession:
-            return "Save session";
-        case FilePurpose::saveTest:
-            return "Save as test";
-        case FilePurpose::exportMesh:
-            return "Export model";
-        case FilePurpose::makeFilm:
-            return "Export video";
-        case FilePurpose::saveMaterial:
-            return "Save material";
-        case FilePurpose::none:
-            break;
-    }
-    return "";
-}
-
-std::string_view verbOf(const FileDialogState& dialog) {
-    switch (dialog.purpose) {
-        case FilePurpose::open:
-            return dialog.adds ? "Add" : "Open";
-        case FilePurpose::saveSession:
-        case FilePurpose::saveTest:
-        case FilePurpose::saveMaterial:
-            return "Save";
-        case FilePurpose::exportMesh:
-        case FilePurpose::makeFilm:
-            return "Export";
-        case FilePurpose::none:
-            break;
-    }
-    return "";
-}
-
 std::string sizeText(std::uintmax_t bytes) {
     constexpr double kKilo = 1000;
-    char text[32];
     const auto size = static_cast<double>(bytes);
-    if (size < kKilo) {
-        std::snprintf(text, sizeof text, "%d bytes", static_cast<int>(bytes));
-    } else if (size < kKilo * kKilo) {
-        std::snprintf(text, sizeof text, "%.1f kB", size / kKilo);
-    } else {
-        std::snprintf(text, sizeof text, "%.1f MB", size / (kKilo * kKilo));
-    }
-    return text;
+    return size < kKilo           ? fmt::format("{} bytes", bytes)
+           : size < kKilo * kKilo ? fmt::format("{:.1f} kB", size / kKilo)
+                                  : fmt::format("{:.1f} MB", size / (kKilo * kKilo));
 }
 
 void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions) {
@@ -208,7 +164,7 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float line = ImGui::GetFontSize();
-    if (!beginModal(std::string(titleOf(state)) + kFilesWindow,
+    if (!beginModal(std::string(textOf(state).title) + kFilesWindow,
                     std::min(60 * line, 0.94F * display.x), std::min(36 * line, 0.92F * display.y),
                     wanted)) {
         return;
@@ -224,6 +180,8 @@ void FileDialog::draw(const FileDialogState& state, std::vector<Action>& actions
     ImGui::EndPopup();
 }
 
+/// Keys that decide something don't repeat: a held Enter must not answer the question that it
+/// raised.
 void FileDialog::takeKeys(const FileDialogState& state, std::vector<Action>& actions) {
     if (justOpened_) {
         return;  // The key that opened it is still down.
@@ -266,7 +224,7 @@ void FileDialog::drawCrumbs(const FileDialogState& state, std::vector<Action>& a
     for (std::size_t i = first; i < state.crumbs.size(); ++i) {
         if (i > first) {
             ImGui::SameLine(0, 2);
-            drawDim("/");
+            textColored(palette().dimText, "/");
             ImGui::SameLine(0, 2);
         }
         ImGui::PushID(static_cast<int>(i));
@@ -287,8 +245,7 @@ void FileDialog::drawBookmarks(const FileDialogState& state, std::vector<Action>
         if (ImGui::Selectable(bookmark.label.c_str(), bookmark.folder == state.folder)) {
             actions.emplace_back(FileAction(GoToFolder{bookmark.folder}));
         }
-        noteItem("file.place." + bookmark.label);
-        itemTooltip(bookmark.folder.string());
+        describeItem("file.place." + bookmark.label, bookmark.folder.string());
         ImGui::PopID();
     }
     if (!state.preview.empty()) {
@@ -322,18 +279,13 @@ void FileDialog::drawRow(const FileDialogState& state, int i, std::vector<Action
         ImGui::SetScrollHereY();
     }
     ImGui::SameLine(start);
-    if (row.isFolder) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::blue));
-    }
-    ImGui::TextUnformatted((row.isFolder ? row.name + "/" : row.name).c_str());
-    if (row.isFolder) {
-        ImGui::PopStyleColor();
-    }
+    textColored(row.isFolder ? palette().of(Hue::blue) : palette().text,
+                row.isFolder ? row.name + "/" : row.name);
     ImGui::PopID();
     ImGui::TableNextColumn();
-    drawDim(row.isFolder ? "" : sizeText(row.bytes));
+    textColored(palette().dimText, row.isFolder ? "" : sizeText(row.bytes));
     ImGui::TableNextColumn();
-    drawDim(row.modified);
+    textColored(palette().dimText, row.modified);
 }
 
 void FileDialog::drawRows(const FileDialogState& state, std::vector<Action>& actions) {
@@ -408,35 +360,30 @@ void FileDialog::drawName(const FileDialogState& state, std::vector<Action>& act
 void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& actions) {
     if (state.asksToOverwrite) {
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::orange));
-        ImGui::TextUnformatted(state.purpose == FilePurpose::saveTest
-                                   ? "A test with this name already exists. Replace it?"
-                                   : "A file with this name already exists. Replace it?");
-        ImGui::PopStyleColor();
+        textColored(palette().of(Hue::orange),
+                    state.purpose == FilePurpose::saveTest
+                        ? "A test with this name already exists. Replace it?"
+                        : "A file with this name already exists. Replace it?");
         return;
     }
     if (!state.problem.empty()) {
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().of(Hue::vermillion));
-        ImGui::TextUnformatted(state.problem.c_str());
-        ImGui::PopStyleColor();
+        textColored(palette().of(Hue::vermillion), state.problem);
         return;
     }
     if (state.purpose == FilePurpose::exportMesh) {
         bool perPiece = state.filePerPiece;
-        if (ImGui::Checkbox("One file per piece", &perPiece)) {
+        if (checkbox("One file per piece", perPiece, "file.per_piece")) {
             actions.emplace_back(FileAction(SetFilePerPiece{perPiece}));
         }
-        noteItem("file.per_piece");
         ImGui::SameLine();
         bool inScene = state.inScene;
-        if (ImGui::Checkbox("Scene units (m)", &inScene)) {
+        if (checkbox(
+                "Scene units (m)", inScene, "file.in_scene",
+                "On: in metres, placed as in the scene, +Y up. Off: unit, axes and position of the "
+                "model's own file")) {
             actions.emplace_back(FileAction(SetExportInScene{inScene}));
         }
-        noteItem("file.in_scene");
-        itemTooltip(
-            "On: in metres, placed as in the scene, +Y up. Off: unit, axes and position of the "
-            "model's own file");
         return;
     }
     if (state.purpose == FilePurpose::makeFilm) {
@@ -444,26 +391,24 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
         return;
     }
     ImGui::AlignTextToFramePadding();
-    drawDim(adviceFor(state.purpose));
+    textColored(palette().dimText, textOf(state).advice);
 }
 
 void FileDialog::drawButtons(const FileDialogState& state, std::vector<Action>& actions) {
-    const std::string verb(state.asksToOverwrite ? "Replace" : verbOf(state));
+    const std::string verb(state.asksToOverwrite ? "Replace" : textOf(state).verb);
     const char* const leave = state.asksToOverwrite ? "Keep existing" : "Cancel";
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(verb) - buttonWidth(leave) -
                     spacing);
-    if (ImGui::Button(leave)) {
+    if (button(leave, "file.cancel")) {
         actions.emplace_back(state.asksToOverwrite ? FileAction(KeepFile{})
                                                    : FileAction(CloseFileDialog{}));
     }
-    noteItem("file.cancel");
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (ImGui::Button(verb.c_str())) {
+    if (button(verb.c_str(), "file.accept")) {
         actions.emplace_back(FileAction(AcceptFile{state.asksToOverwrite}));
     }
-    noteItem("file.accept");
     ImGui::PopStyleColor();
 }
 

@@ -1,15 +1,11 @@
-#include "ui/help_overlay.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
-#include "ui/base/widgets.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {
@@ -112,10 +108,9 @@ void drawHelp(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4, 2});
     drawGroups(allGroups(model.settings.mouse), columns);
     ImGui::PopStyleVar();
-    if (ImGui::Button("Close")) {
+    if (button("Close", "help.close")) {
         actions.emplace_back(ActionId::help);
     }
-    noteItem("help.close");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("or Esc");

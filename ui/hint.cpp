@@ -1,15 +1,10 @@
-#include "ui/hint.h"
-
 #include <imgui.h>
 
 #include <string>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
-#include "ui/base/widgets.h"
-#include "ui/offer.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 
@@ -37,11 +32,9 @@ void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Acti
     const Rect place{view.x + bannerPadding(), view.y + bannerPadding(), buttonWidth(label),
                      ImGui::GetFrameHeight()};
     beginBanner("panels", place, {.opacity = 1, .takesInput = true});
-    if (ImGui::Button(label.c_str())) {
+    if (button(label.c_str(), "panels.show", "Show the menu and the panels")) {
         actions.emplace_back(ActionId::togglePanels);
     }
-    noteItem("panels.show");
-    itemTooltip("Show the menu and the panels");
     endBanner();
 }
 

@@ -7,36 +7,11 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/axes_widget.h"
 #include "ui/base/item_rects.h"
 #include "ui/base/layout.h"
-#include "ui/base/widgets.h"
-#include "ui/help_overlay.h"
-#include "ui/hint.h"
-#include "ui/panels/boxes_panel.h"
-#include "ui/panels/changes_panel.h"
-#include "ui/panels/cuts_panel.h"
-#include "ui/panels/display_panel.h"
-#include "ui/panels/experiments_panel.h"
-#include "ui/panels/log_panel.h"
-#include "ui/panels/menu_bar.h"
-#include "ui/panels/model_panel.h"
-#include "ui/panels/parameters_panel.h"
-#include "ui/panels/pieces_panel.h"
-#include "ui/panels/plots_panel.h"
-#include "ui/panels/sections.h"
-#include "ui/panels/session_panel.h"
-#include "ui/panels/stages_panel.h"
-#include "ui/panels/timeline.h"
-#include "ui/panels/tools_panel.h"
-#include "ui/panels/transport_panel.h"
-#include "ui/panels/window_panel.h"
-#include "ui/splitter.h"
+#include "ui/over_view.h"
+#include "ui/panels/panels.h"
 #include "ui/state/overlay.h"
-#include "ui/state/panel_model.h"
-#include "ui/status_bar.h"
-#include "ui/toast.h"
-#include "ui/work_box.h"
 
 namespace kerf::ui {
 namespace {

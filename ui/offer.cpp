@@ -1,12 +1,10 @@
-#include "ui/offer.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -23,10 +21,9 @@ class ChoiceButton {
     }
     void draw(const char* offer, std::vector<Action>& actions) const {
         const ImVec2 low = ImGui::GetCursorScreenPos();
-        if (ImGui::Button(("##" + key_).c_str(), {width(), 0})) {
+        if (button(("##" + key_).c_str(), std::string(offer) + "." + key_, "", width())) {
             actions.emplace_back(id_);
         }
-        noteItem(std::string(offer) + "." + key_);
         const ImVec2 padding = ImGui::GetStyle().FramePadding;
         const ImVec2 at{low.x + padding.x, low.y + padding.y};
         const float behind = ImGui::CalcTextSize(label_.c_str()).x + gap();

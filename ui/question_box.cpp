@@ -22,10 +22,9 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     for (std::size_t i = question.choices.size(); i-- > 0;) {
-        if (ImGui::Button(question.choices[i].c_str())) {
+        if (button(question.choices[i].c_str(), "question." + std::to_string(i))) {
             actions.emplace_back(AnswerQuestion{static_cast<int>(i)});
         }
-        noteItem("question." + std::to_string(i));
         if (i > 0) {
             ImGui::SameLine();
         }

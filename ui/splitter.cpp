@@ -1,5 +1,3 @@
-#include "ui/splitter.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
-#include "ui/base/widgets.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -101,8 +99,7 @@ void drawOpener(const Settings& chosen, const PanelSide& side, float scale,
         actions.emplace_back(SetSettings{settings});
     }
     ImGui::PopStyleVar();
-    noteItem(name);
-    itemTooltip("Show the panel (Tab shows and hides both)");
+    describeItem(name, "Show the panel (Tab shows and hides both)");
     ImGui::End();
 }
 

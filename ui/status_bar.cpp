@@ -1,11 +1,9 @@
-#include "ui/status_bar.h"
-
 #include <imgui.h>
 
 #include "sim/base/text.h"
 #include "ui/base/theme.h"
+#include "ui/over_view.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {

@@ -1,9 +1,7 @@
-#include "ui/toast.h"
-
 #include <imgui.h>
 
 #include "ui/base/theme.h"
-#include "ui/offer.h"
+#include "ui/over_view.h"
 
 namespace kerf::ui {
 

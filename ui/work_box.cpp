@@ -1,14 +1,11 @@
-#include "ui/work_box.h"
-
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
-#include "ui/base/widgets.h"
+#include "ui/over_view.h"
 
 namespace kerf::ui {
 namespace {
@@ -32,10 +29,9 @@ void drawRunner(double seconds) {
 
 void drawCancel(std::vector<Action>& actions) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));
-    if (ImGui::Button("Cancel")) {
+    if (button("Cancel", "work.cancel")) {
         actions.emplace_back(CancelWork{});
     }
-    noteItem("work.cancel");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "gpu/data_path.h"
 #include "sim/base/text.h"
 #include "ui/base/unit_text.h"
-#include "ui/panels/plots_panel.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {

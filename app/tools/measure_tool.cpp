@@ -14,7 +14,6 @@
 #include "sim/base/text.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/simulation.h"
-#include "ui/panels/pieces_panel.h"
 
 namespace kerf::app {
 namespace {
@@ -73,7 +72,7 @@ std::vector<ui::MeasureFigure> pieceFigures(const SurfaceAnchor& anchor, const S
     if (piece.cutArea > 0) {
         figures.push_back(unit.figure("cut area", piece.cutArea, 2, areaText(piece.cutArea)));
     }
-    figures.push_back(unit.figure("volume", piece.volume, 3, ui::volumeText(piece.volume)));
+    figures.push_back(unit.figure("volume", piece.volume, 3, volumeText(piece.volume)));
     return figures;
 }
 

@@ -1,5 +1,6 @@
 #include "sim/base/quantity_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -13,20 +14,15 @@ struct Unit {
     const char* name;
 };
 
-/// In the largest unit of which there is at least one, else in the last.
-std::string textIn(std::span<const Unit> units, double value) {
-    const double size = std::fabs(value);
-    const Unit* unit = &units.back();
-    for (const Unit& candidate : units) {
-        if (size >= 0.9995 * candidate.size) {
-            unit = &candidate;
-            break;
-        }
-    }
-    const double count = value / unit->size;
+/// In the largest unit of which there is at least so much, else in the last.
+std::string textIn(std::span<const Unit> units, double value, double least = 0.9995) {
+    const auto found = std::ranges::find_if(
+        units, [&](const Unit& unit) { return std::fabs(value) >= least * unit.size; });
+    const Unit& unit = found == units.end() ? units.back() : *found;
+    const double count = value / unit.size;
     char text[48];
     std::snprintf(text, sizeof text, std::fabs(count) < 1000 ? "%.3g %s" : "%.0f %s", count,
-                  unit->name);
+                  unit.name);
     return text;
 }
 
@@ -42,6 +38,11 @@ std::string areaText(double squareMetres) {
     static constexpr std::array kUnits{Unit{1e6, "km\u00b2"}, Unit{1, "m\u00b2"},
                                        Unit{1e-4, "cm\u00b2"}, Unit{1e-6, "mm\u00b2"}};
     return textIn(kUnits, squareMetres);
+}
+
+std::string volumeText(double cubicMetres) {
+    static constexpr std::array kUnits{Unit{1, "m\u00b3"}, Unit{1e-3, "l"}, Unit{1e-6, "ml"}};
+    return textIn(kUnits, cubicMetres, 0.1);
 }
 
 std::string massText(double kilograms) {

@@ -1,5 +1,3 @@
-#include "ui/panels/parameters_panel.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -7,6 +5,7 @@
 #include "sim/body/body_model.h"
 #include "sim/solve/sweep_strength.h"
 #include "tests/support/shapes.h"
+#include "ui/panels/panels.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::ui {

@@ -1,7 +1,6 @@
-#include "ui/status_bar.h"
-
 #include <gtest/gtest.h>
 
+#include "ui/over_view.h"
 #include "ui/plots/history.h"
 #include "ui/state/panel_model.h"
 

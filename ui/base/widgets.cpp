@@ -160,22 +160,46 @@ std::string wrapped(std::string_view text, float width) {
 
 void textWrapped(std::string_view text, bool dim) {
     const std::string lines = wrapped(text, ImGui::GetContentRegionAvail().x);
-    if (dim) {
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    }
-    ImGui::TextUnformatted(lines.c_str());
-    if (dim) {
-        ImGui::PopStyleColor();
-    }
+    const ImVec4& color = ImGui::GetStyleColorVec4(dim ? ImGuiCol_TextDisabled : ImGuiCol_Text);
+    textColored(ImGui::ColorConvertFloat4ToU32(color), lines);
+}
+
+void textColored(unsigned color, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
 }
 
 void itemTooltip(std::string_view text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         return;
     }
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 22).c_str());
     ImGui::EndTooltip();
+}
+
+void describeItem(const std::string& name, std::string_view tooltip) {
+    noteItem(name);
+    itemTooltip(tooltip);
+}
+
+bool button(const char* label, const std::string& name, std::string_view tooltip, float width) {
+    const bool clicked = ImGui::Button(label, {width, 0});
+    describeItem(name, tooltip);
+    return clicked;
+}
+
+bool smallButton(const char* label, const std::string& name, std::string_view tooltip) {
+    const bool clicked = ImGui::SmallButton(label);
+    describeItem(name, tooltip);
+    return clicked;
+}
+
+bool checkbox(const char* label, bool& on, const std::string& name, std::string_view tooltip) {
+    const bool clicked = ImGui::Checkbox(label, &on);
+    describeItem(name, tooltip);
+    return clicked;
 }
 
 void placePopupBelowItem() {
@@ -366,7 +390,7 @@ SlideEdit slideKnob(const Slide& slide, float width) {
 }
 
 void tellUnlessHeld(const std::string& tooltip) {
-    if (!ImGui::IsItemActive() && !tooltip.empty()) {
+    if (!ImGui::IsItemActive()) {
         itemTooltip(tooltip);
     }
 }

@@ -43,8 +43,20 @@ std::string wrapped(std::string_view text, float width);
 /// Draws a text wrapped into the rest of the line, dim if it is an aside.
 void textWrapped(std::string_view text, bool dim = false);
 
-/// Shows `text` beside the last item while the pointer rests on it.
+/// Draws a text in a colour.
+void textColored(unsigned color, std::string_view text);
+
+/// Shows `text` beside the last item while the pointer rests on it, unless it is empty.
 void itemTooltip(std::string_view text);
+/// noteItem() and itemTooltip().
+void describeItem(const std::string& name, std::string_view tooltip);
+
+/// Those of Dear ImGui with a name for tests and a tooltip. `width` [px]: 0 as the label needs, -1
+/// the rest of the line. They return whether they were clicked.
+bool button(const char* label, const std::string& name, std::string_view tooltip = "",
+            float width = 0);
+bool smallButton(const char* label, const std::string& name, std::string_view tooltip = "");
+bool checkbox(const char* label, bool& on, const std::string& name, std::string_view tooltip = "");
 
 /// Makes the next popup open below the last item instead of over it.
 void placePopupBelowItem();

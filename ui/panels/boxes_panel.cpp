@@ -1,5 +1,3 @@
-#include "ui/panels/boxes_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {
@@ -59,10 +58,9 @@ void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
     const bool open = ImGui::TreeNodeEx("##box", ImGuiTreeNodeFlags_None, "Box %d", index + 1);
     noteItem(name);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Remove"));
-    if (ImGui::SmallButton("Remove")) {
+    if (smallButton("Remove", name + ".remove")) {
         actions.emplace_back(RemoveBox{index});
     }
-    noteItem(name + ".remove");
     if (open) {
         ChangeBox change{index, body.boxes[index]};
         const auto step = static_cast<float>(0.002 * body.size);
@@ -88,11 +86,9 @@ void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
 }  // namespace
 
 void drawBoxes(const BodyState& body, std::vector<Action>& actions) {
-    if (ImGui::Button("Add box", {-1, 0})) {
+    if (button("Add box", "boxes.add", "Add a cube beside the body as an obstacle", -1)) {
         actions.emplace_back(PlaceBox{});
     }
-    noteItem("boxes.add");
-    itemTooltip("Add a cube beside the body as an obstacle");
     for (int i = 0; i < static_cast<int>(body.boxes.size()); ++i) {
         drawBox(i, body, actions);
     }

@@ -1,14 +1,11 @@
-#include "ui/panels/changes_panel.h"
-
 #include <imgui.h>
 
 #include <cstdio>
 
 #include "sim/base/text.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/menu_bar.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {

@@ -1,5 +1,3 @@
-#include "ui/panels/cuts_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {

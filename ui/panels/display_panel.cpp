@@ -1,5 +1,3 @@
-#include "ui/panels/display_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,10 +9,9 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/menu_bar.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 #include "ui/state/fault_legend.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {
@@ -44,11 +41,10 @@ void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
             ImGui::SameLine(half + ImGui::GetStyle().WindowPadding.x);
         }
         bool on = isOn(model, kSwitches[i].id);
-        if (ImGui::Checkbox(kSwitches[i].label, &on)) {
+        if (checkbox(kSwitches[i].label, on, std::string("display.") + kSwitches[i].label,
+                     describeAction(kSwitches[i].id))) {
             actions.emplace_back(kSwitches[i].id);
         }
-        noteItem(std::string("display.") + kSwitches[i].label);
-        itemTooltip(describeAction(kSwitches[i].id));
     }
 }
 
@@ -63,8 +59,7 @@ bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own
         chosen = Vec3(color[0], color[1], color[2]);
         changed = true;
     }
-    noteItem(std::string("color.") + label);
-    itemTooltip(tooltip);
+    describeItem(std::string("color.") + label, tooltip);
     if (chosen) {
         ImGui::SameLine();
         if (resetButton(label)) {
@@ -100,8 +95,8 @@ bool chooseLook(render::ChosenColors& colors) {
         }
         ImGui::EndCombo();
     }
-    noteItem("display.look");
-    itemTooltip("Appearance of skin and cut faces. It does not affect the simulation");
+    describeItem("display.look",
+                 "Appearance of skin and cut faces. It does not affect the simulation");
     return changed;
 }
 
@@ -123,9 +118,9 @@ bool chooseSource(const PanelModel& model, render::ChosenColors& colors) {
         return false;
     }
     bool own = colors.showOwn();
-    const bool changed = ImGui::Checkbox("Model colours", &own);
-    noteItem("color.own");
-    itemTooltip("Show the colours and textures of the model's file instead of the skin colour");
+    const bool changed =
+        checkbox("Model colours", own, "color.own",
+                 "Show the colours and textures of the model's file instead of the skin colour");
     if (changed) {
         colors.ofLook = !own;
         if (own) {
@@ -157,8 +152,7 @@ bool chooseField(render::FieldChoice& choice) {
             choice = {field, std::nullopt, choice.map};
             changed = true;
         }
-        noteItem("field." + std::string(info.name));
-        itemTooltip(info.meaning);
+        describeItem("field." + std::string(info.name), info.meaning);
     }
     ImGui::EndCombo();
     return changed;
@@ -191,9 +185,8 @@ bool chooseColorMap(render::FieldChoice& choice) {
 /// A box for the automatic range, and where it is off, the ends of the fixed one.
 bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend) {
     bool automatic = !choice.range;
-    bool changed = ImGui::Checkbox("Automatic range", &automatic);
-    noteItem("display.automatic_range");
-    itemTooltip(
+    bool changed = checkbox(
+        "Automatic range", automatic, "display.automatic_range",
         "On: from the 2nd to the 98th percentile of the surface. Off: between two numbers of your "
         "choice");
     if (changed) {
@@ -217,8 +210,7 @@ bool chooseRange(render::FieldChoice& choice, const FieldLegend& legend) {
         choice.range = {low, high == low ? std::nextafter(low, FLT_MAX) : high};
         changed = true;
     }
-    noteItem("display.range");
-    itemTooltip("The values of the first and of the last colour");
+    describeItem("display.range", "The values of the first and of the last colour");
     return changed;
 }
 
@@ -227,20 +219,17 @@ bool chooseSide(render::SectionPlane& plane, const Vec3& center) {
     constexpr std::array kAxes{"X", "Y", "Z"};
     bool changed = false;
     for (int axis = 0; axis < 3; ++axis) {
-        if (ImGui::SmallButton(kAxes[axis])) {
+        if (smallButton(kAxes[axis], std::string("section.") + kAxes[axis],
+                        "Perpendicular to this axis, through the centre of the body")) {
             plane = {center, Vec3::Unit(axis)};
             changed = true;
         }
-        noteItem(std::string("section.") + kAxes[axis]);
-        itemTooltip("Perpendicular to this axis, through the centre of the body");
         ImGui::SameLine();
     }
-    if (ImGui::SmallButton("Flip")) {
+    if (smallButton("Flip", "section.other_half", "Swap the shown and the hidden half")) {
         plane.normal = -plane.normal;
         changed = true;
     }
-    noteItem("section.other_half");
-    itemTooltip("Swap the shown and the hidden half");
     return changed;
 }
 

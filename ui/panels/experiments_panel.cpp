@@ -1,5 +1,3 @@
-#include "ui/panels/experiments_panel.h"
-
 #include <imgui.h>
 
 #include <cstdio>
@@ -8,6 +6,7 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {

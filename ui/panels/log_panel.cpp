@@ -1,19 +1,16 @@
-#include "ui/panels/log_panel.h"
-
 #include <imgui.h>
 
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {
 
 void drawLine(const LogLine& line) {
     // The sign tells it as well as the colour does.
-    ImGui::PushStyleColor(ImGuiCol_Text,
-                          line.isError ? palette().of(Hue::vermillion) : palette().dimText);
-    ImGui::TextUnformatted(line.isError ? "\u25b2" : "\u2022");
-    ImGui::PopStyleColor();
+    textColored(line.isError ? palette().of(Hue::vermillion) : palette().dimText,
+                line.isError ? "\u25b2" : "\u2022");
     ImGui::SameLine();
     textWrapped(line.text);
 }

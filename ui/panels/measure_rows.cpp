@@ -1,12 +1,10 @@
-#include "ui/panels/measure_rows.h"
-
 #include <imgui.h>
 
 #include <array>
 #include <string>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {
@@ -39,19 +37,17 @@ bool chooseKind(ToolSettings& tools) {
             tools.measure = button.kind;
             changed = true;
         }
-        noteItem(std::string("measure.") + button.label);
-        itemTooltip(button.tooltip);
+        describeItem(std::string("measure.") + button.label, button.tooltip);
     }
     return changed;
 }
 
 void drawRow(const MeasureRow& row, std::vector<Action>& actions) {
     ImGui::PushID(row.id);
-    if (ImGui::SmallButton("\u00d7")) {
+    if (smallButton("\u00d7", "measure.remove." + std::to_string(row.id),
+                    "Remove this measurement")) {
         actions.emplace_back(RemoveMeasure{row.id});
     }
-    noteItem("measure.remove." + std::to_string(row.id));
-    itemTooltip("Remove this measurement");
     ImGui::SameLine();
     ImGui::BeginGroup();
     for (const MeasureFigure& figure : row.figures) {
@@ -67,16 +63,13 @@ void drawList(const std::vector<MeasureRow>& measures, std::vector<Action>& acti
     for (const MeasureRow& row : measures) {
         drawRow(row, actions);
     }
-    if (ImGui::SmallButton("CSV")) {
+    if (smallButton("CSV", "measure.csv", "Save the list as CSV in the current folder")) {
         actions.emplace_back(ExportMeasures{});
     }
-    noteItem("measure.csv");
-    itemTooltip("Save the list as CSV in the current folder");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Remove all")) {
+    if (smallButton("Remove all", "measure.clear")) {
         actions.emplace_back(RemoveMeasure{});
     }
-    noteItem("measure.clear");
 }
 
 }  // namespace

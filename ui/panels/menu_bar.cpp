@@ -1,5 +1,3 @@
-#include "ui/panels/menu_bar.h"
-
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -12,8 +10,8 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {

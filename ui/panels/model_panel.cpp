@@ -1,5 +1,3 @@
-#include "ui/panels/model_panel.h"
-
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
@@ -12,7 +10,7 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/unit_text.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/parameters_panel.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -42,13 +40,12 @@ std::optional<std::size_t> drawChoice(const char* label, const std::string& name
         if (i == chosen) {
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
         }
-        if (ImGui::SmallButton(word.c_str())) {
+        if (smallButton(word.c_str(), std::string(name).append(".").append(word))) {
             clicked = i;
         }
         if (i == chosen) {
             ImGui::PopStyleColor();
         }
-        noteItem(std::string(name).append(".").append(word));
     }
     ImGui::PopID();
     return clicked;
@@ -145,15 +142,13 @@ void offerMaterials(const ModelPanelState& model, const ShownModel& shown,
             actions.emplace_back(TakeMaterial{m, shown.number});
         }
         ImGui::PopID();
-        noteItem("material." + row.label);
-        itemTooltip(withRaisedDigits(row.tooltip));
+        describeItem("material." + row.label, withRaisedDigits(row.tooltip));
     }
     ImGui::Separator();
     if (ImGui::Selectable("Save material...")) {
         actions.emplace_back(SaveMaterial{});
     }
-    noteItem("material.save");
-    itemTooltip("Save these values and the look as your own material");
+    describeItem("material.save", "Save these values and the look as your own material");
 }
 
 void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
@@ -181,9 +176,8 @@ void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
     float& share = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(state.name.c_str()), 1);
     double edge = share * state.edge;
-    const bool clicked = ImGui::Button("Remesh");
-    noteItem("model.remesh");
-    itemTooltip(
+    const bool clicked = button(
+        "Remesh", "model.remesh",
         fmt::format("Rebuild the surface with about {:.0f} evenly sized triangles. Resets the cuts "
                     "and drops texture coordinates and vertex colours (undoable)",
                     state.remeshed / (share * share)));
@@ -208,37 +202,33 @@ void drawTriangles(const ModelPanelState& model, const ShownModel& shown,
                    const DisplaySettings& shownNow, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
     textWrapped(state.triangles);
-    noteItem("model.triangles");
-    itemTooltip(
+    describeItem(
+        "model.triangles",
         "Soft bodies behave best with evenly sized triangles. Slivers are triangles whose height "
         "is below a tenth of their longest edge");
     drawRemesh(shown, actions);
     if (state.crosses) {
-        if (ImGui::Button("Unite pieces")) {
+        if (button("Unite pieces", "model.unite",
+                   "Some triangles intersect. Merge intersecting pieces into one surface, so that "
+                   "overlaps count once")) {
             actions.emplace_back(UnitePieces{shown.number});
         }
-        noteItem("model.unite");
-        itemTooltip(
-            "Some triangles intersect. Merge intersecting pieces into one surface, so that "
-            "overlaps count once");
     }
     if (model.objects > 1) {
-        if (ImGui::Button("Split into models")) {
+        if (button("Split into models", "model.part",
+                   fmt::format(
+                       "Make a model of each of the file's {} objects, with its own placement and "
+                       "material. Resets the cuts (undoable)",
+                       model.objects))) {
             actions.emplace_back(ActionId::partModel);
         }
-        noteItem("model.part");
-        itemTooltip(
-            fmt::format("Make a model of each of the file's {} objects, with its own placement and "
-                        "material. Resets the cuts (undoable)",
-                        model.objects));
     }
     if (model.faultCount > 0) {
         DisplaySettings display = shownNow;
-        if (ImGui::Checkbox("Show faults", &display.overlays.faults)) {
+        if (checkbox("Show faults", display.overlays.faults, "model.faults",
+                     "Highlight slivers and intersecting triangles that are not cut yet")) {
             actions.emplace_back(SetDisplay{display});
         }
-        noteItem("model.faults");
-        itemTooltip("Highlight slivers and intersecting triangles that are not cut yet");
     }
 }
 
@@ -257,11 +247,10 @@ int chooseModel(const ModelPanelState& model, std::vector<Action>& actions) {
         noteItem("model." + number);
         if (m > 0) {
             ImGui::SameLine();
-            if (ImGui::SmallButton("\u00d7")) {
+            if (smallButton("\u00d7", "model.remove." + number,
+                            "Remove this model from the scene")) {
                 actions.emplace_back(RemoveModel{m});
             }
-            noteItem("model.remove." + number);
-            itemTooltip("Remove this model from the scene");
         }
         ImGui::PopID();
     }
@@ -279,8 +268,7 @@ void drawModel(const ModelPanelState& model, const ParametersState& parameters,
     const ShownModel shown{model.models[number], number, model.live};
     const ModelState& state = shown.state;
     textWrapped(sizeText(state.size));
-    noteItem("model.size");
-    itemTooltip("Width, height and depth of the uncut model in the scene");
+    describeItem("model.size", "Width, height and depth of the uncut model in the scene");
     drawChoices(shown, actions);
     drawTurnAndScale(shown, actions);
     drawMaterial(model, shown, actions);
@@ -295,11 +283,10 @@ void drawModel(const ModelPanelState& model, const ParametersState& parameters,
     if (!model.untouched) {
         textWrapped("Changing the placement resets the cuts (undoable).", true);
     }
-    if (ImGui::Button("Add model...")) {
+    if (button("Add model...", "model.add",
+               "Add another model to the scene: " + keysOf(ActionId::addModel))) {
         actions.emplace_back(ActionId::addModel);
     }
-    noteItem("model.add");
-    itemTooltip("Add another model to the scene: " + keysOf(ActionId::addModel));
 }
 
 }  // namespace kerf::ui

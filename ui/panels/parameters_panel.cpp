@@ -1,5 +1,3 @@
-#include "ui/panels/parameters_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/unit_text.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -146,8 +145,7 @@ SlideEdit slideOrAuto(const ParamInfo& info, ParamValue& value, int chosen) {
         value = number;
     }
     ImGui::PopStyleVar();
-    noteItem("auto." + std::string(info.name));
-    itemTooltip(tooltipOf(info));
+    describeItem("auto." + std::string(info.name), tooltipOf(info));
     ImGui::SetCursorPos(below);
     return edit;
 }
@@ -208,8 +206,7 @@ SlideEdit labelledRow(const ParamInfo& info, Draw draw) {
     itemTooltip(tooltipOf(info));
     ImGui::SetNextItemWidth(-resetRoom());
     const bool changed = draw();
-    noteItem(textOf(info).item);
-    itemTooltip(tooltipOf(info));
+    describeItem(textOf(info).item, tooltipOf(info));
     return {changed, false};
 }
 
@@ -271,8 +268,7 @@ void drawMark(const std::string& param, const ParamValue& value, const char* too
     if (resetButton("##reset")) {
         actions.emplace_back(SetParam{param, value});
     }
-    noteItem("reset." + param);
-    itemTooltip(tooltip);
+    describeItem("reset." + param, tooltip);
     ImGui::SetCursorPos(below);
 }
 

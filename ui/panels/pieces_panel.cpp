@@ -1,5 +1,3 @@
-#include "ui/panels/pieces_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -166,8 +165,8 @@ void drawHeader(bool details) {
     for (std::size_t i = 0; i < columnCount(details); ++i) {
         ImGui::TableNextColumn();
         ImGui::TableHeader(kColumns[i].title);
-        noteItem(std::string("pieces.by.") + kColumns[i].title);
-        itemTooltip(std::string(kColumns[i].tooltip) + ". Click to sort");
+        describeItem(std::string("pieces.by.") + kColumns[i].title,
+                     std::string(kColumns[i].tooltip) + ". Click to sort");
     }
 }
 
@@ -203,20 +202,18 @@ void drawTableButtons(const DisplaySettings& chosen, std::vector<Action>& action
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const char* const label = chosen.pieceDetails ? "Less" : "More";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth(label) - buttonWidth("CSV") - gap);
-    if (ImGui::SmallButton(label)) {
+    if (smallButton(label, "pieces.details",
+                    "Show share, area, size and centre, too. Areas and centres are computed while "
+                    "paused")) {
         DisplaySettings display = chosen;
         display.pieceDetails = !display.pieceDetails;
         actions.emplace_back(SetDisplay{display});
     }
-    noteItem("pieces.details");
-    itemTooltip(
-        "Show share, area, size and centre, too. Areas and centres are computed while paused");
     ImGui::SameLine(0, gap);
-    if (ImGui::SmallButton("CSV")) {
+    if (smallButton("CSV", "pieces.csv",
+                    "Save the table with all columns as CSV in the current folder")) {
         actions.emplace_back(ExportPieces{});
     }
-    noteItem("pieces.csv");
-    itemTooltip("Save the table with all columns as CSV in the current folder");
 }
 
 /// Draws the pieces away from each other, without moving them.
@@ -249,29 +246,14 @@ void drawTitle(const PiecesState& pieces, const DisplaySettings& chosen,
     }
     ImGui::TextDisabled("(%td hidden)", hidden);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Show all"));
-    if (ImGui::SmallButton("Show all")) {
+    if (smallButton("Show all", "pieces.show_all")) {
         for (std::size_t i = 0; i < pieces.rows.size(); ++i) {
             actions.emplace_back(ShowPiece{static_cast<int>(i), true});
         }
     }
-    noteItem("pieces.show_all");
 }
 
 }  // namespace
-
-std::string volumeText(double volume) {
-    struct Unit {
-        double size;
-        const char* name;
-    };
-    static constexpr std::array kUnits{Unit{1, "m\u00b3"}, Unit{1e-3, "l"}, Unit{1e-6, "ml"}};
-    const auto* unit = std::ranges::find_if(
-        kUnits, [volume](const Unit& u) { return std::abs(volume) >= 0.1 * u.size; });
-    const Unit& chosen = unit == kUnits.end() ? kUnits.back() : *unit;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g %s", volume / chosen.size, chosen.name);
-    return text;
-}
 
 float piecesHeight(const PiecesState& pieces, const DisplaySettings& display) {
     const std::size_t rows = pieces.rows.size();

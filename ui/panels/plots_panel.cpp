@@ -1,5 +1,3 @@
-#include "ui/panels/plots_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -78,23 +76,20 @@ std::vector<std::string> withPlot(const Settings& settings, const char* id, bool
 }
 
 void drawChooser(const Settings& chosen, std::vector<Action>& actions) {
-    if (ImGui::Button("Plots \u25be")) {
+    if (button("Plots \u25be", "plots.choose", "Choose the plots to show")) {
         ImGui::OpenPopup("choose plots");
     }
-    noteItem("plots.choose");
-    itemTooltip("Choose the plots to show");
     placePopupBelowItem();
     if (!ImGui::BeginPopup("choose plots")) {
         return;
     }
     for (const PlotKind& kind : kPlots) {
         bool on = isChosen(chosen, kind.id);
-        if (ImGui::Checkbox(kind.title, &on)) {
+        if (checkbox(kind.title, on, std::string("plots.") + kind.id)) {
             Settings settings = chosen;
             settings.plots = withPlot(chosen, kind.id, on);
             actions.emplace_back(SetSettings{settings});
         }
-        noteItem(std::string("plots.") + kind.id);
     }
     ImGui::EndPopup();
 }
@@ -104,10 +99,7 @@ bool barButton(const char* label, const char* name, const std::string& tooltip) 
     if (ImGui::GetContentRegionAvail().x < buttonWidth(label)) {
         ImGui::NewLine();
     }
-    const bool pressed = ImGui::Button(label);
-    noteItem(name);
-    itemTooltip(tooltip);
-    return pressed;
+    return button(label, name, tooltip);
 }
 
 void drawHold(const PlotView& view, std::vector<Action>& actions) {

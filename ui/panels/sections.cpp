@@ -1,11 +1,10 @@
-#include "ui/panels/sections.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <string>
 
 #include "ui/base/item_rects.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 

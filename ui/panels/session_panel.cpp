@@ -1,5 +1,3 @@
-#include "ui/panels/session_panel.h"
-
 #include <imgui.h>
 
 #include <array>
@@ -7,7 +5,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/timeline.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
@@ -28,11 +26,10 @@ void drawButtons(std::vector<Action>& actions) {
     const float width =
         (ImGui::GetContentRegionAvail().x - (kAdditions.size() - 1) * gap) / kAdditions.size();
     for (const Addition& addition : kAdditions) {
-        if (ImGui::Button(addition.label, {width, 0})) {
+        if (button(addition.label, std::string("session.") + addition.label,
+                   describeAction(addition.id), width)) {
             actions.emplace_back(addition.id);
         }
-        noteItem(std::string("session.") + addition.label);
-        itemTooltip(describeAction(addition.id));
         ImGui::SameLine();
     }
     ImGui::NewLine();
@@ -52,11 +49,10 @@ void drawRow(const SessionPanelState& session, const SessionMark& mark,
     itemTooltip(label + ", step " + std::to_string(mark.step) +
                 (goes ? "\nClick to go to this step" : ""));
     ImGui::TableNextColumn();
-    if (ImGui::SmallButton(kRemove)) {
+    if (smallButton(kRemove, "session.remove." + std::to_string(mark.step),
+                    "Remove from session")) {
         actions.emplace_back(RemoveMark{mark.id});
     }
-    noteItem("session.remove." + std::to_string(mark.step));
-    itemTooltip("Remove from session");
     ImGui::PopID();
 }
 

@@ -1,5 +1,3 @@
-#include "ui/panels/stages_panel.h"
-
 #include <imgui.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 #include <span>
 
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {

@@ -1,5 +1,3 @@
-#include "ui/panels/timeline.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {

@@ -1,5 +1,3 @@
-#include "ui/panels/tools_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,9 +6,8 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/measure_rows.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 namespace {
@@ -21,11 +18,9 @@ constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest bl
 /// A button with a name of its own, which asks for an action.
 void drawButton(const char* label, const std::string& item, float width, ActionId id,
                 std::vector<Action>& actions) {
-    if (ImGui::Button(label, {width, 0})) {
+    if (button(label, item, describeAction(id), width)) {
         actions.emplace_back(id);
     }
-    noteItem(item);
-    itemTooltip(describeAction(id));
 }
 
 void drawToolButton(const ToolRow& tool, bool chosen, float width, std::vector<Action>& actions) {
@@ -70,9 +65,8 @@ struct Rows {
 };
 
 bool drawStrokeRows(const Rows& rows) {
-    bool changed = ImGui::Checkbox("Full depth", &rows.tools.stroke.throughAll);
-    noteItem("blade.through");
-    itemTooltip("Cut through the whole body along the line of sight");
+    bool changed = checkbox("Full depth", rows.tools.stroke.throughAll, "blade.through",
+                            "Cut through the whole body along the line of sight");
     if (!rows.tools.stroke.throughAll) {
         changed |= slideLength("Depth", rows.tools.stroke.depth, rows.tools.longest,
                                "Depth of the cut behind the nearest point of the body");
@@ -171,8 +165,7 @@ bool drawRetractRow(const Rows& rows) {
         return false;
     }
     ImGui::TextDisabled("No retractors in use");
-    noteItem("retract.remove");
-    itemTooltip(describeAction(ActionId::removeRetractor));
+    describeItem("retract.remove", describeAction(ActionId::removeRetractor));
     return false;
 }
 
@@ -195,11 +188,10 @@ constexpr std::array kSettingRows{
 
 void drawTimeWhileCutting(const PanelModel& model, std::vector<Action>& actions) {
     bool runs = model.settings.timeRunsWhileCutting;
-    if (ImGui::Checkbox("Time runs while cutting", &runs)) {
+    if (checkbox("Time runs while cutting", runs, "blade.time",
+                 "On: the body moves while you cut, even when paused. Off: it stays still")) {
         actions.emplace_back(ActionId::timeWhileCutting);
     }
-    noteItem("blade.time");
-    itemTooltip("On: the body moves while you cut, even when paused. Off: it stays still");
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "ui/panels/transport_panel.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,21 +5,18 @@
 #include <string>
 #include <utility>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
-#include "ui/panels/session_panel.h"
+#include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
 namespace {
 
 void actionButton(const char* label, ActionId id, float width, std::vector<Action>& actions) {
-    if (ImGui::Button(label, {width, 0})) {
+    if (button(label, "button." + std::string(rowOf(id).label), describeAction(id), width)) {
         actions.emplace_back(id);
     }
-    noteItem("button." + std::string(rowOf(id).label));
-    itemTooltip(describeAction(id));
 }
 
 void playButton(bool playing, float width, std::vector<Action>& actions) {
@@ -47,20 +42,17 @@ void recordButton(bool recording, float width, std::vector<Action>& actions) {
 
 void drawLoop(const PlaybackState& playback, std::vector<Action>& actions) {
     bool loop = playback.loop;
-    if (ImGui::Checkbox("Loop", &loop)) {
+    if (checkbox("Loop", loop, "loop", describeAction(ActionId::loop))) {
         actions.emplace_back(ActionId::loop);
     }
-    noteItem("loop");
-    itemTooltip(describeAction(ActionId::loop));
 }
 
 /// Pictures, checks and exports of this step.
 void drawAddButton(float width, std::vector<Action>& actions) {
-    if (ImGui::Button("Add \u25be", {width, 0})) {
+    if (button("Add \u25be", "session.add",
+               "Add a picture, a check, an export or a camera keyframe at this step", width)) {
         ImGui::OpenPopup("add");
     }
-    noteItem("session.add");
-    itemTooltip("Add a picture, a check, an export or a camera keyframe at this step");
     placePopupBelowItem();
     if (ImGui::BeginPopup("add")) {
         drawSessionAdditions(actions);

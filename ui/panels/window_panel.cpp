@@ -1,5 +1,3 @@
-#include "ui/panels/window_panel.h"
-
 #include <imgui.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::ui {
 namespace {
@@ -72,17 +71,15 @@ void drawWindowRows(const Settings& chosen, std::vector<Action>& actions) {
     bool changed = chooseTheme(settings);
     rowLabel("UI scale");
     itemTooltip("Size of text and panels, relative to the display's scale");
-    changed = chooseScale(settings) || changed;
+    changed |= chooseScale(settings);
     rowLabel("Mouse");
     itemTooltip("How dragging rotates and pans the view (listed by F1)");
-    changed = chooseMouse(settings) || changed;
-    changed = ImGui::Checkbox("Autosave for recovery", &settings.keepsJournal) || changed;
-    noteItem("window.journal");
-    itemTooltip(
+    changed |= chooseMouse(settings);
+    changed |= checkbox(
+        "Autosave for recovery", settings.keepsJournal, "window.journal",
         "Your actions are saved at once, so that nothing is lost if Kerf closes unexpectedly");
-    changed = ImGui::Checkbox("Software renderer", &settings.softwareRenderer) || changed;
-    noteItem("window.software");
-    itemTooltip(
+    changed |= checkbox(
+        "Software renderer", settings.softwareRenderer, "window.software",
         "Draw and compute on the CPU, from the next start on: slower, but correct where the "
         "graphics driver is faulty (kerf doctor checks that)");
     if (changed) {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -119,10 +118,6 @@ using FileAction = std::variant<GoToFolder, GoToParentFolder, SelectFile, MoveFi
                                 NameFile, ChooseFileKind, SetFilePerPiece, SetExportInScene,
                                 SetFilmLook, AcceptFile, KeepFile, CloseFileDialog, OpenFile>;
 
-/// The title of the dialog: "Open a model or a session".
-std::string_view titleOf(const FileDialogState& dialog);
-/// The label of the button that accepts the file: "Open".
-std::string_view verbOf(const FileDialogState& dialog);
 /// A size in a suitable unit: "1.5 MB".
 std::string sizeText(std::uintmax_t bytes);
 
