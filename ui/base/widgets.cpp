@@ -433,7 +433,7 @@ bool dragNumbers(std::span<double> values, Slide slide, float speed) {
 }
 
 bool keyPressed(int key, bool repeats) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats);
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(static_cast<ImGuiKey>(key)), repeats);
 }
 
 bool resetButton(const char* id) {
