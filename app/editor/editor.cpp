@@ -155,7 +155,7 @@ void drawScene(State& s) {
     const BusyScene now = s.scene.meanwhile();
     const render::FieldRange range = s.picture.fieldRange();
     const bool seeks = now && now.seekSteps() > 0 && s.clock.byTheClock();
-    if (!now || (now.isWhole() && !seeks)) {
+    if (!now || (now.isWhole() && !(seeks && s.picture.hasBody()))) {
         const bool rests = now && now.running() && s.clock.byTheClock() && s.picture.rests();
         s.picture.draw(now, s.view, s.panels.covered(s.view.width, s.view.height),
                        s.redraw.takeScene(!rests));

@@ -24,6 +24,7 @@ class EditorPicture {
     /// Shows that body from the next picture on. Throws gpu::OutOfMemory.
     void setBody(const std::shared_ptr<const UncutBody>& body) {
         renderer_.setRestDepth(depths.of(body));
+        drawn_.reset();
     }
     /// Draws the scene if it has `changed`, or if the view differs from the last frame. `covered`
     /// areas need not be drawn. `scene` is null if nothing is open. Throws gpu::ShaderError.
@@ -36,6 +37,8 @@ class EditorPicture {
     /// Whether steps should continue before they are shown: if drawing takes long, most of the time
     /// is for steps.
     bool rests() const;
+    /// Whether the last frame shows the body that was set last.
+    bool hasBody() const { return drawn_.has_value(); }
     /// The frame, over which the panels are drawn.
     const gpu::Framebuffer& target() const { return target_; }
     /// Adds up what takeSceneMilliseconds() returns, once a picture.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/scene/document/rest_of_body.h"
@@ -13,6 +14,23 @@ namespace kerf::app {
 namespace {
 
 constexpr double kClick = 4;  // a drag is longer [px]
+
+/// How far bounds reach beyond the part of a frame that is free, as a share of it; 1 if they don't.
+double overflowOf(const ViewFrame& seen, const ui::Rect& free, const Bounds& bounds) {
+    const Vec2 middle(free.x + free.width / 2, free.y + free.height / 2);
+    double over = 1;
+    for (int side = 0; side < 6; ++side) {  // a body hardly fills the corners of its box
+        Vec3 point = bounds.center();
+        point[side / 2] = (side % 2 == 0 ? bounds.low : bounds.high)[side / 2];
+        const auto at = seen.toPixel(point);
+        if (!at) {
+            return std::numeric_limits<double>::infinity();  // behind the eye
+        }
+        over = std::max({over, std::abs(at->x - middle.x()) / (free.width / 2),
+                         std::abs(at->y - middle.y()) / (free.height / 2)});
+    }
+    return over;
+}
 
 }  // namespace
 
@@ -81,18 +99,13 @@ render::Camera EditorView::fitted(render::Camera home, const Bounds& bounds) con
     }
     ViewFrame seen = frame();
     home.middle = seen.camera.middle;
-    seen.camera = home;
-    const ui::PlotPoint middle{free.x + free.width / 2, free.y + free.height / 2};
-    double over = 1;
-    for (int side = 0; side < 6; ++side) {  // a body hardly fills the corners of its box
-        Vec3 point = bounds.center();
-        point[side / 2] = (side % 2 == 0 ? bounds.low : bounds.high)[side / 2];
-        if (const auto at = seen.toPixel(point)) {
-            over = std::max({over, std::abs(at->x - middle.x) / (free.width / 2),
-                             std::abs(at->y - middle.y) / (free.height / 2)});
-        }
-    }
-    home.zoom(over, home.middle, 1);
+    constexpr double kMost = 2;  // at once: what is near the eye comes into view much sooner
+    double over = 0;
+    do {
+        seen.camera = home;
+        over = overflowOf(seen, free, bounds);
+        home.zoom(std::min(over, kMost), home.middle, 1);
+    } while (over > kMost);
     home.middle = Vec2::Zero();
     return home;
 }

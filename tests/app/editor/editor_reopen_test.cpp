@@ -218,5 +218,30 @@ TEST_F(EditorReopenTest, ALongSessionTellsHowFarItIsAndCanBeCancelled) {
     EXPECT_LT(panels().session.playback.step, 5000) << "Esc stops it, too";
 }
 
+// The view stayed black, or showed what was open before, until the end was reached.
+TEST_F(EditorReopenTest, TheBodyIsSeenWhileItsSessionIsPlayedToTheEnd) {
+    test::writeText(folder / "long.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 1}, "steps": 5000,
+        "events": [{"step": 2000, "type": "set", "name": "iterations", "value": 2}]})");
+    EditorOptions byTheClock = options();
+    byTheClock.byTheClock = true;
+    editor.reset();
+    editor = std::make_unique<Editor>(byTheClock, std::nullopt);
+    editor->open(folder / "long.kerf.json");
+    for (int i = 0; i < 4000 && !(panels().transport.seeking && panels().name == "long"); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        frame();
+    }
+    ASSERT_TRUE(panels().transport.seeking);
+    frames(3);
+    ASSERT_TRUE(panels().transport.seeking);
+    const render::Image picture = editor->readPicture();
+    const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
+    EXPECT_GT(picture.pixels[middle], 2 * picture.pixels[middle + 2]) << "red";
+    click("work.cancel");
+    settle();
+}
+
 }  // namespace
 }  // namespace kerf::app

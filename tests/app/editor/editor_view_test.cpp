@@ -68,6 +68,25 @@ int lowestOfBall(const render::Image& picture) {
     return lowest;
 }
 
+// One look at what is beside the eye sent the view so far away that nothing was seen.
+TEST_F(EditorViewTest, AViewFromBesideABodyMovesAwayUntilItIsSeenAndNoFarther) {
+    Session session;
+    session.model.builtin = "sphere768";
+    session.steps = 1;
+    session.view = render::Camera{.eye = {-0.002, 0.1, 0.6}, .target = {0.998, 0.1, 0.6}};
+    test::writeText(folder / "beside.kerf.json", formatSession(session, folder.path()));
+    editor->open(folder / "beside.kerf.json");
+    waitForWork();
+    moveTo(5, 5);
+    settle();
+    const render::Image picture = editor->readPicture();
+    int red = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+        red += picture.pixels[i] > 120 && picture.pixels[i] > 2 * picture.pixels[i + 2] ? 1 : 0;
+    }
+    EXPECT_GT(red, kWidth * kHeight / 100);
+}
+
 TEST_F(EditorViewTest, FramingKeepsTheBallAboveTheHint) {
     drag(kTop, kBottom, 30);
     settle();
