@@ -83,10 +83,15 @@ bool addButton(const AxisEnd& end, const ImVec2& at, float scale, std::vector<Ac
 
 }  // namespace
 
+bool hasRoomForAxes(const Rect& view, float scale) {
+    const float half = (kArm + kBall) * scale;
+    return view.width >= 6 * half && view.height >= 4 * half;
+}
+
 void drawAxes(const ViewAxes& axes, const Rect& view, float scale, std::vector<Action>& actions) {
     const float half = (kArm + kBall) * scale;
     const float margin = kMargin * scale;
-    if (view.width < 6 * half || view.height < 4 * half) {
+    if (!hasRoomForAxes(view, scale)) {
         return;
     }
     const ImVec2 center{view.x + view.width - margin - half, view.y + margin + half};

@@ -263,7 +263,8 @@ void drawAroundView(const PanelModel& model, const Layout& layout, float scale,
     drawEdges(model.settings, layout, scale, actions);
     drawPanelsHint(model.settings, layout.view, actions);
     if (!model.name.empty() || model.looks.showsFaulty) {
-        drawLegend(model.looks, model.display, layout.view, scale);
+        drawLegend(model.looks, model.display, layout.view, hasRoomForAxes(layout.view, scale),
+                   scale);
         drawAxes(model.view.axes, layout.view, scale, actions);
     }
     if (layout.timeline.height > 0) {

@@ -41,6 +41,8 @@ void drawStatusBar(const PanelModel& model, const Rect& rect);
 /// open.
 void drawHelp(const PanelModel& model, std::vector<Action>& actions);
 
+/// Whether a view is large enough for the cross of axes.
+bool hasRoomForAxes(const Rect& view, float scale);
 /// A small cross of the world's axes in the upper right corner of the view. A click on one of its
 /// six ends looks from there. `scale` is the display's
 /// (1 = 96 dpi).

@@ -282,6 +282,37 @@ TEST_F(InterfaceTest, NoButtonIsCutOffInASmallWindow) {
     EXPECT_EQ(buttons, 3U);
 }
 
+// Labels lay over the boxes beside them, and "Light" was cut off.
+TEST_F(InterfaceTest, NoSwitchCoversAnotherInANarrowPanel) {
+    for (const auto& [width, height] : {std::pair{800, 600}, {kWidth, kHeight}}) {
+        model.settings.folded = {"experiments", "model", "tools", "simulation", "cuts"};
+        for (int i = 0; i < 3; ++i) {
+            interface->update({}, model, width, height, 1.0 / 60);
+        }
+        const Layout layout = layoutPanels(static_cast<float>(width), static_cast<float>(height), 1,
+                                           model.settings, true);
+        std::vector<Rect> switches;
+        for (const auto& [name, rect] : interface->itemRects()) {
+            if (name.starts_with("display.") || name == "window.light") {
+                EXPECT_LE(rect.x + rect.width, layout.controls.x + layout.controls.width - 8)
+                    << name;
+            }
+            if (name.starts_with("display.")) {
+                switches.push_back(rect);
+            }
+        }
+        for (const Rect& a : switches) {
+            EXPECT_EQ(std::ranges::count_if(switches,
+                                            [&](const Rect& b) {
+                                                return a.x < b.x + b.width && b.x < a.x + a.width &&
+                                                       a.y < b.y + b.height && b.y < a.y + a.height;
+                                            }),
+                      1)
+                << "itself";
+        }
+    }
+}
+
 TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
     ASSERT_TRUE(interface->itemRects().contains("param.iterations"));
     clickOn("section.simulation");

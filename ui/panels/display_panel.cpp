@@ -35,10 +35,17 @@ constexpr std::array kSwitches{
 };
 
 void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
-    const float half = ImGui::GetContentRegionAvail().x / 2;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    std::array<float, 2> widths{};
     for (std::size_t i = 0; i < kSwitches.size(); ++i) {
-        if (i % 2 == 1) {
-            ImGui::SameLine(half + ImGui::GetStyle().WindowPadding.x);
+        const float text = ImGui::CalcTextSize(kSwitches[i].label).x;
+        widths[i % 2] =
+            std::max(widths[i % 2], text + ImGui::GetFrameHeight() + 2 * style.ItemInnerSpacing.x);
+    }
+    const int columns = widths[0] + widths[1] <= ImGui::GetContentRegionAvail().x ? 2 : 1;
+    for (std::size_t i = 0; i < kSwitches.size(); ++i) {
+        if (i % columns > 0) {
+            ImGui::SameLine(style.WindowPadding.x + widths[0]);
         }
         bool on = isOn(model, kSwitches[i].id);
         if (checkbox(kSwitches[i].label, on, std::string("display.") + kSwitches[i].label,
@@ -315,16 +322,15 @@ void drawErrorScale(float scale) {
 }  // namespace
 
 void drawLegend(const LooksState& looks, const DisplaySettings& display, const Rect& view,
-                float scale) {
+                bool belowBoxes, float scale) {
     const bool field = display.field.field != render::SurfaceField::look;
     const bool body = !looks.showsFaulty && (display.overlays.any() || field);
     if (!body && looks.faults.empty()) {
         return;
     }
-    // Below the axes, and below what the editor says.
     const float margin = 10 * scale;
-    ImGui::SetNextWindowPos({view.x + view.width - margin, view.y + topBoxesHeight()},
-                            ImGuiCond_Always, {1, 0});
+    const float top = belowBoxes ? topBoxesHeight() : margin;
+    ImGui::SetNextWindowPos({view.x + view.width - margin, view.y + top}, ImGuiCond_Always, {1, 0});
     ImGui::SetNextWindowBgAlpha(0.7F);
     ImGui::Begin("legend", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |

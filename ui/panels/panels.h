@@ -61,9 +61,9 @@ std::string sliderFormat(const ParamInfo& info);
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions);
 
 /// Draws a legend of the colours of overlays, and of a quantity on the body, at the right of the
-/// view, while any is shown.
+/// view, while any is shown: below the axes and what the editor says, or at the top.
 void drawLegend(const LooksState& looks, const DisplaySettings& display, const Rect& view,
-                float scale);
+                bool belowBoxes, float scale);
 
 /// Draws the quality of the cuts: the figures of all of them beside those of the last stroke.
 void drawCuts(const CutsState& cuts);

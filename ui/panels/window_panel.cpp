@@ -19,7 +19,7 @@ bool chooseTheme(Settings& settings) {
     bool changed = ImGui::RadioButton("Dark", !light);
     noteItem("window.dark");
     light = changed ? false : light;
-    ImGui::SameLine();
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::RadioButton("Light", light)) {
         light = changed = true;
     }
