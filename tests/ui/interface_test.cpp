@@ -313,6 +313,31 @@ TEST_F(InterfaceTest, NoSwitchCoversAnotherInANarrowPanel) {
     }
 }
 
+// The field showed the unit of the file, beside edge lengths in the scene.
+TEST_F(InterfaceTest, TheEdgeOfARemeshIsThatInTheScene) {
+    ModelState scaled;
+    scaled.placement.scale = 0.2;
+    scaled.edge = 0.015;
+    model.model.models = {scaled};
+    model.settings.folded = {"experiments", "tools", "simulation", "display", "cuts", "window"};
+    update({});
+    update({});
+    const Rect field = interface->itemRects().at("model.edge");
+    const Vec2 middle(field.x + field.width / 2, field.y + field.height / 2);
+    update({PointerMove{middle.x(), middle.y(), {.control = true}}});
+    update({ButtonChange{Button::left, true, {.control = true}}});
+    update({ButtonChange{Button::left, false, {}}});
+    for (const char digit : std::string("0.004")) {
+        update({Character{static_cast<unsigned>(digit)}});
+    }
+    tap(Key::enter);
+    clickOn("model.remesh");
+    ASSERT_FALSE(others.empty());
+    const auto* remesh = std::get_if<Remesh>(&others.back());
+    ASSERT_NE(remesh, nullptr);
+    EXPECT_NEAR(remesh->edge, 0.02, 1e-6);
+}
+
 TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
     ASSERT_TRUE(interface->itemRects().contains("param.iterations"));
     clickOn("section.simulation");

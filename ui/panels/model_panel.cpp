@@ -171,11 +171,13 @@ void drawMaterial(const ModelPanelState& model, const ShownModel& shown,
     }
 }
 
-/// With edges as long as proposed, or as typed: that is kept as a share of the proposal.
+/// With edges as long as proposed, or as typed: that is kept as a share of the proposal. Shown as
+/// long as they are in the scene.
 void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
     const ModelState& state = shown.state;
     float& share = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(state.name.c_str()), 1);
-    double edge = share * state.edge;
+    const double proposed = state.placement.scale * state.edge;
+    double edge = share * proposed;
     const bool clicked = button(
         "Remesh", "model.remesh",
         fmt::format("Rebuild the surface with about {:.0f} evenly sized triangles. Resets the cuts "
@@ -185,14 +187,14 @@ void drawRemesh(const ShownModel& shown, std::vector<Action>& actions) {
     ImGui::SetNextItemWidth(-1);
     const LengthUnit unit = state.placement.unit.value_or(LengthUnit::metre);
     const std::string format = fmt::format("Edge length %.3g {}", nameOf(unit));
-    if (changeNumbers({"", 1, static_cast<float>(state.edge / 200), state.edge / 10,
-                       10 * state.edge, format.c_str()},
+    if (changeNumbers({"", 1, static_cast<float>(proposed / 200), proposed / 10, 10 * proposed,
+                       format.c_str()},
                       true, &edge)) {
-        share = static_cast<float>(edge / state.edge);
+        share = static_cast<float>(edge / proposed);
     }
     noteItem("model.edge");
     if (clicked) {
-        actions.emplace_back(Remesh{shown.number, edge});
+        actions.emplace_back(Remesh{shown.number, edge / state.placement.scale});
         share = 1;
     }
 }
