@@ -22,9 +22,12 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
     }
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     for (std::size_t i = question.choices.size(); i-- > 0;) {
+        const ImGuiCol color = i == 0 ? ImGuiCol_ButtonActive : ImGuiCol_Button;  // 0: Enter's
+        ImGui::PushStyleColor(ImGuiCol_Button, style.Colors[color]);
         if (button(question.choices[i].c_str(), "question." + std::to_string(i))) {
             actions.emplace_back(AnswerQuestion{static_cast<int>(i)});
         }
+        ImGui::PopStyleColor();
         if (i > 0) {
             ImGui::SameLine();
         }

@@ -66,7 +66,7 @@ struct StyleColor {
 constexpr std::array kStyleColors{
     StyleColor{ImGuiCol_WindowBg, {23, 25, 31, 0.94F}, {245, 246, 248, 0.96F}},
     StyleColor{ImGuiCol_PopupBg, {28, 31, 38, 0.98F}, {255, 255, 255, 0.98F}},
-    StyleColor{ImGuiCol_Border, {255, 255, 255, 0.06F}, {0, 0, 0, 0.12F}},
+    StyleColor{ImGuiCol_Border, {255, 255, 255, 0.14F}, {0, 0, 0, 0.12F}},
     StyleColor{ImGuiCol_ModalWindowDimBg, {0, 0, 0, 0.3F}, {0, 0, 0, 0.1F}},
     StyleColor{ImGuiCol_FrameBg, {41, 46, 57}, {224, 227, 232}},
     StyleColor{ImGuiCol_FrameBgHovered, {50, 57, 71}, {212, 218, 226}},

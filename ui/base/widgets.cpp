@@ -439,7 +439,9 @@ bool keyPressed(int key, bool repeats) {
 bool resetButton(const char* id) {
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0, 0, 0, 0});
-    const bool pressed = ImGui::Button(id, {side, side});
+    ImGui::PushID(id);
+    const bool pressed = ImGui::Button("##reset", {side, side});
+    ImGui::PopID();
     ImGui::PopStyleColor();
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 center{low.x + side / 2, low.y + side / 2};

@@ -19,7 +19,7 @@ std::shared_ptr<const Cards> readCards() {
         {"liver", "Liver",
          "Press S and draw an incision, then Y and drag across it to hold it open."},
         {"jelly", "Jelly cube", "Press Shift+Space: it falls and wobbles. Then cut it."},
-        {"egg", "Hollow egg", "Cut it in two, then press A to look inside."},
+        {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
         {"cloth", "Cloth", "Press Shift+Space: it drapes itself. Then cut it."},
     });
     for (ui::StartCard& card : *cards) {
