@@ -16,13 +16,7 @@ std::string scaleText(double scale) {
 
 bool chooseTheme(Settings& settings) {
     bool light = settings.theme == Theme::light;
-    bool changed = ImGui::RadioButton("Dark", !light);
-    noteItem("window.dark");
-    light = changed ? false : light;
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::RadioButton("Light", light)) {
-        light = changed = true;
-    }
+    const bool changed = ImGui::Checkbox("Light theme", &light);
     noteItem("window.light");
     settings.theme = light ? Theme::light : Theme::dark;
     return changed;
@@ -67,7 +61,6 @@ bool chooseMouse(Settings& settings) {
 
 void drawWindowRows(const Settings& chosen, std::vector<Action>& actions) {
     Settings settings = chosen;
-    rowLabel("Theme");
     bool changed = chooseTheme(settings);
     rowLabel("UI scale");
     itemTooltip("Size of text and panels, relative to the display's scale");
