@@ -302,6 +302,8 @@ TEST_F(InterfaceTest, NoSwitchCoversAnotherInANarrowPanel) {
                 switches.push_back(rect);
             }
         }
+        const auto topOf = [&](const char* label) { return interface->itemRects().at(label).y; };
+        EXPECT_EQ(topOf("display.Wireframe") == topOf("display.Edge springs"), width == kWidth);
         for (const Rect& a : switches) {
             EXPECT_EQ(std::ranges::count_if(switches,
                                             [&](const Rect& b) {

@@ -23,8 +23,8 @@ struct Switch {
 constexpr std::array kSwitches{
     Switch{ActionId::wireframe, "Wireframe"},
     Switch{ActionId::showEdges, "Edge springs"},
-    Switch{ActionId::showBends, "Bending"},
     Switch{ActionId::showIspcs, "Internal springs"},
+    Switch{ActionId::showBends, "Bending"},
     Switch{ActionId::showErrors, "Constraint error"},
     Switch{ActionId::showContacts, "Contacts"},
     Switch{ActionId::showBoxes, "Bounding boxes"},
