@@ -335,6 +335,13 @@ void Editor::State::save(const ChosenFile& chosen) {
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                                        isTest ? SavedAs::test : SavedAs::session);
+    for (const std::filesystem::path& model : changedModels(scene->document())) {
+        saved.remark +=
+            (saved.remark.empty() ? "" : " ") + model.filename().string() +
+            (std::filesystem::exists(model)
+                 ? " has changed since it was read; the saved session will use the new version."
+                 : " is gone; the saved session needs it.");
+    }
     work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
                      : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(),
                                    sessionFile.ends));

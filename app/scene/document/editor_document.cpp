@@ -31,17 +31,21 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
     for (const std::string& remark : model.remarks) {
         note += (note.empty() ? "" : " ") + remark;
     }
-    return {std::move(name),
-            std::move(session),
-            std::move(model.mesh),
-            bounds,
-            camera,
-            std::move(model.looks),
-            std::move(note),
-            std::nullopt,
-            std::move(model.placed),
-            std::move(model.faults),
-            std::move(model.facts.objects)};
+    Document document{std::move(name),
+                      std::move(session),
+                      std::move(model.mesh),
+                      bounds,
+                      camera,
+                      std::move(model.looks),
+                      std::move(note),
+                      std::nullopt,
+                      std::move(model.placed),
+                      std::move(model.faults),
+                      std::move(model.facts.objects)};
+    for (const std::filesystem::path& file : modelFiles(document.session)) {
+        document.read[file] = stampOf(file);
+    }
+    return document;
 }
 
 /// A new model is of soft silicone, as models that are made to be cut: it carries every size that
@@ -141,6 +145,16 @@ MemoryNeed memoryNeedOf(const Document& document) {
     settings.undoBudget = kUndoBudget;
     settings.keyframeBudget = kKeyframeBudget;
     return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
+}
+
+std::vector<std::filesystem::path> changedModels(const Document& document) {
+    std::vector<std::filesystem::path> changed;
+    for (const auto& [file, stamp] : document.read) {
+        if (stampOf(file) != stamp) {
+            changed.push_back(file);
+        }
+    }
+    return changed;
 }
 
 Document openScene(const std::string& name, Session scene, const ReadOptions& options) {

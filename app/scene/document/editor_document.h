@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
+#include "app/files/io/file_stamp.h"
 #include "app/scene/document/stored_ends.h"
 #include "app/session/session.h"
 #include "render/scene/camera.h"
@@ -30,7 +32,11 @@ struct Document {
     bool inFile = true;                             ///< false: no file holds this scene
     std::optional<StoredEnd> end = {};              ///< of a session, if it is known
     std::filesystem::path file = {};                ///< of the session; empty for none
+    /// Its model files, as they were read.
+    std::map<std::filesystem::path, std::optional<FileStamp>> read = {};
 };
+/// The model files that have changed since.
+std::vector<std::filesystem::path> changedModels(const Document& document);
 
 /// The name of a document in this file: without folder, extension or kSessionEnding.
 std::string shortName(const std::filesystem::path& file);

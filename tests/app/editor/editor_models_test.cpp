@@ -113,6 +113,32 @@ TEST_F(EditorModelsTest, AnIgnoredChangeIsOfferedNoMore) {
     EXPECT_THAT(hint(), ::testing::Not(HasSubstr("changed on disk")));
 }
 
+// Without a word the session was saved for another model, also after Ignore and after an undo.
+TEST_F(EditorModelsTest, SavingTellsThatTheModelHasChanged) {
+    cut();
+    saveByKeys();
+    EXPECT_THAT(panels().toast.text, ::testing::Not(HasSubstr("has changed")));
+    write("box.obj", test::boxSoup(Vec3(2.5, 3, 3), 5));
+    look(2);
+    click("hint.Esc");
+    saveByKeys();
+    EXPECT_THAT(panels().toast.text, HasSubstr("box.obj has changed since it was read; the "
+                                               "saved session will use the new version."));
+    tap(Key::f5);
+    finish();
+    saveByKeys();
+    EXPECT_THAT(panels().toast.text, ::testing::Not(HasSubstr("has changed")));
+    for (int i = 0; i < 8 && panels().toast.text != "Undone: Reload"; ++i) {
+        tap(Key::z, {.control = true});
+        finish();
+    }
+    saveByKeys();
+    EXPECT_THAT(panels().toast.text, HasSubstr("has changed since it was read"));
+    std::filesystem::remove(folder / "box.obj");
+    saveByKeys();
+    EXPECT_THAT(panels().toast.text, HasSubstr("box.obj is gone; the saved session needs it."));
+}
+
 TEST_F(EditorModelsTest, CutsThatMissTheNewModelAreTold) {
     cut();
     TriangleSoup low = test::boxSoup(Vec3(3, 3, 3), 4);
