@@ -7,6 +7,7 @@
 #include "app/editor/editor_state.h"
 #include "app/editor/view/start_scenes.h"
 #include "app/files/io/file_io.h"
+#include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "sim/base/text.h"
 
@@ -155,6 +156,7 @@ void Editor::State::beginScene() {
     offers.comingBack = false;
     scene.onceSought = nullptr;
     work.onceSaved = nullptr;
+    scene->readout().plot(std::nullopt);  // The list of measurements begins anew.
     work.models.begin(app::modelFiles(scene->document().session));
     guide.begin(*scene);
     kernels.begin();

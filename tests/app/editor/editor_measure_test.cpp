@@ -247,5 +247,24 @@ TEST_F(EditorMeasureTest, APlottedPointFollowsItsMaterialThroughACut) {
     EXPECT_GT((*panels().plots.history)[ui::Reading::pointStrain].buckets().size(), before);
 }
 
+// It could not be removed, since the list was empty.
+TEST_F(EditorMeasureTest, ASceneThatAnUndoBringsBackPlotsNoPoint) {
+    start(options());
+    tap(Key::m);
+    settle();
+    click("measure.Plot");
+    clickAt(0, 0);
+    ASSERT_EQ(rows().size(), 1U);
+    tap(Key::r, {.shift = true});
+    waitForWork();
+    settle();
+    tap(Key::z, {.control = true});
+    waitForWork();
+    settle();
+    EXPECT_EQ(panels().toast.text, "Undone: Remesh");
+    EXPECT_TRUE(rows().empty());
+    EXPECT_FALSE(editor->itemRects().contains("plot.point_strain"));
+}
+
 }  // namespace
 }  // namespace kerf::app
