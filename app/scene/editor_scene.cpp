@@ -110,10 +110,10 @@ std::string EditorScene::execute(const Command& command) {
         forgetStroke();
     }
     const Params before = simulation().params();
-    const bool bladeIsDown = simulation().blade().has_value();
+    const bool bladeIsDown = simulation().blade() && simulation().bladeActions().empty();
     std::string problem = timeline().perform(command);
-    if (!problem.empty() && bladeIsDown && !simulation().blade()) {
-        timeline().perform(LiftBlade{});  // an undo with nothing to undo puts the blade away
+    if (!problem.empty() && bladeIsDown && takesBodyElsewhere(command)) {
+        timeline().perform(LiftBlade{});  // its stroke has been forgotten
     }
     if (problem.empty() && takesBodyElsewhere(command)) {
         chooseAsBefore(before);

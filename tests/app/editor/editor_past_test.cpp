@@ -179,6 +179,26 @@ TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
     expectItReplays();
 }
 
+// The stroke was forgotten, and the blade stayed in the body.
+TEST_F(EditorPastTest, ARedoOfNothingEndsTheStroke) {
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    for (int i = 1; i <= 6; ++i) {
+        const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
+        moveTo(at.x(), at.y());
+        frames(1);
+    }
+    settle();
+    ASSERT_TRUE(scene().simulation().blade());
+    tap(Key::y, {.control = true});
+    EXPECT_EQ(panels().toast.text, "There is nothing to redo.");
+    press(false);
+    tap(Key::period);
+    settle();
+    EXPECT_FALSE(scene().simulation().blade());
+    expectItReplays();
+}
+
 TEST_F(EditorPastTest, ABladeThatIsLiftedWhereAMomentIsKeptStaysLifted) {
     const int kept = 50;
     while (step() < kept - 2) {
