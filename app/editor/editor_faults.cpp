@@ -315,7 +315,7 @@ void Editor::State::followExchange() {
 void Editor::State::goToChange(std::size_t done) {
     const UndoHistory& history = scene->simulation().history();
     const std::size_t first = sceneHistory.rowsBefore();
-    const std::size_t own = std::max(done, first) - first;
+    const std::size_t own = std::max(done, first) - first + sceneHistory.withoutRows(history);
     while (history.done() > own && history.canUndo()) {
         execute(Undo{});
     }

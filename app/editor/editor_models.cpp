@@ -110,6 +110,7 @@ void reopen(State& s, OpeningOrder order, const std::string& told, bool fits = t
         s.scene->seek(before->step);
         s.offers.comingBack = s.scene->timeline().seekSteps() > 0;
         s.scene.onceSought = [&s, told, before] {
+            s.sceneHistory.noteRepeated(s.scene->simulation().history());
             const std::string& note = s.scene->document().note;
             const std::string gap = told.empty() || note.empty() ? "" : " ";
             s.toast.show(told + gap + note + differences(*s.scene, *before), false);

@@ -38,6 +38,8 @@ class SceneHistory {
         int savedDeeds = 0;      ///< see WorkKeeping::noteSaved()
         int additions = 0;       ///< UndoHistory::additions() of the scene before the change, then
         std::size_t undone = 0;  ///< its changes undone then
+        /// The first changes of the scene after the change, which are those before it once more.
+        std::size_t repeated = 0;
     };
 
     /// An exchange requested by undo or redo, done between two steps.
@@ -50,11 +52,13 @@ class SceneHistory {
     void clear();
     /// `before` was replaced by a new scene. Undone ones are lost.
     void add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds);
+    /// All changes of the open scene, whose history is `now`, repeat those before the exchange.
+    void noteRepeated(const UndoHistory& now);
     /// Drops what can't be restored any more after a change of the open scene, whose history is
     /// `now`.
     void follow(const UndoHistory& now);
 
-    /// Whether an undo reverts an exchange: nothing else of `now` is left to undo.
+    /// Whether an undo reverts an exchange: nothing of `now` is left to undo but what is repeated.
     bool undoes(const EditorScene& now) const;
     /// Whether a redo repeats an exchange.
     bool redoes(const EditorScene& now) const;
@@ -65,10 +69,14 @@ class SceneHistory {
 
     /// The number of history rows before those of the open scene.
     std::size_t rowsBefore() const;
+    /// The number of changes of the open scene, whose history is `now`, without rows.
+    std::size_t withoutRows(const UndoHistory& now) const;
     /// Adds the rows of the other scenes around those of `now`.
     void describe(const EditorScene& now, ui::ChangeList& list) const;
 
   private:
+    std::vector<ui::ChangeRow> rowsOfBefore() const;
+
     std::vector<Kept> before_;  ///< oldest first
     std::vector<Kept> after_;   ///< the next one last
 };

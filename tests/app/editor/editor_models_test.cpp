@@ -5,6 +5,7 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/session.h"
+#include "sim/base/text.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
 
@@ -63,6 +64,7 @@ class EditorModelsTest : public EditorTest {
         settle();
         frames(1);
     }
+    std::string changes() { return joined(panels().changes.rows, ", ", &ui::ChangeRow::name); }
     std::string hint() { return panels().help.hint.text; }
     void add(const std::string& file) {
         tap(Key::o, {.shift = true, .control = true});
@@ -178,12 +180,24 @@ TEST_F(EditorModelsTest, AddingAModelKeepsTheCuts) {
     write("stool.obj", test::boxSoup(Vec3(4, 2, 2), 2));
     cut();
     const int end = step();
+    const std::string before = changes();
     add("stool.obj");
     EXPECT_THAT(panels().question.text, IsEmpty());
     EXPECT_THAT(panels().toast.text, HasSubstr("Added as model 1."));
     EXPECT_EQ(panels().model.models.size(), 2U);
     EXPECT_EQ(pieces(), 3);
     EXPECT_EQ(step(), end);
+    EXPECT_EQ(changes(), before + ", Add model") << "what is repeated is listed once";
+    EXPECT_EQ(panels().changes.done, panels().changes.rows.size());
+    tap(Key::z, {.control = true});
+    finish();
+    EXPECT_EQ(panels().model.models.size(), 1U);
+    EXPECT_EQ(changes(), before + ", Add model");
+    EXPECT_EQ(panels().changes.done, panels().changes.rows.size() - 1);
+    tap(Key::z, {.shift = true, .control = true});
+    finish();
+    EXPECT_EQ(panels().model.models.size(), 2U);
+    EXPECT_EQ(pieces(), 3);
     editor->resize(1280, 1200);
     frames(2);
     click("model.remove.1");
