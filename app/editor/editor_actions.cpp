@@ -88,6 +88,13 @@ void cancel(State& s) {
     }
 }
 
+/// Those of the body's material, or the session's if it has none.
+render::ChosenColors colorsOfMaterial(State& s) {
+    const Material* const material = s.materials.of(s.scene->simulation().params());
+    const bool own = material == nullptr || !material->colors.any();
+    return own ? s.scene->document().session.colors : material->colors;
+}
+
 /// Whether taking it back moves the body at once.
 bool movesBody(const UndoEntry& entry) {
     return std::holds_alternative<UndoEntry::BodySnapshotChange>(entry.change);
@@ -566,10 +573,17 @@ void Editor::State::answer(const ui::Action& action) {
 }
 
 bool Editor::State::execute(const Command& command) {
-    if (std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command)) {
+    const bool steps =
+        std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
+    render::ChosenColors& shown = view.display.settings.colors;
+    const bool showsMaterial = shown == colorsOfMaterial(*this);
+    if (steps) {
         view.cancelTools(restingScene());  // Neither a stroke nor a pull goes on elsewhere.
     }
     const std::string problem = scene->execute(command);
+    if (steps && showsMaterial) {
+        shown = colorsOfMaterial(*this);
+    }
     say(problem);
     return problem.empty();
 }

@@ -33,14 +33,18 @@ const Material* MaterialShelf::find(int number) const {
     return number >= 0 && number < static_cast<int>(all_.size()) ? &all_[number] : nullptr;
 }
 
+const Material* MaterialShelf::of(const Params& params, int model) const {
+    const auto found = std::ranges::find_if(
+        all_, [&](const Material& material) { return isMadeOf(params, material, model); });
+    return found == all_.end() ? nullptr : &*found;
+}
+
 void MaterialShelf::describe(ui::PanelModel& model) const {
     model.model.materials = rows_;
     for (int m = 0; m < static_cast<int>(model.model.models.size()); ++m) {
-        const auto found = std::ranges::find_if(all_, [&](const Material& material) {
-            return isMadeOf(model.parameters.now, material, m);
-        });
+        const Material* const found = of(model.parameters.now, m);
         model.model.models[m].material =
-            found == all_.end() ? -1 : static_cast<int>(found - all_.begin());
+            found == nullptr ? -1 : static_cast<int>(found - all_.data());
     }
 }
 

@@ -24,6 +24,8 @@ class MaterialShelf {
     int add(const std::filesystem::path& file);
     /// By number; null for none.
     const Material* find(int number) const;
+    /// What a model is made of by its parameters; null for none of these.
+    const Material* of(const Params& params, int model = 0) const;
     /// Sets the list that panels show, and which of it each model is made of.
     void describe(ui::PanelModel& model) const;
 

@@ -54,6 +54,7 @@ class EditorMaterialTest : public EditorTest {
 
 TEST_F(EditorMaterialTest, AChoiceSetsValuesAndLookAndIsOneChange) {
     const Params before = params();
+    const render::ChosenColors ownColors = panels().display.colors;
     EXPECT_EQ(shown(), "");
     choose("Liver");
     EXPECT_TRUE(isMadeOf(params(), findMaterial("liver", {})));
@@ -64,8 +65,10 @@ TEST_F(EditorMaterialTest, AChoiceSetsValuesAndLookAndIsOneChange) {
     tap(Key::z, {.control = true});
     EXPECT_EQ(params(), before);
     EXPECT_EQ(shown(), "");
+    EXPECT_EQ(panels().display.colors, ownColors);
     tap(Key::z, {.shift = true, .control = true});
     EXPECT_EQ(shown(), "Liver");
+    EXPECT_EQ(panels().display.colors, findMaterial("liver", {}).colors);
 }
 
 TEST_F(EditorMaterialTest, TooltipTellsValuesSpreadAndSources) {
