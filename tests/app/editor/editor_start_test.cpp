@@ -8,6 +8,7 @@
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
 #include "tests/app/editor/editor_fixture.h"
+#include "ui/panels/panels.h"
 
 namespace kerf::app {
 namespace {
@@ -159,6 +160,7 @@ TEST_F(EditorStart, EverySceneIsCut) {
         const std::size_t pieces = panels().pieces.rows.size();
         EXPECT_TRUE(incised ? pieces == 1 : pieces >= 2) << pieces;
         EXPECT_GT(editor->scene()->simulation().report().triangles, triangles);
+        EXPECT_EQ(ui::remarkOn(*findParam("iterations"), panels().parameters), "");
     }
 }
 
