@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gpu/context.h"
+#include "gpu/data_path.h"
 
 namespace kerf::gpu {
 namespace {

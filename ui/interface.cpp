@@ -104,9 +104,6 @@ using Actions = std::vector<Action>;
 
 /// The sections of the left panel, from top to bottom.
 constexpr std::array kSections{
-    PanelPart{"Paper experiments",
-              [](const PanelModel& m, Actions& to) { drawExperiments(m.experiments, to); },
-              "experiments"},
     PanelPart{
         "Model",
         [](const PanelModel& m, Actions& to) { drawModel(m.model, m.parameters, m.display, to); },
@@ -118,6 +115,9 @@ constexpr std::array kSections{
     PanelPart{"Display", [](const PanelModel& m, Actions& to) { drawDisplay(m, to); }, "display"},
     PanelPart{"Cut quality", [](const PanelModel& m, Actions& /*to*/) { drawCuts(m.cuts); },
               "cuts"},
+    PanelPart{"Paper experiments",
+              [](const PanelModel& m, Actions& to) { drawExperiments(m.experiments, to); },
+              "experiments"},
     PanelPart{"Settings", [](const PanelModel& m, Actions& to) { drawWindowRows(m.settings, to); },
               "window"},
 };

@@ -16,7 +16,6 @@ namespace {
 
 using shared::uint;
 
-constexpr unsigned kSeed = 7;
 // Shares of the diagonal of the body. Floats at displacements of 4e-4 of it are 2e-11 apart, at
 // positions 6e-8. Compilers that join products and sums differ by a few of those.
 constexpr double kDisplacementError = 1e-9;

@@ -357,7 +357,7 @@ TEST_F(InterfaceTest, ACardOpensItsExperiment) {
     model.experiments[0].name = "sphere20";
     model.experiments[1].name = "banana";
     model.experiments[1].ours = RunFigures{60.5, 99.9};
-    model.settings.folded.clear();
+    model.settings.folded = {"model", "tools", "simulation", "display", "cuts"};
     update({});
     update({});
     clickOn("experiment.banana");

@@ -133,9 +133,11 @@ const char* adviceOn(const PlaybackState& playback) {
         return "Your actions are recorded here, so that you can go back";
     }
     if (playback.divergedAt) {
-        return "Go to a step. Red: the replay differs from the recording";
+        return "Go to a step, also by Home, End and arrow keys. Red: the replay differs from the "
+               "recording";
     }
-    return playback.played ? "Go to a step" : "Go back to a step and continue from there";
+    return playback.played ? "Go to a step, also by Home, End and arrow keys"
+                           : "Go back to a step and continue from there";
 }
 
 StepScale drawSlider(const SessionPanelState& session, std::vector<Action>& actions) {

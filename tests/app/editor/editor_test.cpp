@@ -246,20 +246,6 @@ TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
     EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
 }
 
-TEST_F(EditorTest, ARefusedRedoPutsTheBladeAwayAsEscapeDoes) {
-    moveTo(kTop.x(), kTop.y());
-    press(true);
-    moveTo(kWidth / 2.0, kHeight / 2.0);
-    settle();
-    ASSERT_TRUE(editor->scene()->simulation().blade());
-    editor->post(ui::KeyChange{Key::z, true, {.shift = true, .control = true}});
-    editor->post(ui::KeyChange{Key::z, false, {.shift = true, .control = true}});
-    settle();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
-    EXPECT_FALSE(editor->scene()->simulation().blade());
-    EXPECT_EQ(panels().changes.rows.size(), 1U);
-}
-
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const auto click = [&](const std::string& item) {
         const ui::Rect place = editor->itemRects().at(item);
