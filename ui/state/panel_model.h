@@ -1,9 +1,14 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/base/math.h"
 #include "ui/base/settings.h"
+#include "ui/plots/history.h"
+#include "ui/plots/plot_math.h"
 #include "ui/state/body_state.h"
 #include "ui/state/change_list.h"
 #include "ui/state/cuts_state.h"
@@ -11,22 +16,43 @@
 #include "ui/state/experiment_card.h"
 #include "ui/state/file_dialog_state.h"
 #include "ui/state/help_state.h"
-#include "ui/state/log_line.h"
 #include "ui/state/looks_state.h"
 #include "ui/state/model_state.h"
 #include "ui/state/overlay.h"
 #include "ui/state/parameters_state.h"
-#include "ui/state/pieces_state.h"
-#include "ui/state/plots_state.h"
+#include "ui/state/piece_row.h"
 #include "ui/state/question.h"
 #include "ui/state/session_state.h"
 #include "ui/state/toast_state.h"
 #include "ui/state/tool_settings.h"
 #include "ui/state/transport_state.h"
-#include "ui/state/view_axes.h"
 #include "ui/state/work_state.h"
 
 namespace kerf::ui {
+
+/// One line of the log.
+struct LogLine {
+    std::string text;
+    bool isError = false;
+};
+
+/// What the list of pieces shows.
+struct PiecesState {
+    std::vector<PieceRow> rows;
+    int hovered = -1;  ///< of rows; -1 for none
+};
+
+/// What the plots show.
+struct PlotsState {
+    const History* history = nullptr;  ///< never null while panels are drawn
+    std::optional<RunFigures> paper;   ///< of the open experiment, if in the paper
+    PlotView view;
+};
+
+/// The world's axes in the view: x to the right, y up, z towards the viewer; unit.
+struct ViewAxes {
+    std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+};
 
 /// The content of the view besides the scene.
 struct ViewState {
