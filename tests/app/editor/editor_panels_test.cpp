@@ -102,6 +102,8 @@ TEST_F(EditorPanelsTest, AnExperimentShowsThePapersFiguresBesideItsOwn) {
     ASSERT_TRUE(cardOf("sphere20").ours.has_value());
     EXPECT_NEAR(cardOf("sphere20").ours->fps, 60, 1);
     EXPECT_NEAR(cardOf("sphere20").ours->volume, 100, 2);
+    editor->resize(1280, 1400);
+    frames(2);
     clickOn("section.experiments");
     clickOn("experiment.sphere80");
     waitForWork();
