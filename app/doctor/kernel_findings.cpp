@@ -73,7 +73,8 @@ DriverFinding nearFinding(const std::string& check, const std::vector<Vec3f>& se
     const std::vector<Vec3f>& right = subject.answers.vertices.at(check);
     double error = seen.size() == right.size() ? 0 : INFINITY;
     for (std::size_t v = 0; v < std::min(seen.size(), right.size()); ++v) {
-        error = std::max(error, (seen[v] - right[v]).cast<double>().norm());
+        const double distance = (seen[v] - right[v]).cast<double>().norm();
+        error = std::isnan(distance) ? INFINITY : std::max(error, distance);
     }
     const double most = share * meshBounds(subject.mesh).diagonal();
     return {check + ", " + subject.name, fmt::format("{:.1e} m from the reference", error),
