@@ -24,6 +24,9 @@ Session doneSoFar(State& s) {
     Session done =
         recorder.savedSession(s.view.camera.destination(), opened.colors, SavedAs::test).session;
     done.view = opened.view;
+    if (s.scene->timeline().playback() == nullptr && s.scene->simulation().blade()) {
+        done.events.push_back({done.steps, LiftBlade{}});  // of a stroke that was on its way
+    }
     std::erase_if(done.events, [](const SessionEvent& event) {
         return std::holds_alternative<CheckEvent>(event.action);
     });

@@ -99,7 +99,7 @@ class EditorStormTest : public EditorStorm {
         SCOPED_TRACE("KERF_STORMS=1 KERF_STORM_SEED=" + std::to_string(seed));
         random_.seed(seed);
         startHash_ = simulation().stateHash();
-        const std::string started = editor->scene()->document().name;
+        const EditorScene* const started = editor->scene();
         tap(Key::r);
         const bool traced = std::getenv("KERF_STORM_TRACE") != nullptr;
         for (int i = 0; i < acts; ++i) {
@@ -111,8 +111,7 @@ class EditorStormTest : public EditorStorm {
             }
             (this->*act.act)();
             frames(2);
-            restarted_ |=
-                panels().transport.recording || editor->scene()->document().name != started;
+            restarted_ |= panels().transport.recording || editor->scene() != started;
             expectSound();
             if (HasFatalFailure()) {
                 return;
