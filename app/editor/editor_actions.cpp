@@ -576,12 +576,12 @@ bool Editor::State::execute(const Command& command) {
     const bool steps =
         std::holds_alternative<Undo>(command) || std::holds_alternative<Redo>(command);
     render::ChosenColors& shown = view.display.settings.colors;
-    const bool showsMaterial = shown == colorsOfMaterial(*this);
+    const bool showsMaterial = steps && shown == colorsOfMaterial(*this);
     if (steps) {
         view.cancelTools(restingScene());  // Neither a stroke nor a pull goes on elsewhere.
     }
     const std::string problem = scene->execute(command);
-    if (steps && showsMaterial) {
+    if (showsMaterial) {
         shown = colorsOfMaterial(*this);
     }
     say(problem);

@@ -110,9 +110,7 @@ std::string Simulation::State::carryOut(const Pin& pin) {
     }
     const std::string name = pin.velocity ? "Move: " + textOf(*pin.velocity) + " m/s"
                                           : (pin.pinned ? "Pin" : "Free pins");
-    log.notePins(name, body.memory.pins, after, pin.continues, output.clock.time);
-    body.memory.pins = std::move(after);
-    body.holdPins();
+    changePins(name, std::move(after), pin.continues);
     return "";
 }
 
@@ -129,10 +127,14 @@ std::string Simulation::State::carryOut(const ApplyForce& apply) {
                      : "No vertex without this force lies in that region; nothing was changed.";
     }
     const std::string name = frees ? "Remove force" : "Force: " + textOf(apply.newtons) + " N";
-    log.notePins(name, body.memory.pins, after, apply.continues, output.clock.time);
+    changePins(name, std::move(after), apply.continues);
+    return "";
+}
+
+void Simulation::State::changePins(const std::string& name, Pins after, bool continues) {
+    log.notePins(name, body.memory.pins, after, continues, output.clock.time);
     body.memory.pins = std::move(after);
     body.holdPins();
-    return "";
 }
 
 template <>

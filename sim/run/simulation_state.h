@@ -80,6 +80,7 @@ struct Simulation::State {
     std::string carryOut(const Kind& command) = delete;
     std::shared_ptr<const UncutBody> preparedAs(const std::vector<PlacedModel>& models);
     std::shared_ptr<const UncutBody> uncutOf(ByteReader& from);
+    void changePins(const std::string& name, Pins after, bool continues);
     std::string apply(BoxEdit edit);
     void setBoxes(std::vector<StaticBox> now);
     void putBladeAway();

@@ -39,6 +39,17 @@ class EditorPastTest : public EditorTest {
         tap(Key::space);
         settle();
     }
+    /// Half through, and still held.
+    void beginStroke() {
+        moveTo(kTop.x(), kTop.y());
+        press(true);
+        for (int i = 1; i <= 6; ++i) {
+            const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
+            moveTo(at.x(), at.y());
+            frames(1);
+        }
+        settle();
+    }
     void dragTimeLineTo(double share) {
         const ui::Rect bar = editor->itemRects().at("scrubber");
         drag(Vec2(bar.x + bar.width - 4, bar.y + bar.height / 2),
@@ -162,14 +173,7 @@ TEST_F(EditorPastTest, ARestartThereLeavesOutWhatCameAfter) {
 
 TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
     press(false);
-    moveTo(kTop.x(), kTop.y());
-    press(true);
-    for (int i = 1; i <= 6; ++i) {
-        const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
-        moveTo(at.x(), at.y());
-        frames(1);
-    }
-    settle();
+    beginStroke();
     ASSERT_GT(step(), 2);
     const int end = step();
     goTo(1);
@@ -181,14 +185,7 @@ TEST_F(EditorPastTest, ABladeThatIsDownIsPutAway) {
 
 // The stroke was forgotten, and the blade stayed in the body.
 TEST_F(EditorPastTest, ARedoOfNothingEndsTheStroke) {
-    moveTo(kTop.x(), kTop.y());
-    press(true);
-    for (int i = 1; i <= 6; ++i) {
-        const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
-        moveTo(at.x(), at.y());
-        frames(1);
-    }
-    settle();
+    beginStroke();
     ASSERT_TRUE(scene().simulation().blade());
     tap(Key::y, {.control = true});
     EXPECT_EQ(panels().toast.text, "There is nothing to redo.");

@@ -14,6 +14,16 @@
 namespace kerf::app {
 namespace {
 
+/// A session of one stroke, over 40 of its 60 steps.
+std::filesystem::path writeLongStroke(const std::filesystem::path& folder) {
+    test::writeText(folder / "slice.kerf.json", R"({
+        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
+    return folder / "slice.kerf.json";
+}
+
 TEST_F(EditorTest, CancellingTellsHowManyCutsInTheQueueWereDropped) {
     for (int i = 0; i < 3; ++i) {
         drag(kTop + Vec2(20 * i, 0), kBottom + Vec2(20 * i, 0), 10);
@@ -569,12 +579,7 @@ TEST_F(EditorTest, ADroppedSessionOpensAtItsEndAndPlaysFromItsStart) {
 }
 
 TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
-    openAtStart(folder / "slice.kerf.json");
+    openAtStart(writeLongStroke(folder.path()));
     tap(Key::space);
     frames(5);
     tap(Key::v);
@@ -584,12 +589,7 @@ TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
 }
 
 TEST_F(EditorTest, UndoOfAParameterDuringAPlayedStrokeLeavesTheStroke) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
-    openAtStart(folder / "slice.kerf.json");
+    openAtStart(writeLongStroke(folder.path()));
     tap(Key::space);
     frames(10);
     tap(Key::space);
