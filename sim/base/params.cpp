@@ -150,16 +150,36 @@ const std::array kRows = {
                "suffices for the new surface; 0: the edge cuts without a force. Not used by pbd.",
                ParamType::integer, 0, 1, false}),
         &Params::bladeFeels},
-    Row{newer({"toughness", "Toughness", "J/m^2",
-               "Energy that a square metre of new cut takes: gelatin 1, liver 160, muscle 2000. "
-               "Moves nothing unless the blade feels.",
-               ParamType::real, 0, 1e6, false}),
+    Row{newer(
+            {"toughness", "Toughness", "J/m^2",
+             "Energy that a square metre of new surface takes: gelatin 1, liver 160, muscle 2000. "
+             "Moves nothing unless the blade feels or the body tears.",
+             ParamType::real, 0, 1e6, false}),
         &Params::toughness},
     Row{newer({"blade_bluntness", "Blade bluntness", "",
                "How much more force a blade that feels needs to break in than to go on, as a share "
                "of the latter: 0 is as sharp as can be.",
                ParamType::real, 0, 5, false}),
         &Params::bladeBluntness},
+    Row{newer({"tearing", "Tearing", "",
+               "1: the body tears where pulling it apart releases the energy that new surface "
+               "takes; 0: only a blade cuts. Not used by pbd.",
+               ParamType::integer, 0, 1, false}),
+        &Params::tearing},
+    Row{newer(
+            {"tensile_strength", "Tensile strength", "Pa",
+             "Stress at which an uncut place begins to tear: gelatin 5 kPa, skin 10 MPa. Too high "
+             "for the mesh, it is lowered to what the mesh can resolve.",
+             ParamType::real, 1, 1e9, true}),
+        &Params::tensileStrength},
+    Row{newer({"skin_toughness", "Skin toughness", "J/m^2",
+               "Energy that a square metre of new surface takes in the skin layer, while the body "
+               "tears.",
+               ParamType::real, 0, 1e6, false}),
+        &Params::skinToughness},
+    Row{newer({"skin_tensile_strength", "Skin tensile strength", "Pa",
+               "Stress at which the skin layer begins to tear.", ParamType::real, 1, 1e9, true}),
+        &Params::skinStrength},
     Row{newer(
             {"sleeps", "Sleeps at rest", "",
              "1: a body that has lain still for a second is not solved until something is done to "

@@ -36,12 +36,20 @@ struct BladeParams {
     double bladeWidth = 0.15;      ///< of that plate, as a share of the uncut body's diagonal
     double bladeThickness = 0.01;  ///< the same of its thickness
     int bladeFeels = 0;            ///< 1: the edge cuts only where its force suffices
-    double toughness = 100;        ///< energy per area of new surface then [J/m^2]
+    double toughness = 100;        ///< energy per area of new surface [J/m^2]
     double bladeBluntness = 0.5;   ///< extra share of force for crack initiation
 };
 
+/// Where the body tears. See docs/physics.md.
+struct TearParams {
+    int tearing = 0;               ///< 1: it tears where it is pulled apart; 0: only a blade cuts
+    double tensileStrength = 5e4;  ///< stress at which the material begins to part [Pa]
+    double skinToughness = 1000;   ///< energy per area of new surface of the skin layer [J/m^2]
+    double skinStrength = 1e6;     ///< tensile strength of the skin layer [Pa]
+};
+
 /// The parameters of a scene as a whole.
-struct SceneParams : BladeParams {
+struct SceneParams : BladeParams, TearParams {
     SolverMode solver = SolverMode::smallSteps;
     double timeStep = 0.005;  ///< [s]
     /// Substeps of one sweep each, or sweeps of pbd; kAutoIterations: as many as each step needs.

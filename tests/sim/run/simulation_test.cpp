@@ -422,11 +422,15 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     const Moment moment = simulation.moment();
     run(simulation, 5);
     const std::string unchanged = simulation.stateHash();
-    // Without a blade these wait for the next stroke, or for auto iterations.
-    const std::set<std::string_view> waiting{"blade_push",  "blade_width",     "blade_thickness",
-                                             "blade_feels", "toughness",       "blade_bluntness",
-                                             "sleeps",      "wall_coarsening", "debris_volume",
-                                             "open_cut",    "cut_search",      "iteration_error"};
+    // Without a blade or a pull these wait for the next stroke, a tear, or auto iterations.
+    const std::set<std::string_view> waiting{"blade_push",      "blade_width",
+                                             "blade_thickness", "blade_feels",
+                                             "toughness",       "blade_bluntness",
+                                             "tearing",         "tensile_strength",
+                                             "skin_toughness",  "skin_tensile_strength",
+                                             "sleeps",          "wall_coarsening",
+                                             "debris_volume",   "open_cut",
+                                             "cut_search",      "iteration_error"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
         simulation.goTo(moment);
