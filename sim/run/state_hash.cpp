@@ -54,8 +54,11 @@ void addValue(StateHash& hash, const ParamValue& value) {
     }
 }
 
-void addParameters(StateHash& hash, const Params& params) {
+void addParameters(StateHash& hash, Params params) {
     const Params defaults;
+    if (params.tearing == 0) {
+        static_cast<TearParams&>(params) = {};  // materials set strengths, which wait for it
+    }
     for (const ParamInfo& info : paramTable()) {
         const bool counts =
             !info.isNewer || getParam(params, info.name) != getParam(defaults, info.name);

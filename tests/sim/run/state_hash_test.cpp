@@ -88,9 +88,11 @@ TEST(StateHash, EachPartHasItsOwn) {
 
 TEST(StateHash, SeesEveryParameterThatChangesStates) {
     const SurfaceMesh mesh = test::icosphere(0);
-    const StateHashes before = hashParts(mesh, {}, {}, std::nullopt);
+    Params tearing;
+    tearing.tearing = 1;  // without it strengths wait
+    const StateHashes before = hashParts(mesh, {}, tearing, std::nullopt);
     for (const ParamInfo& info : paramTable()) {
-        const ParamValue now = getParam(Params{}, info.name);
+        const ParamValue now = getParam(tearing, info.name);
         ParamValue other = info.type == ParamType::choice
                                ? ParamValue(std::string(info.choices.back()))
                            : info.type == ParamType::vector ? ParamValue(Vec3(0, 0, info.high))
@@ -98,7 +100,7 @@ TEST(StateHash, SeesEveryParameterThatChangesStates) {
         if (other == now) {
             other = info.low;
         }
-        Params changed;
+        Params changed = tearing;
         ASSERT_EQ(setParam(changed, info.name, other), "") << info.name;
         EXPECT_EQ(
             differingParts(hashParts(mesh, {}, changed, std::nullopt), before),
@@ -106,6 +108,17 @@ TEST(StateHash, SeesEveryParameterThatChangesStates) {
             << info.name;
     }
     EXPECT_FALSE(findParam("cut_search")->changesStates);
+}
+
+TEST(StateHash, IsThatOfOldRunsWhereTheBodyDoesNotTear) {
+    const SurfaceMesh mesh = test::icosphere(0);
+    Params strong;
+    strong.tensileStrength = 1e6;
+    strong.skinToughness = 7;
+    strong.skinStrength = 1e7;
+    EXPECT_EQ(differingParts(hashParts(mesh, {}, strong, std::nullopt),
+                             hashParts(mesh, {}, {}, std::nullopt)),
+              std::vector<StatePart>{});
 }
 
 TEST(StateHash, RoundsToFloat) {
