@@ -212,6 +212,31 @@ TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
     EXPECT_THAT(asked, ::testing::ElementsAre(ActionId::holdPlots, ActionId::fitPlots));
 }
 
+TEST_F(InterfaceTest, StrengthsHaveRowsWhileTheBodyTears) {
+    clickOn("parameters.more");
+    const auto rows = [&] {
+        update({});
+        update({});
+        std::set<std::string> shown;
+        for (const char* name :
+             {"tearing", "tensile_strength", "skin_toughness", "skin_tensile_strength"}) {
+            if (interface->itemRects().contains(std::string("param.") + name)) {
+                shown.insert(name);
+            }
+        }
+        return shown;
+    };
+    using Rows = std::set<std::string>;
+    EXPECT_EQ(rows(), Rows{"tearing"});
+    model.parameters.now.skinThickness = 0.002;
+    EXPECT_EQ(rows(), Rows{"tearing"});
+    model.parameters.now.tearing = 1;
+    EXPECT_EQ(rows(),
+              (Rows{"tearing", "tensile_strength", "skin_toughness", "skin_tensile_strength"}));
+    model.parameters.now.skinThickness = 0;
+    EXPECT_EQ(rows(), (Rows{"tearing", "tensile_strength"}));
+}
+
 TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
     const auto dragEdge = [&](const std::string& name, double to) {
         const Rect edge = interface->itemRects().at(name);

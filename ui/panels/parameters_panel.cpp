@@ -23,6 +23,13 @@ bool isProminent(const ParamInfo& info) {
     return std::ranges::find(kProminent, info.name) != kProminent.end();
 }
 
+/// Rows of tearing are there only while the body tears, those of its skin where it has one.
+bool isShown(const ParamInfo& info, const Params& now) {
+    const bool ofSkin = info.name == "skin_toughness" || info.name == "skin_tensile_strength";
+    const bool ofTearing = ofSkin || info.name == "tensile_strength";
+    return (!ofTearing || now.tearing != 0) && (!ofSkin || now.skinThickness > 0);
+}
+
 /// 0 or 1.
 bool isSwitch(const ParamInfo& info) {
     return info.type == ParamType::integer && info.low == 0 && info.high == 1;
@@ -373,9 +380,11 @@ void drawParameters(const ParametersState& parameters, std::vector<Action>& acti
     for (const std::string_view name : kProminent) {
         drawRow(*findParam(name), parameters, actions);
     }
-    if (ImGui::CollapsingHeader("More")) {
+    const bool more = ImGui::CollapsingHeader("More");
+    noteItem("parameters.more");
+    if (more) {
         for (const ParamInfo& info : paramTable()) {
-            if (!isProminent(info)) {
+            if (!isProminent(info) && isShown(info, parameters.now)) {
                 drawRow(info, parameters, actions);
             }
         }
