@@ -145,7 +145,7 @@ constexpr MetricsColumn kColumns[] = {
     {"swept_area_at_rest", reported<&StepReport::swept, &SweptArea::atRest>,
      "The same, at rest [m²]."},
     {"fracture_energy", fractureEnergyOf,
-     "Of the new surface of the step, by the toughness [J]; None where none is given."},
+     "Of the new surface of the step, by the toughness [J]; None where none is given or used."},
     {"blade_force_x", felt<&BladeLoad::force, 0>},
     {"blade_force_y", felt<&BladeLoad::force, 1>},
     {"blade_force_z", felt<&BladeLoad::force, 2>},
@@ -177,7 +177,7 @@ bool namesToughness(const Session& session, const Params& now) {
         const auto* set = std::get_if<SetParam>(&event.action);
         return set != nullptr && set->name == "toughness";
     };
-    return now.bladeFeels != 0 || now.toughness != Params{}.toughness ||
+    return now.bladeFeels != 0 || now.tearing != 0 || now.toughness != Params{}.toughness ||
            !session.material.empty() || std::ranges::any_of(session.events, setsIt);
 }
 

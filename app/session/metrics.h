@@ -40,8 +40,8 @@ struct MetricsRow {
 };
 
 /// Whether the toughness of a session was chosen: it has a material at the start, an event sets it,
-/// it is not the parameter's default, or `blade_feels` uses it. `now`: the parameters of the coming
-/// step.
+/// it is not the parameter's default, or `blade_feels` or `tearing` uses it. `now`: the parameters
+/// of the coming step.
 bool namesToughness(const Session& session, const Params& now);
 
 /// What a cell of metrics.csv holds; nothing where it is empty.

@@ -288,6 +288,9 @@ TEST(Metrics, TellWhetherSomebodyNamedTheToughness) {
     Params feels;
     feels.bladeFeels = 1;
     EXPECT_TRUE(namesToughness(session, feels)) << "there it counts";
+    Params tears;
+    tears.tearing = 1;
+    EXPECT_TRUE(namesToughness(session, tears)) << "so it does there";
     session.material = "sausage";
     EXPECT_TRUE(namesToughness(session, plain)) << "which has the default's";
     session.material.clear();
