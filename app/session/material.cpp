@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <tuple>
 
@@ -77,15 +78,18 @@ bool isEstimate(const Material& material, const MaterialProperty& property) {
 
 }  // namespace
 
-const std::array<MaterialProperty, 7>& materialProperties() {
-    static const std::array<MaterialProperty, 7> properties{
+std::span<const MaterialProperty> materialProperties() {
+    static const std::array properties{
         ofParam("youngs_modulus", &Material::youngsModulus),
         ofParam("density", &Material::density),
         ofParam("friction", &Material::friction),
         ofParam("damping", &Material::damping),
         ofParam("toughness", &Material::toughness),
+        ofParam("tensile_strength", &Material::tensileStrength),
         ofParam("skin_thickness", &Material::skinThickness),
         ofParam("skin_modulus", &Material::skinModulus),
+        ofParam("skin_toughness", &Material::skinToughness),
+        ofParam("skin_tensile_strength", &Material::skinStrength),
     };
     return properties;
 }
@@ -131,7 +135,9 @@ bool isMadeOf(const Params& params, const Material& material, int model) {
 Material materialFrom(const Params& params, const render::ChosenColors& colors) {
     Material material;
     for (const MaterialProperty& property : materialProperties()) {
-        (material.*property.member).value = std::get<double>(getParam(params, property.name));
+        if (params.skinThickness > 0 || !std::string_view(property.name).starts_with("skin_")) {
+            (material.*property.member).value = std::get<double>(getParam(params, property.name));
+        }
     }
     material.colors = colors;
     return material;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,8 +45,11 @@ struct Material {
     MaterialValue friction;
     MaterialValue damping;
     MaterialValue toughness;
+    MaterialValue tensileStrength;
     MaterialValue skinThickness;
     MaterialValue skinModulus;
+    MaterialValue skinToughness;
+    MaterialValue skinStrength;
     render::ChosenColors colors;
     std::vector<MaterialSource> sources;
 };
@@ -61,10 +64,10 @@ struct MaterialProperty {
     double high;          ///< largest
     MaterialValue Material::*member;
 };
-const std::array<MaterialProperty, 7>& materialProperties();
+std::span<const MaterialProperty> materialProperties();
 
 /// The parameters that a material sets, in the order of the properties. For a model after the first
-/// only per-model ones. A material without a skin removes it.
+/// only per-model ones. A material without a skin sets its thickness to 0 and nothing else of it.
 std::vector<SetParam> settingsOf(const Material& material, int model = 0);
 /// Gives parameters the values of a material.
 void applyMaterial(Params& params, const Material& material);
@@ -73,7 +76,7 @@ void applyMaterial(Session& session, const Material& material);
 /// Whether the parameters have all values of the material; for a model after the first, the
 /// per-model ones.
 bool isMadeOf(const Params& params, const Material& material, int model = 0);
-/// The values of parameters as a material without sources and spread.
+/// The values of parameters as a material without sources and spread; of a skin, if it has one.
 Material materialFrom(const Params& params, const render::ChosenColors& colors);
 
 /// Reads and checks a material. Throws InputError naming the file and the place in it

@@ -13,9 +13,10 @@ inline constexpr Limits kSpreads{0, 1e12};
 
 /// The names of the properties, which sources refer to.
 inline std::span<const std::string_view> propertyNames() {
-    static const std::array<std::string_view, 7> names = [] {
-        std::array<std::string_view, 7> collected;
-        std::ranges::transform(materialProperties(), collected.begin(), &MaterialProperty::name);
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> collected;
+        std::ranges::transform(materialProperties(), std::back_inserter(collected),
+                               &MaterialProperty::name);
         return collected;
     }();
     return names;

@@ -168,7 +168,7 @@ const std::array kRows = {
         &Params::tearing},
     Row{newer(
             {"tensile_strength", "Tensile strength", "Pa",
-             "Stress at which an uncut place begins to tear: gelatin 5 kPa, skin 10 MPa. Too high "
+             "Stress at which an uncut place begins to tear: gelatin 5 kPa, skin 20 MPa. Too high "
              "for the mesh, it is lowered to what the mesh can resolve.",
              ParamType::real, 1, 1e9, true}),
         &Params::tensileStrength},

@@ -99,6 +99,19 @@ class Body(TestCase):
         summary = replayed(self.folder / "far.kerf.json", self.folder / "out")
         self.assertEqual(summary["state_hash"], sim.state_hash)
 
+    def test_strengths_come_with_a_material_and_tearing_is_set(self):
+        sim = kerf.Simulation("sphere20", material="skin-over-fat",
+                              params={"floor": -1, "tensile_strength": 20e3})
+        self.assertEqual(sim.params["tensile_strength"], 20e3)
+        self.assertGreater(sim.params["skin_tensile_strength"], 1e7)
+        self.assertEqual(sim.params["tearing"], 0)
+        plain = kerf.Simulation("sphere20", params={"floor": -1})
+        self.assertIsNone(plain.step().fracture_energy)
+        plain.set("tearing", 1)
+        plain.set("skin_toughness", 500)
+        self.assertEqual(plain.step().fracture_energy, 0)
+        self.assertEqual((plain.params["tearing"], plain.params["skin_toughness"]), (1, 500))
+
     def test_measures_are_the_columns_of_a_replay(self):
         replayed(SPHERE, self.folder, "--until", 30)
         sim = kerf.Simulation.from_session(SPHERE)

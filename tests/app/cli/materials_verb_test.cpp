@@ -14,6 +14,7 @@ using nlohmann::json;
 using test::ProgramRun;
 using test::runKerf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 TEST(MaterialsVerb, ListsALineForEach) {
@@ -32,6 +33,10 @@ TEST(MaterialsVerb, ShowsOneWithItsSpreadAndSources) {
     EXPECT_THAT(run.out, HasSubstr("\nYoung's modulus: 5.4 kPa (4.2 to 6.6)\n    Physics in"));
     EXPECT_THAT(run.out, HasSubstr("\nFriction: 0.3, an estimate\n    Estimate: "));
     EXPECT_THAT(run.out, HasSubstr("\nToughness: 164 J/m^2 (76 to 225)\n"));
+    EXPECT_THAT(run.out, HasSubstr("\nTensile strength: 50 kPa (36 to 55.3)\n    Dunford"));
+    EXPECT_THAT(run.out, Not(HasSubstr("Skin")));
+    EXPECT_THAT(runKerf({"materials", "banana"}).out,
+                HasSubstr("\nSkin tensile strength: 300 kPa, an estimate\n"));
 }
 
 TEST(MaterialsVerb, HasJsonAsInFiles) {

@@ -143,7 +143,7 @@ TEST_F(EditorMaterialTest, ASavedSessionHasTheMaterialInItsEvents) {
         const auto* set = std::get_if<SetParam>(&event.action);
         sets += set != nullptr && set->material == "Fat" ? 1 : 0;
     }
-    EXPECT_EQ(sets, 6) << "four as before, its toughness, and that it has no skin of its own";
+    EXPECT_EQ(sets, 7) << "four as before, toughness and strength, and that it has no skin";
 }
 
 }  // namespace

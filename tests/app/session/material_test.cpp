@@ -172,7 +172,8 @@ TEST(SessionMaterial, GivesTheParametersThatTheSessionDoesNotSet) {
     EXPECT_EQ(session.params.damping, *liver.damping.value);
     EXPECT_EQ(session.params.density, 900);
     Params rest = session.params;
-    for (const char* name : {"youngs_modulus", "density", "friction", "damping", "toughness"}) {
+    for (const char* name :
+         {"youngs_modulus", "density", "friction", "damping", "toughness", "tensile_strength"}) {
         setParam(rest, name, getParam(Params{}, name));
     }
     EXPECT_EQ(rest, Params{});
@@ -216,8 +217,24 @@ TEST(SessionMaterial, TakesTheSkinOfTheOneBeforeAway) {
     applyMaterial(params, findMaterial("skin-over-fat", {}));
     EXPECT_GT(params.skinThickness, 0);
     EXPECT_GT(params.skinModulus, params.youngsModulus);
+    const Params skinned = params;
     applyMaterial(params, findMaterial("liver", {}));
     EXPECT_EQ(params.skinThickness, 0);
+    EXPECT_EQ(params.skinModulus, skinned.skinModulus) << "which idles";
+    EXPECT_EQ(params.skinToughness, skinned.skinToughness);
+    EXPECT_EQ(params.skinStrength, skinned.skinStrength);
+}
+
+TEST(SessionMaterial, TearsItsSkinByItsOwn) {
+    Params params;
+    applyMaterial(params, findMaterial("skin-over-fat", {}));
+    const Material fat = findMaterial("fat", {});
+    EXPECT_EQ(params.toughness, *fat.toughness.value) << "of the flesh";
+    EXPECT_EQ(params.tensileStrength, *fat.tensileStrength.value);
+    const Material skin = findMaterial("skin", {});
+    EXPECT_EQ(params.skinToughness, *skin.toughness.value);
+    EXPECT_EQ(params.skinStrength, *skin.tensileStrength.value);
+    EXPECT_EQ(params.tearing, 0) << "no material switches it on";
 }
 
 TEST(SessionMaterial, MayBeAFileBesideTheSession) {
@@ -257,8 +274,24 @@ TEST(MaterialSettings, MakeAMaterialFromTheValuesAsTheyAre) {
     EXPECT_EQ(material.colors.look, render::LookName::jelly);
     EXPECT_EQ(material.colors.skin, Vec3(0.1, 0.2, 0.3));
     EXPECT_EQ(material.toughness.value, params.toughness);
+    EXPECT_EQ(material.tensileStrength.value, params.tensileStrength);
     params.friction = 0.75;
     EXPECT_FALSE(isMadeOf(params, material));
+}
+
+TEST(MaterialSettings, MakeAMaterialOfASkinWhereThereIsOne) {
+    Params params;
+    Material material = materialFrom(params, {});
+    EXPECT_FALSE(material.skinThickness.value);
+    EXPECT_FALSE(material.skinToughness.value);
+    EXPECT_EQ(formatMaterial(material).find("skin_"), std::string::npos);
+    params.skinThickness = 0.002;
+    params.skinStrength = 7e6;
+    material = parseMaterial(formatMaterial(materialFrom(params, {})));
+    EXPECT_EQ(material.skinThickness.value, 0.002);
+    EXPECT_EQ(material.skinToughness.value, params.skinToughness);
+    EXPECT_EQ(material.skinStrength.value, 7e6);
+    EXPECT_TRUE(isMadeOf(params, material));
 }
 
 TEST(MaterialSchema, IsThatOfTheProgramAndNamesEveryKey) {
