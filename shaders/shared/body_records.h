@@ -87,18 +87,23 @@ struct WordWrite {
     uint value;
 };
 
-// A vertex that a hand holds, that is led back to its place at rest, or on which a force acts, for
-// a step.
+// A vertex that a hand holds, that is led back to its place at rest, on which a force acts, or
+// which is bonded to the facing wall of a tear, for a step.
 SHARED_CONST uint kForcePull = 2u;
+SHARED_CONST uint kFirstBond = 3u;  // bonded to vertex 0
 struct PullRecord {
     uint vertex;
     float target_x;  // where it should be at the end of the step; how a force is drawn [m]
     float target_y;
     float target_z;
-    float motion_x;  // of the hand [m/s]; acceleration by a force [m/s^2]
+    // Of the hand [m/s]; acceleration by a force [m/s^2]; of a bond the largest force [N], the
+    // opening at which it breaks and the widest so far [m].
+    float motion_x;
     float motion_y;
     float motion_z;
-    uint leads;  // 1: it moves as the hand does, whatever pulls at it; 0: by a spring; kForcePull
+    // 1: it moves as the hand does, whatever pulls at it; 0: by a spring; kForcePull; from
+    // kFirstBond on: by a bond to the vertex of that number
+    uint leads;
 };
 
 // Of one piece, in a substep.
@@ -113,10 +118,14 @@ struct VolumeSum {
     float denominator;  // sum of w |dV/dp|^2
 };
 
+SHARED_CONST float kMostStretch = 1e20f;
+SHARED_CONST float kLostStretch = 1e30f;
 // Of one block, after a step.
 struct BlockMeasure {
     vec4 low_volume;  // xyz: smallest coordinates [m]; w: volume as above [m^3]
-    vec4 high_lost;   // xyz: largest coordinates [m]; w: > 0 where a vertex is lost
+    // xyz: largest coordinates [m]; w: how far an edge is stretched most, as a share of its length;
+    // kLostStretch where a vertex is lost
+    vec4 high_stretch;
     // xyz: smallest components [m/s]; w: kinetic energy [J], as the other of free vertices alone
     vec4 low_velocity_kinetic;
     // xyz: largest components [m/s]; w: energy in the field of gravity [J]

@@ -115,7 +115,7 @@ void measurePlace(BlockRecord block, vec3 origin, uint self) {
         low = vec4(min(low.xyz, p),
                    low.w + dot(arm, sixfoldGradient(p, fetch(ranges, v).xy)) / 18.0);
         vec3 u = fetch(velocities, v).xyz;
-        high = vec4(max(high.xyz, p), lost(p, u) ? 1.0 : high.w);
+        high = vec4(max(high.xyz, p), lost(p, u) ? kLostStretch : high.w);
         vec2 energy = energyOf(x, u);
         slow = vec4(min(slow.xyz, u), slow.w + energy.x);
         fast = vec4(max(fast.xyz, u), fast.w + energy.y);
@@ -125,13 +125,14 @@ void measurePlace(BlockRecord block, vec3 origin, uint self) {
         most = max(most, way);
     }
     lows[self] = low;
-    highs[self] = high;
     slowest[self] = slow;
     fastest[self] = fast;
     largestFold = 0.0;
+    largestStretch = 0.0;
     leastWay[self] = vec4(least, strainEnergy(kGroupSize * gl_WorkGroupID.x + self,
                                               kGroupSize * gl_NumWorkGroups.x));
     mostWay[self] = vec4(most, largestFold);
+    highs[self] = vec4(high.xyz, max(high.w, largestStretch));
 }
 
 void join(uint self, uint other) {

@@ -9,12 +9,13 @@ layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 pos
 layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };
 layout(std430, binding = kPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
 
+vec4 positionOf(uint v) { return positions[v]; }
+vec4 displacementOf(uint v) { return displacement[v]; }
+void setDisplacement(uint v, vec4 d) { displacement[v] = d; }
 #include "sim/pull.glsl"
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= uniforms.pull_count) return;
-    PullRecord pull = pulls[index];
-    displacement[pull.vertex] =
-        vec4(pulled(displacement[pull.vertex].xyz, positions[pull.vertex], pull), 0.0);
+    pullBy(pulls[index]);
 }

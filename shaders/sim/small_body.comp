@@ -272,9 +272,7 @@ PullRecord pullOf(uvec4 first, uvec4 second) {
 
 void pullAll() {
     FOR_EACH_OWN(i, uniforms.pull_count) {
-        PullRecord pull = pullOf(fetch(pulls, 2u * i), fetch(pulls, 2u * i + 1u));
-        vec3 d = pulled(displacementOf(pull.vertex).xyz, positionOf(pull.vertex), pull);
-        setDisplacement(pull.vertex, vec4(d, 0.0));
+        pullBy(pullOf(fetch(pulls, 2u * i), fetch(pulls, 2u * i + 1u)));
     }
     endPhase();
 }

@@ -10,6 +10,8 @@ KERF_PULLING(DECLARE)
 
 #include "sim/constraints.glsl"
 
+float largestStretch = 0.0;  // of the edges that this thread has summed up
+
 float edgeEnergy(uint v) {
     vec3 own = fetch(positions, v).xyz;
     uvec2 range = fetch(edgeRanges, v).xy;
@@ -18,6 +20,8 @@ float edgeEnergy(uint v) {
         Spoke spoke = fetchSpoke(spokes, k);
         float error = distance(own, fetch(positions, spoke.other).xyz) - spoke.rest_length;
         sum += energyOf(error * error, spoke.geometry, kStretch);
+        float stretch = min(error / spoke.rest_length, kMostStretch);
+        if (stretch > largestStretch) largestStretch = stretch;  // no comparison holds for NaN
     }
     return 0.5 * sum;  // the other end has the other half
 }

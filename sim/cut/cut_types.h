@@ -113,6 +113,13 @@ struct RungNode {
     bool attached = false;         ///< the edge to the next node is a front edge of the mesh
 };
 
+/// The end of a slit: where both of its walls meet.
+struct SlitFront {
+    std::vector<int> vertices;    ///< along it, from A to B, at least two
+    int stroke = 0;               ///< that made it, as in wall labels
+    Vec3 heading = Vec3::Zero();  ///< away from the slit, unit
+};
+
 /// How finely a cutter works.
 struct CutSettings {
     /// Uniform edge length h of new walls [m]. 0 takes that of the surrounding skin at rest

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/base/pausing.h"
+#include "sim/base/sort_unique.h"
 #include "sim/base/text.h"
 #include "sim/body/folded_triangles.h"
 #include "sim/body/solver_uniforms.h"
@@ -75,6 +76,7 @@ const StepReport& Simulation::State::step() {
             solve();
         }
         cut();
+        tear.step();
         noteHeldEdge();
         lookAfterShape();
         output.clock.time += input.params.timeStep;
@@ -181,9 +183,14 @@ bool Simulation::State::bladeLooks() const {
 /// Where a step is known to read all of the body, it comes with the measure.
 void Simulation::State::prefetchCut() {
     const std::vector<Blade> path = input.blade.path();
+    std::vector<int> vertices = tear.watched();
     if (bladeLooks() && !path.empty() && !body.readsAllBack) {
-        body.sync.prefetch(body.cutter->reach(path, input.params.timeStep),
-                           body.cutter->followedVertices());
+        const std::vector<int> followed = body.cutter->followedVertices();
+        vertices.insert(vertices.end(), followed.begin(), followed.end());
+        sortUnique(vertices);
+        body.sync.prefetch(body.cutter->reach(path, input.params.timeStep), vertices);
+    } else if (!vertices.empty() && !body.readsAllBack) {
+        body.sync.prefetch(std::nullopt, vertices);
     }
     if (body.readsAllBack || body.thin || stroke.endsInStep()) {
         body.sync.prefetchAll();
@@ -295,7 +302,7 @@ void Simulation::State::publish() {
     report.time = output.clock.time;
     report.iterations = input.iterations;
     report.describe(body.model(), body.memory.measure);
-    report.fractureEnergy = input.params.toughness * report.swept.atRest;
+    report.fractureEnergy += input.params.toughness * report.swept.atRest;
     if (input.params.solver != SolverMode::smallSteps) {
         report.strainEnergy.reset();
     }

@@ -9,6 +9,7 @@
 #include "sim/run/parts/box_edit.h"
 #include "sim/run/parts/simulation_parts.h"
 #include "sim/run/simulation.h"
+#include "sim/run/tear/tear.h"
 #include "sim/run/undo/undo_log.h"
 
 namespace kerf {
@@ -46,6 +47,7 @@ struct Simulation::State {
     UndoLog log;
     SimulationOutput output;
     RunningStroke stroke{body, input, log, output};
+    Tear tear{body, input, log, output};
     /// See Simulation::expectPlacement().
     std::shared_ptr<const UncutBody> preparedPlacement;
 

@@ -24,6 +24,11 @@ struct SolverMeasure {
     bool folded = false;  ///< some edge is folded (see Unfolding)
 };
 
+/// Whether a vertex on the block's pages is lost.
+bool isLost(const shared::BlockMeasure& block) {
+    return block.high_stretch.w == shared::kLostStretch;
+}
+
 /// Adds what one block measured.
 void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& sum) {
     const shared::vec4& low = block.low_volume;
@@ -32,11 +37,15 @@ void add(const shared::BlockMeasure& block, std::uint32_t piece, SolverMeasure& 
     sum.body.potentialEnergy += block.high_velocity_potential.w;
     sum.body.strainEnergy += block.low_drift_strain.w;
     sum.folded = sum.folded || block.high_drift.w > 0;
-    if (low.x > block.high_lost.x) {
+    if (!isLost(block)) {
+        sum.body.largestStretch =
+            std::max(sum.body.largestStretch, static_cast<double>(block.high_stretch.w));
+    }
+    if (low.x > block.high_stretch.x) {
         return;  // all vertices of the block's pages have gone to other pieces
     }
     sum.body.pieceBounds[piece].add(xyz(low));
-    sum.body.pieceBounds[piece].add(xyz(block.high_lost));
+    sum.body.pieceBounds[piece].add(xyz(block.high_stretch));
     sum.velocities.add(xyz(block.low_velocity_kinetic));
     sum.velocities.add(xyz(block.high_velocity_potential));
     sum.ways.add(xyz(block.low_drift_strain));
@@ -94,7 +103,7 @@ BodyMeasure BodyMeasurer::take() {
     std::vector<bool> lost(pieceCount, false);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         add(measures[b], blocks[b].piece, out);
-        lost[blocks[b].piece] = lost[blocks[b].piece] || measures[b].high_lost.w != 0.0f;
+        lost[blocks[b].piece] = lost[blocks[b].piece] || isLost(measures[b]);
     }
     for (std::size_t p = 0; p < pieceCount; ++p) {
         body.bounds.add(body.pieceBounds[p]);

@@ -30,12 +30,13 @@ struct BodyMeasure {
     /// The energy of the strained material: the sum of C^2 / (2 alpha) over edges, bends and ISPCs
     /// that are on and not rigid; means nothing with plain PBD [J].
     double strainEnergy = 0;
+    double largestStretch = 0;  ///< of an edge, as a share of its length
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
         io(pieceVolumes, pieceBounds, bounds, fastest, lostPieces, contacts, kineticEnergy,
-           potentialEnergy, strainEnergy);
+           potentialEnergy, strainEnergy, largestStretch);
     }
 };
 

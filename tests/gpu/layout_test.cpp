@@ -83,7 +83,7 @@ std::vector<Record> sharedRecords() {
                AT(motion_y), AT(motion_z), AT(leads)),
         RECORD(VolumeImpulse, AT(impulse), AT(finished)),
         RECORD(VolumeSum, AT(volume), AT(denominator)),
-        RECORD(BlockMeasure, AT(low_volume), AT(high_lost), AT(low_velocity_kinetic),
+        RECORD(BlockMeasure, AT(low_volume), AT(high_stretch), AT(low_velocity_kinetic),
                AT(high_velocity_potential), AT(low_drift_strain), AT(high_drift)),
         RECORD(NearbyQuery, AT(center), AT(first_axis), AT(second_axis), AT(third_axis),
                AT(asks_for_box), AT(asked_vertices), AT(capacity), AT(count), AT(unused_a),

@@ -44,6 +44,7 @@ const std::vector<fs::path> kRooms = {
     "sim/run/parts",
     "sim/run/undo",
     "sim/run/blade",
+    "sim/run/tear",
     "sim/run",
     "render/scene",
     "render/passes",

@@ -39,7 +39,7 @@ struct Cutter::State {
 
     template <class Archive>
     void archive(Archive& io) {
-        io(body.pieces, body.surface, stroke.number, stroke.transit, stroke.madeWalls);
+        io(body.pieces, body.surface, stroke.number, stroke.transit, stroke.unused);
     }
     /// Takes note of what the solver moved since the last call.
     void noteMotion() {
@@ -52,7 +52,7 @@ struct Cutter::State {
 
 Cutter::Cutter(SurfaceMesh& mesh, const CutSettings& settings)
     : state_(std::make_unique<State>(State{cut::CutBody(mesh, settings)})) {
-    state_->stroke.number = strokesSoFar(mesh);
+    state_->stroke.number = state_->stroke.unused = strokesSoFar(mesh);
     state_->stroke.transit = kTransitsPerStroke * state_->stroke.number;
 }
 
@@ -76,6 +76,11 @@ Cutter::Cutter(const Cutter& uncut, ByteReader& from)
 void Cutter::begin(const Blade& blade) {
     state_->noteMotion();
     state_->stroke.begin(state_->body, state_->body.nearBody(blade));
+}
+
+void Cutter::goOnFrom(const SlitFront& front, const Blade& blade) {
+    state_->noteMotion();
+    state_->stroke.goOnFrom(state_->body, front, blade);
 }
 
 CutResult Cutter::advance(const Blade& blade) {

@@ -54,6 +54,9 @@ class Cutter {
 
     /// Places the blade without cutting and starts a stroke.
     void begin(const Blade& blade);
+    /// Goes on with the stroke that made a slit, from its end; `blade` lies along that. No other
+    /// may be in progress.
+    void goOnFrom(const SlitFront& front, const Blade& blade);
     /// Cuts from the end of the last successful step to `blade`. Where the blade is behind the cut,
     /// the cut stays, and continues once the blade is ahead of it again. If a step fails, the front
     /// in that piece is dropped, and the cut restarts behind it (in a moving body only after two

@@ -40,6 +40,38 @@ void GroupRung::place(const Blade& at) {
     group_.lastAdvance = Vec3::Zero();
 }
 
+void GroupRung::takeUp(const SlitFront& front, const Blade& at) {
+    startTransit();
+    std::vector<RungNode> nodes;
+    for (const int v : front.vertices) {
+        nodes.push_back({body_.mesh.position(v), 0.5, v, v != front.vertices.back()});
+        body_.mesh.forEachOutgoing(v, [&](int h) {
+            // Walls beside it count as the transit's own.
+            const int behind = body_.mesh.target(h);
+            if (strokeOf(body_.mesh, h / 3) == front.stroke && !body_.mesh.isOriginal(behind)) {
+                group_.firstVertexOfTransit = std::min(group_.firstVertexOfTransit, behind);
+            }
+        });
+    }
+    const auto liesOnSkin = [&](int v) {
+        bool on = false;
+        body_.mesh.forEachOutgoing(
+            v, [&](int h) { on = on || body_.mesh.kind(h / 3) == SurfaceKind::skin; });
+        return on;
+    };
+    if (liesOnSkin(front.vertices.front())) {
+        nodes.insert(nodes.begin(), nodeInAir(at, 0));
+    }
+    if (liesOnSkin(front.vertices.back())) {
+        nodes.push_back(nodeInAir(at, 1));
+    }
+    reparametrize(at, body_.h(), nodes);
+    set(std::move(nodes));
+    group_.blade = at;
+    group_.lastAdvance = Vec3::Zero();
+    group_.heading = front.heading;
+}
+
 /// It stays as far behind the blade as it is: started anew, a blade that is drawn through the body
 /// along itself would never be far enough ahead to cut.
 void GroupRung::slide(const Blade& to, const std::vector<RungNode>& from) {

@@ -28,6 +28,8 @@ class GroupRung {
     RungNode nodeInAir(const Blade& at, double s) const;
     /// Places the rung at a blade as a new transit.
     void place(const Blade& at);
+    /// Makes the end of a slit the rung, as a new transit.
+    void takeUp(const SlitFront& front, const Blade& at);
     /// Moves a rung in the air with a blade that slides along itself. `from`: the rung, measured
     /// along `to`.
     void slide(const Blade& to, const std::vector<RungNode>& from);

@@ -402,7 +402,7 @@ class GroupStep {
                                         stayingFront(group_.rung, one.part));
         const std::vector<int> changed = changedTriangles(committed.delta);
         body_.follow({.triangles = changed, .groupOfNewPieces = group_.number});
-        stroke_.madeWalls = true;
+        stroke_.noteWalls();
         group_.onSeams.insert(committed.onSeams.begin(), committed.onSeams.end());
         const Vec3 way = advanceOf(one.to, group_.edgeLength, one.part.rung, committed.rung);
         group_.heading = way.isZero(0) ? group_.heading : way;

@@ -34,8 +34,7 @@ double sumOfRestVolumes(const PieceLabels& measured) {
 void Stroke::begin(CutBody& body, const Blade& at) {
     blade = at;
     goesOn = true;
-    number += madeWalls;  // a stroke that only met air leaves its number to the next
-    madeWalls = false;
+    number = unused;  // a stroke that only met air leaves its number to the next
     cleanup.reset();
     groups.clear();
     body.beginStroke();
@@ -48,6 +47,17 @@ void Stroke::begin(CutBody& body, const Blade& at) {
         group.vertex = v;
         group.number = body.pieces.groupOf(v);
         GroupRung(body, *this, group).place(at);
+    }
+    joinRungs();
+}
+
+void Stroke::goOnFrom(CutBody& body, const SlitFront& front, const Blade& at) {
+    begin(body, at);
+    number = front.stroke;
+    for (GroupStroke& group : groups) {
+        if (group.number == body.pieces.groupOf(front.vertices.front())) {
+            GroupRung(body, *this, group).takeUp(front, at);
+        }
     }
     joinRungs();
 }

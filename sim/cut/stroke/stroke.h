@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct StrokeStart {
 struct Stroke {
     /// Begins the next stroke, at a blade.
     void begin(CutBody& body, const Blade& at);
+    /// Goes on with the stroke that made a slit, from its end, with the blade along that.
+    void goOnFrom(CutBody& body, const SlitFront& front, const Blade& at);
     /// Makes every group take a step to the commanded blade.
     CutResult advance(CutBody& body, Gate gate);
     /// Ends the stroke: see Cutter::finish().
@@ -31,14 +34,17 @@ struct Stroke {
     void makeWaitingTies(CutBody& body);
 
     int number = 0;                     ///< as in wall labels
+    int unused = 0;                     ///< number of the next stroke that cuts
     int transit = 0;                    ///< number of the last transit of any group, ever
     bool goesOn = false;                ///< it is in progress
-    bool madeWalls = false;             ///< some step of it has cut
     StrokeStart start{};                ///< the body when it began
     Blade blade{};                      ///< its last command
     std::vector<GroupStroke> groups{};  ///< the stroke by group of pieces
     std::vector<RungNode> rung{};       ///< rungs of all groups in turn
     std::optional<Cleanup> cleanup{};   ///< its clean-up, once it has cut
+
+    /// Takes note that it has cut.
+    void noteWalls() { unused = std::max(unused, number + 1); }
 
   private:
     void divideGroups(CutBody& body);

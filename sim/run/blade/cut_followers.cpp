@@ -56,6 +56,12 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     if (memory.pins.follow(body.mesh(), delta)) {
         body.holdPins();
     }
+    // The bonds of tears, by the mesh.
+    if (memory.tear.goesOn) {
+        memory.cohesion.bond(body.mesh(), delta, body.cutter->strokeNumber(),
+                             memory.tear.firstVertex);
+    }
+    memory.cohesion.follow(body.mesh());
     // The pieces that are measured in double precision, once somebody asks.
     body.forgetPieces();
     // The pins that an undo would bring back.

@@ -21,11 +21,15 @@ void RunningStroke::step() {
     output_.report.times.cut = watch.milliseconds();
 }
 
+bool RunningStroke::isInStroke() const {
+    return body_.cutter->inStroke() && !body_.memory.tear.goesOn;
+}
+
 bool RunningStroke::endsInStep() const {
     const auto lifts = [](const BladeAction& action) {
         return std::holds_alternative<LiftBlade>(action);
     };
-    return body_.cutter->inStroke() && std::ranges::any_of(input_.blade.actions(), lifts);
+    return isInStroke() && std::ranges::any_of(input_.blade.actions(), lifts);
 }
 
 void RunningStroke::carryOut(const MoveBlade& move) {
@@ -36,7 +40,7 @@ void RunningStroke::carryOut(const MoveBlade& move) {
     const double width = push().size.width;
     const Blade edge = blade.edgeAt(move.blade, width, lag());
     if (blade.isPlaced() && mayTouch(edge)) {
-        if (!body_.cutter->inStroke()) {
+        if (!isInStroke()) {
             begin();
         }
         accept(body_.cutter->advance(edge));
@@ -55,7 +59,8 @@ void RunningStroke::lift() {
 
 /// Whether the cutter must look: a front is in the material, or the strip comes near the body.
 bool RunningStroke::mayTouch(const Blade& to) {
-    const std::vector<RungNode>& rung = body_.cutter->rung();
+    const std::vector<RungNode> rung =
+        isInStroke() ? body_.cutter->rung() : std::vector<RungNode>{};
     const Blade& from = input_.blade.edge();
     std::vector<Vec3> strip{from.a, from.b, to.a, to.b};
     for (const RungNode& node : rung) {
@@ -65,6 +70,9 @@ bool RunningStroke::mayTouch(const Blade& to) {
 }
 
 void RunningStroke::begin() {
+    if (body_.cutter->inStroke()) {
+        endTear();
+    }
     log_.beginStroke(body_);
     output_.refusal.clear();
     body_.cutter->begin(input_.blade.edge());
@@ -75,7 +83,16 @@ void RunningStroke::begin() {
 }
 
 void RunningStroke::end() {
-    accept(body_.cutter->inStroke() ? body_.cutter->finish() : CutResult{});
+    accept(isInStroke() ? body_.cutter->finish() : CutResult{});
+}
+
+/// So that the blade may begin a stroke.
+void RunningStroke::endTear() {
+    const CutResult result = body_.cutter->finish();
+    if (!result.delta.empty()) {
+        followCut(result.delta, body_, log_.history(), output_);
+    }
+    body_.memory.tear = {};
 }
 
 void RunningStroke::accept(const CutResult& result) {

@@ -42,8 +42,10 @@ class RunningStroke {
     void carryOut(const MoveBlade& move);
     void carryOut(const LiftBlade&) { lift(); }
     bool mayTouch(const Blade& to);
+    bool isInStroke() const;
     void begin();
     void end();
+    void endTear();
     void accept(const CutResult& result);
     BladePush push() const;
     std::optional<EdgeSpring> edgeSpring() const;

@@ -25,7 +25,8 @@ Bounds boundsOf(const SurfaceMesh& mesh, int t) {
 
 }  // namespace
 
-void MeshSync::prefetch(const OrientedBox& box, std::span<const int> vertices) {
+void MeshSync::prefetch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
+    prefetches_ = true;
     prefetched_ = box;
     solver_.measurer().watch(box, vertices);
 }
@@ -43,22 +44,23 @@ void MeshSync::invalidate() {
 double MeshSync::takePrefetched() {
     const WorkWatch watch;
     const std::optional<OrientedBox> box = std::exchange(prefetched_, std::nullopt);
+    const bool watches = std::exchange(prefetches_, false);
     const bool all = std::exchange(prefetchesAll_, false);
     if (all) {
         all_ = solver_.measurer().takeAll();
         mesh_->bringAll();
         all_.reset();
     }
-    if (box) {
-        takeWatched(*box);
+    if (watches) {
+        takeWatched(box);
     }
-    return box || all ? watch.milliseconds() : 0;
+    return watches || all ? watch.milliseconds() : 0;
 }
 
-void MeshSync::takeWatched(const OrientedBox& box) {
+void MeshSync::takeWatched(const std::optional<OrientedBox>& box) {
     const VertexStates watched = solver_.measurer().takeWatched();
     adopt(watched.records);
-    if (!watched.complete) {
+    if (!box || !watched.complete) {
         return;
     }
     known_ = box;

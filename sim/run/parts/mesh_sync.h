@@ -26,9 +26,9 @@ class MeshSync final : public VertexSource, public TriangleFinder {
     /// Whether what was not prefetched is read with the whole body, since all is about to be read,
     /// or alone.
     void readAllAtOnce(bool wanted) { readsAll_ = wanted; }
-    /// Before the measure of a step: the box that the blade will search, and other vertices that
-    /// will be read.
-    void prefetch(const OrientedBox& box, std::span<const int> vertices);
+    /// Before the measure of a step: the box that the blade will search, if any, and other vertices
+    /// that will be read.
+    void prefetch(const std::optional<OrientedBox>& box, std::span<const int> vertices);
     /// Before the measure of a step: all will be read.
     void prefetchAll();
     /// The solver has moved the body.
@@ -55,13 +55,14 @@ class MeshSync final : public VertexSource, public TriangleFinder {
 
   private:
     void adopt(const std::vector<shared::NearbyVertex>& states);
-    void takeWatched(const OrientedBox& box);
+    void takeWatched(const std::optional<OrientedBox>& box);
     /// Triangles around the vertices without stale state, ascending.
     std::vector<int> trianglesAround(const std::vector<shared::NearbyVertex>& states) const;
     void lookAround(const OrientedBox& box);
 
     SurfaceMesh* mesh_ = nullptr;
     GpuSolver& solver_;
+    bool prefetches_ = false;
     std::optional<OrientedBox> prefetched_;
     bool prefetchesAll_ = false;
     std::optional<BodyState> all_;  ///< came with the measure, as the mesh takes it

@@ -266,6 +266,7 @@ void RunningBody::prepareStep(const Params& params) {
     sortUnique(pulled);
     const std::vector<shared::PullRecord> pushes = forces(params.density, pulled);
     pulls.insert(pulls.end(), pushes.begin(), pushes.end());
+    addBonds(pulls);
     solver.setPulls(pulls);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {
@@ -273,12 +274,30 @@ void RunningBody::prepareStep(const Params& params) {
     }
 }
 
+/// Of what else pulls at, a bond does not.
+void RunningBody::addBonds(std::vector<shared::PullRecord>& pulls) const {
+    if (memory.cohesion.empty()) {
+        return;
+    }
+    std::vector<std::uint32_t> pulled;
+    for (const shared::PullRecord& pull : pulls) {
+        pulled.push_back(pull.vertex);
+    }
+    sortUnique(pulled);
+    const std::vector<shared::PullRecord> bonds = memory.cohesion.pulls(pulled);
+    pulls.insert(pulls.end(), bonds.begin(), bonds.end());
+}
+
 std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {
+    return memory.recovery.advance({model(), mesh(), params, heldVertices()});
+}
+
+std::vector<std::uint32_t> RunningBody::heldVertices() const {
     std::vector<std::uint32_t> held = memory.hands.heldVertices();
     const std::vector<std::uint32_t>& pinned = memory.pins.vertices();
     held.insert(held.end(), pinned.begin(), pinned.end());
     sortUnique(held);
-    return memory.recovery.advance({model(), mesh(), params, std::move(held)});
+    return held;
 }
 
 /// What needs no result is done while the GPU measures.

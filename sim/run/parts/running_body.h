@@ -76,6 +76,8 @@ struct RunningBody {
     void movePinned(const MovePins& move);
     /// Replaces what is pinned, moves and is pushed, by what was so before or will be.
     void setPins(Pins pins);
+    /// Vertices that hands pull or that are pinned, ascending.
+    std::vector<std::uint32_t> heldVertices() const;
     /// Tells the solver what is pinned, and overlays which forces act.
     void holdPins();
 
@@ -119,6 +121,7 @@ struct RunningBody {
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     std::vector<shared::PullRecord> forces(double density,
                                            const std::vector<std::uint32_t>& pulled) const;
+    void addBonds(std::vector<shared::PullRecord>& pulls) const;
     void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);

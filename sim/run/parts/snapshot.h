@@ -8,6 +8,7 @@
 #include "sim/contact/contact_solver.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
+#include "sim/run/parts/cohesive_zone.h"
 #include "sim/run/parts/hands.h"
 #include "sim/run/parts/pins.h"
 #include "sim/run/parts/shape_recovery.h"
@@ -19,12 +20,23 @@
 
 namespace kerf {
 
+/// The stroke of a tear, which goes on while it advances.
+struct TearStroke {
+    bool goesOn = false;  ///< the cutter's stroke is a tear
+    int firstVertex = 0;  ///< those from here on are of the tear
+    int idle = 0;         ///< steps since it last advanced
+    int failures = 0;     ///< advances in a row that cut nothing
+    int rest = 0;         ///< steps until another may begin
+};
+
 /// The state of a body besides mesh, model, cutter and GPU.
 struct BodyMemory {
     VolumeTargets volumeTargets;
     Hands hands;
     Pins pins;
     ShapeRecovery recovery;
+    CohesiveZone cohesion;  ///< of tears
+    TearStroke tear;
     BodyMeasure measure;   ///< after the last step
     SweepStrength sweeps;  ///< with auto iterations: of what its constraints were made of
     SubdivisionCounts subdivisions{};
@@ -48,8 +60,8 @@ struct BodyMemory {
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(volumeTargets, hands, pins, recovery, measure, sweeps, subdivisions, strokes,
-           mayHaveCollapsed, crumpled, stillFor, foldedSteps, closed);
+        io(volumeTargets, hands, pins, recovery, cohesion, tear, measure, sweeps, subdivisions,
+           strokes, mayHaveCollapsed, crumpled, stillFor, foldedSteps, closed);
     }
 };
 

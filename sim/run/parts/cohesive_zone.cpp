@@ -1,0 +1,150 @@
+#include "sim/run/parts/cohesive_zone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mesh/triangle.h"
+
+namespace kerf {
+
+namespace {
+
+// Edges of walls in a cohesive zone: about 0.88 E J / s^2 is its length (Rice 1979).
+constexpr double kZoneLength = 0.88;
+constexpr double kEdgesInZone = 3.5;
+// Of its reach: up to here a new bond is as stiff as at this opening.
+constexpr double kStiffUpTo = 0.02;
+
+bool hasWall(const SurfaceMesh& mesh, int v, int label) {
+    bool found = false;
+    mesh.forEachOutgoing(
+        v, [&](int h) { found = found || mesh.wallLabel(SurfaceMesh::triangleOf(h)) == label; });
+    return found;
+}
+
+}  // namespace
+
+TearLaw tearLaw(const Params& params, double edge) {
+    TearLaw law;
+    law.toughness = params.toughness;
+    const double resolved =
+        std::sqrt(kZoneLength * params.youngsModulus * params.toughness / (kEdgesInZone * edge));
+    law.strength = std::min(params.tensileStrength, resolved);
+    law.skinToughness = params.skinThickness * params.skinToughness;
+    const double skinResolved =
+        std::sqrt(kZoneLength * params.skinModulus * params.skinToughness / (kEdgesInZone * edge));
+    law.skinStrength = params.skinThickness * std::min(params.skinStrength, skinResolved);
+    return law;
+}
+
+int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel) {
+    const int group = mesh.copyGroup(v);
+    if (group >= 0) {
+        for (const int copy : mesh.copiesOfGroup(group)) {
+            if (copy != v && hasWall(mesh, copy, otherLabel)) {
+                return copy;
+            }
+        }
+    }
+    return -1;
+}
+
+void CohesiveZone::bond(const SurfaceMesh& mesh, const CutDelta& delta, int stroke,
+                        int firstVertex) {
+    const int label = 2 * stroke;
+    for (const int t : delta.addedTriangles) {
+        if (!mesh.alive(t) || mesh.wallLabel(t) != label) {
+            continue;
+        }
+        for (const int v : mesh.triangle(t)) {
+            const int facing = find(v) == nullptr ? facingVertex(mesh, v, label + 1) : -1;
+            if (facing >= 0 && std::max(v, facing) >= firstVertex) {
+                const auto place = std::ranges::lower_bound(bonds_, v, {}, &Bond::plus);
+                bonds_.insert(place, {.plus = v, .minus = facing, .label = label});
+            }
+        }
+    }
+}
+
+void CohesiveZone::follow(const SurfaceMesh& mesh) {
+    for (Bond& bond : bonds_) {
+        if (mesh.outgoing(bond.plus) < 0 || mesh.outgoing(bond.minus) < 0) {
+            spent_ += bond.taken();
+            bond.plus = -1;
+        } else {
+            weigh(mesh, bond);
+        }
+    }
+    std::erase_if(bonds_, [](const Bond& bond) { return bond.plus < 0; });
+}
+
+void CohesiveZone::weigh(const SurfaceMesh& mesh, Bond& bond) const {
+    double area = 0;
+    double rim = 0;
+    mesh.forEachOutgoing(bond.plus, [&](int h) {
+        const int t = SurfaceMesh::triangleOf(h);
+        if (mesh.wallLabel(t) != bond.label) {
+            return;
+        }
+        area += triangleArea(restCornersOf(mesh, t)) / 3;
+        for (const int edge : {h, SurfaceMesh::previous(h)}) {
+            if (mesh.kind(SurfaceMesh::triangleOf(mesh.twin(edge))) == SurfaceKind::skin) {
+                rim += 0.5 *
+                       (mesh.restPosition(mesh.target(edge)) - mesh.restPosition(mesh.origin(edge)))
+                           .norm();
+            }
+        }
+    });
+    bond.force = law_.strength * area + law_.skinStrength * rim;
+    bond.energy = law_.toughness * area + law_.skinToughness * rim;
+}
+
+void CohesiveZone::noteOpenings(const SurfaceMesh& mesh) {
+    for (Bond& bond : bonds_) {
+        if (!bond.isBroken()) {
+            const double opening = (mesh.position(bond.plus) - mesh.position(bond.minus)).norm();
+            bond.widest = std::max(bond.widest, opening);
+        }
+    }
+}
+
+std::vector<shared::PullRecord> CohesiveZone::pulls(
+    const std::vector<std::uint32_t>& others) const {
+    std::vector<shared::PullRecord> records;
+    for (const Bond& bond : bonds_) {
+        const auto plus = static_cast<std::uint32_t>(bond.plus);
+        const auto minus = static_cast<std::uint32_t>(bond.minus);
+        if (bond.isBroken() || std::ranges::binary_search(others, plus) ||
+            std::ranges::binary_search(others, minus)) {
+            continue;
+        }
+        const double widest = std::max(bond.widest, kStiffUpTo * bond.reach());
+        records.push_back({plus, 0, 0, 0, static_cast<float>(bond.force),
+                           static_cast<float>(bond.reach()), static_cast<float>(widest),
+                           shared::kFirstBond + minus});
+    }
+    return records;
+}
+
+void CohesiveZone::addVertices(std::vector<int>& vertices) const {
+    for (const Bond& bond : bonds_) {
+        if (!bond.isBroken()) {
+            vertices.insert(vertices.end(), {bond.plus, bond.minus});
+        }
+    }
+}
+
+const CohesiveZone::Bond* CohesiveZone::find(int plus) const {
+    const auto place = std::ranges::lower_bound(bonds_, plus, {}, &Bond::plus);
+    return place != bonds_.end() && place->plus == plus ? &*place : nullptr;
+}
+
+double CohesiveZone::taken() const {
+    double sum = spent_;
+    for (const Bond& bond : bonds_) {
+        sum += bond.taken();
+    }
+    return sum;
+}
+
+}  // namespace kerf

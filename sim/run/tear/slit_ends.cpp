@@ -1,0 +1,157 @@
+#include "sim/run/tear/slit_ends.h"
+
+#include <algorithm>
+#include <set>
+
+#include "sim/mesh/triangle.h"
+
+namespace kerf {
+
+namespace {
+
+/// Edges between the two walls of a stroke, by their origin on W+.
+std::map<int, int> frontEdges(const SurfaceMesh& mesh) {
+    std::map<int, int> edges;
+    for (int t = 0; t < mesh.triangleSlots(); ++t) {
+        const int label = mesh.alive(t) ? mesh.wallLabel(t) : -1;
+        if (label < 0 || label % 2 != 0) {
+            continue;
+        }
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (mesh.wallLabel(SurfaceMesh::triangleOf(mesh.twin(h))) == label + 1) {
+                edges.emplace(mesh.origin(h), h);
+            }
+        }
+    }
+    return edges;
+}
+
+double distanceFromChord(const SurfaceMesh& mesh, int v, int from, int to) {
+    const Vec3 chord = mesh.restPosition(to) - mesh.restPosition(from);
+    const Vec3 off = mesh.restPosition(v) - mesh.restPosition(from);
+    const double length = chord.squaredNorm();
+    return length > 0 ? (off - chord * (off.dot(chord) / length)).norm() : off.norm();
+}
+
+/// Divides a line of vertices where it turns (Ramer 1972, Douglas and Peucker 1973).
+void addStraight(const SurfaceMesh& mesh, const std::vector<int>& line, int label, double tolerance,
+                 std::vector<SlitEnd>& ends) {
+    std::size_t corner = 0;
+    double farthest = tolerance;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const double distance = distanceFromChord(mesh, line[i], line.front(), line.back());
+        if (distance > farthest) {
+            farthest = distance;
+            corner = i;
+        }
+    }
+    if (corner == 0) {
+        ends.push_back({line, label});
+        return;
+    }
+    const auto at = line.begin() + static_cast<std::ptrdiff_t>(corner);
+    addStraight(mesh, {line.begin(), at + 1}, label, tolerance, ends);
+    addStraight(mesh, {at, line.end()}, label, tolerance, ends);
+}
+
+/// Where the nearest point of a line of vertices lies, at rest.
+PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& line) {
+    PointBehind nearest{1e300, 0};
+    const double parts = static_cast<double>(line.size() - 1);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Vec3 from = mesh.restPosition(line[i]);
+        const Vec3 along = mesh.restPosition(line[i + 1]) - from;
+        const Vec3 off = mesh.restPosition(v) - from;
+        const double length = along.squaredNorm();
+        const double t = length > 0 ? std::clamp(off.dot(along) / length, 0.0, 1.0) : 0.0;
+        if (const double distance = (off - t * along).norm(); distance < nearest.distance) {
+            nearest = {distance, (static_cast<double>(i) + t) / parts};
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+bool touchesSkin(const SurfaceMesh& mesh, int v) {
+    bool touches = false;
+    mesh.forEachOutgoing(v, [&](int h) {
+        touches = touches || mesh.kind(SurfaceMesh::triangleOf(h)) == SurfaceKind::skin;
+    });
+    return touches;
+}
+
+std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most) {
+    std::map<int, PointBehind> found;
+    std::vector<int> open = end.vertices;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        mesh.forEachOutgoing(open[i], [&](int h) {
+            const int v = mesh.target(h);
+            if (mesh.wallLabel(SurfaceMesh::triangleOf(h)) != end.label || found.contains(v) ||
+                std::ranges::find(end.vertices, v) != end.vertices.end()) {
+                return;
+            }
+            if (const PointBehind place = placeBehind(mesh, v, end.vertices);
+                place.distance <= most) {
+                found.emplace(v, place);
+                open.push_back(v);
+            }
+        });
+    }
+    return found;
+}
+
+std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end) {
+    const auto at = [&](int v) { return mesh.position(v); };
+    Vec3 side = Vec3::Zero();
+    Vec3 behind = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
+        const int u = end.vertices[i];
+        const int v = end.vertices[i + 1];
+        const int h = mesh.findHalfEdge(u, v);
+        if (h >= 0) {
+            const Vec3 p = at(mesh.apex(h));
+            const Vec3 q = at(mesh.apex(mesh.twin(h)));
+            side -= unitNormal<Vec3>(at(u), at(v), p) + unitNormal<Vec3>(at(u), at(v), q);
+            behind += p + q - at(u) - at(v);
+        }
+    }
+    EndFrame frame;
+    frame.along = (at(end.vertices.back()) - at(end.vertices.front())).stableNormalized();
+    const Vec3 across = side - frame.along * side.dot(frame.along);
+    frame.heading = frame.along.cross(across).stableNormalized();
+    frame.heading *= frame.heading.dot(behind) > 0 ? -1 : 1;
+    frame.side = across.stableNormalized();
+    return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
+}
+
+std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh, double tolerance) {
+    std::map<int, int> edges = frontEdges(mesh);
+    std::set<int> inside;
+    for (const auto& [origin, h] : edges) {
+        inside.insert(mesh.target(h));
+    }
+    std::vector<SlitEnd> ends;
+    const auto follow = [&](int start) {
+        std::vector<int> line{start};
+        int label = 0;
+        for (auto edge = edges.find(start); edge != edges.end(); edge = edges.find(line.back())) {
+            label = mesh.wallLabel(SurfaceMesh::triangleOf(edge->second));
+            line.push_back(mesh.target(edge->second));
+            edges.erase(edge);
+        }
+        addStraight(mesh, line, label, tolerance, ends);
+    };
+    const std::map<int, int> all = edges;
+    for (const auto& [origin, h] : all) {
+        if (!inside.contains(origin)) {
+            follow(origin);
+        }
+    }
+    while (!edges.empty()) {
+        follow(edges.begin()->first);
+    }
+    return ends;
+}
+
+}  // namespace kerf

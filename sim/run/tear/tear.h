@@ -1,0 +1,59 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "sim/run/parts/running_body.h"
+#include "sim/run/parts/simulation_parts.h"
+#include "sim/run/tear/slit_ends.h"
+#include "sim/run/tear/weak_spot.h"
+#include "sim/run/undo/undo_log.h"
+
+namespace kerf {
+
+/// Tears the body: advances the end of a slit, as a blade would, where the material opens it, and
+/// notches the skin where its stress exceeds the strength. See docs/physics.md.
+class Tear {
+  public:
+    /// All must outlive the object.
+    Tear(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output)
+        : body_(body), input_(input), log_(log), output_(output) {}
+
+    /// Before a step: the vertices that it reads once the body has moved.
+    const std::vector<int>& watched();
+    /// After the cut of a step.
+    void step();
+
+  private:
+    bool isOn() const;
+    /// What a slit's end is opened by.
+    struct Opening {
+        double atFirst = 0;       ///< at its first vertex, of what makes it advance
+        double atLast = 0;        ///< at its last
+        Vec3 way = Vec3::Zero();  ///< sum of the ways from W- to W+ [m]
+        double most() const { return std::max(atFirst, atLast); }
+    };
+    Opening openingOf(const SlitEnd& end) const;
+    double neededAt(int plus, double behind) const;
+    bool goOn();
+    bool beginElsewhere();
+    bool beginAtWeakSpot();
+    CutOutcome advance(const SlitEnd& end, const Opening& opening, bool begins);
+    CutOutcome cut(const Blade& to);
+    void endStroke();
+    void accept(const CutResult& result);
+    std::vector<SlitEnd> presentEnds() const;
+    const std::vector<SlitEnd>& allEnds();
+
+    RunningBody& body_;
+    SimulationInput& input_;
+    UndoLog& log_;
+    SimulationOutput& output_;
+
+    // Of the present mesh, for speed alone.
+    int revision_ = -1;
+    std::vector<SlitEnd> ends_;
+    std::vector<int> watched_;
+};
+
+}  // namespace kerf
