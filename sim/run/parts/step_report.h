@@ -21,6 +21,16 @@ struct StageTimes {
     double sum() const { return deform + collide + cut; }
 };
 
+/// What tears a body, or holds it, in a step with `tearing`.
+struct TearReport {
+    /// Of the slit that is opened most: its opening, as a share of that at which its end advances;
+    /// 0 without slits.
+    double opening = 0;
+    double stress = 0;      ///< the largest of the skin, as a share of the tensile strength
+    bool advanced = false;  ///< new surface was torn in the step
+    std::string failure{};  ///< why an advance was impossible; empty if none was
+};
+
 /// One row of metrics.csv, after a step.
 struct StepReport {
     int step = 0;            ///< index of the step that just ran, from 0
@@ -40,6 +50,7 @@ struct StepReport {
     double fractureEnergy = 0;           ///< of the new surface of this step [J]
     std::optional<BladeLoad> bladeLoad;  ///< none unless measured, or while paused
     HeldEdge heldEdge;                   ///< with `blade_feels`
+    std::optional<TearReport> tear;      ///< with `tearing`
     int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
     bool open = false;                   ///< walls of a stroke of the open cut are absent

@@ -61,6 +61,13 @@ Blade bladeThrough(const SurfaceMesh& mesh, const SlitEnd& end, const Vec3& a, c
             touchesSkin(mesh, end.vertices.back()) ? Vec3(b + out) : b};
 }
 
+/// At which the skin begins to tear.
+double leastStretch(const Params& params) {
+    const double flesh = params.tensileStrength / params.youngsModulus;
+    return params.skinThickness > 0 ? std::max(flesh, params.skinStrength / params.skinModulus)
+                                    : flesh;
+}
+
 bool shareVertices(const SlitEnd& end, const std::vector<RungNode>& rung) {
     return std::ranges::any_of(rung, [&](const RungNode& node) {
         return node.vertex >= 0 &&
@@ -108,7 +115,9 @@ void Tear::step() {
         return;  // a blade cuts
     }
     tear.rest = std::max(tear.rest - 1, 0);
+    output_.report.tear = TearReport{.stress = stress()};
     const bool advanced = goOn() || (tear.rest == 0 && (beginElsewhere() || beginAtWeakSpot()));
+    output_.report.tear->advanced = advanced;
     tear.idle = advanced ? 0 : tear.idle + 1;
     if (tear.idle > kPatience || !standsInMaterial(body_.cutter->rung())) {
         endStroke();
@@ -120,6 +129,7 @@ bool Tear::goOn() {
     TearStroke& tear = body_.memory.tear;
     for (const SlitEnd& end : presentEnds()) {
         const Opening opening = openingOf(end);
+        note(opening);
         if (opening.most() <= 1) {
             continue;
         }
@@ -143,7 +153,9 @@ bool Tear::beginElsewhere() {
         if (body_.memory.tear.goesOn && shareVertices(end, body_.cutter->rung())) {
             continue;
         }
-        if (const Opening opening = openingOf(end); opening.most() > most.most()) {
+        const Opening opening = openingOf(end);
+        note(opening);
+        if (opening.most() > most.most()) {
             most = opening;
             found = &end;
         }
@@ -159,11 +171,7 @@ bool Tear::beginElsewhere() {
 
 /// Returns whether the skin is notched where it is stretched most.
 bool Tear::beginAtWeakSpot() {
-    const Params& params = input_.params;
-    const bool hasSkin = params.skinThickness > 0;
-    const double least = std::max(params.tensileStrength / params.youngsModulus,
-                                  hasSkin ? params.skinStrength / params.skinModulus : 0.0);
-    if (body_.memory.measure.largestStretch < least) {
+    if (stress() < 1) {
         return false;
     }
     StrongPlaces strong{body_.heldVertices(), {}, kNearEnds * body_.wallEdge};
@@ -173,7 +181,8 @@ bool Tear::beginAtWeakSpot() {
         }
     }
     body_.mesh().bringAll();
-    const std::optional<WeakSpot> spot = findWeakSpot(body_.mesh(), least, strong);
+    const std::optional<WeakSpot> spot =
+        findWeakSpot(body_.mesh(), leastStretch(input_.params), strong);
     if (!spot) {
         return false;
     }
@@ -242,9 +251,22 @@ CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins
                             b + advanceBy(opening.atLast, opening.atFirst) * way, edge));
 }
 
+/// The largest stress of the skin, as a share of the strength.
+double Tear::stress() const {
+    return body_.memory.measure.largestStretch / leastStretch(input_.params);
+}
+
+void Tear::note(const Opening& opening) {
+    double& most = output_.report.tear->opening;
+    most = std::max(most, opening.most());
+}
+
 CutOutcome Tear::cut(const Blade& to) {
     const CutResult result = body_.cutter->advance(to);
     accept(result);
+    if (result.outcome != CutOutcome::cut) {
+        output_.report.tear->failure = result.reason;
+    }
     return result.outcome;
 }
 

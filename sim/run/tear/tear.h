@@ -34,6 +34,8 @@ class Tear {
         double most() const { return std::max(atFirst, atLast); }
     };
     Opening openingOf(const SlitEnd& end) const;
+    double stress() const;
+    void note(const Opening& opening);
     double neededAt(int plus, double behind) const;
     bool goOn();
     bool beginElsewhere();
