@@ -199,7 +199,8 @@ class GroupStep {
     }
 
     CutResult cutWhole(const std::vector<RungNode>& from) {
-        if (std::optional<CutResult> result = find({from, {}, 0, sizeOf(group_.rung)}, true)) {
+        if (std::optional<CutResult> result =
+                find({from, {}, 0, sizeOf(group_.rung)}, stroke_.mayResume)) {
             moveOn(*result);
             group_.isUneven = false;
             return std::move(*result);

@@ -34,6 +34,7 @@ double sumOfRestVolumes(const PieceLabels& measured) {
 void Stroke::begin(CutBody& body, const Blade& at) {
     blade = at;
     goesOn = true;
+    mayResume = true;
     number = unused;  // a stroke that only met air leaves its number to the next
     cleanup.reset();
     groups.clear();
@@ -54,6 +55,7 @@ void Stroke::begin(CutBody& body, const Blade& at) {
 void Stroke::goOnFrom(CutBody& body, const SlitFront& front, const Blade& at) {
     begin(body, at);
     number = front.stroke;
+    mayResume = false;  // what holds the walls together would not hold those that cross them
     for (GroupStroke& group : groups) {
         if (group.number == body.pieces.groupOf(front.vertices.front())) {
             GroupRung(body, *this, group).takeUp(front, at);

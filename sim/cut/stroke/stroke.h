@@ -34,6 +34,7 @@ struct Stroke {
     void makeWaitingTies(CutBody& body);
 
     int number = 0;                     ///< as in wall labels
+    bool mayResume = true;              ///< a step that fails may start behind the front
     int unused = 0;                     ///< number of the next stroke that cuts
     int transit = 0;                    ///< number of the last transit of any group, ever
     bool goesOn = false;                ///< it is in progress

@@ -92,7 +92,7 @@ void RunningStroke::endTear() {
     if (!result.delta.empty()) {
         followCut(result.delta, body_, log_.history(), output_);
     }
-    body_.memory.tear = {};
+    body_.memory.tear.goesOn = false;
 }
 
 void RunningStroke::accept(const CutResult& result) {

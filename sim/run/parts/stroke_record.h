@@ -12,8 +12,8 @@ struct StrokeRecord {
     int refusedSteps = 0;   ///< steps that were refused, in one group of pieces at least
     int retriedSteps = 0;   ///< steps that took more than one try
     int cutAnew = 0;        ///< restarts behind a dropped front
-    SweptArea swept;        ///< by the blade, inside the material
-    Debris debris;          ///< removed when it ended
+    SweptArea swept{};      ///< by the blade, inside the material
+    Debris debris{};        ///< removed when it ended
 
     /// Adds a step.
     void add(const CutResult& step);

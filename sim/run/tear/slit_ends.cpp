@@ -26,34 +26,6 @@ std::map<int, int> frontEdges(const SurfaceMesh& mesh) {
     return edges;
 }
 
-double distanceFromChord(const SurfaceMesh& mesh, int v, int from, int to) {
-    const Vec3 chord = mesh.restPosition(to) - mesh.restPosition(from);
-    const Vec3 off = mesh.restPosition(v) - mesh.restPosition(from);
-    const double length = chord.squaredNorm();
-    return length > 0 ? (off - chord * (off.dot(chord) / length)).norm() : off.norm();
-}
-
-/// Divides a line of vertices where it turns (Ramer 1972, Douglas and Peucker 1973).
-void addStraight(const SurfaceMesh& mesh, const std::vector<int>& line, int label, double tolerance,
-                 std::vector<SlitEnd>& ends) {
-    std::size_t corner = 0;
-    double farthest = tolerance;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        const double distance = distanceFromChord(mesh, line[i], line.front(), line.back());
-        if (distance > farthest) {
-            farthest = distance;
-            corner = i;
-        }
-    }
-    if (corner == 0) {
-        ends.push_back({line, label});
-        return;
-    }
-    const auto at = line.begin() + static_cast<std::ptrdiff_t>(corner);
-    addStraight(mesh, {line.begin(), at + 1}, label, tolerance, ends);
-    addStraight(mesh, {at, line.end()}, label, tolerance, ends);
-}
-
 /// Where the nearest point of a line of vertices lies, at rest.
 PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& line) {
     PointBehind nearest{1e300, 0};
@@ -72,14 +44,6 @@ PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& 
 }
 
 }  // namespace
-
-bool touchesSkin(const SurfaceMesh& mesh, int v) {
-    bool touches = false;
-    mesh.forEachOutgoing(v, [&](int h) {
-        touches = touches || mesh.kind(SurfaceMesh::triangleOf(h)) == SurfaceKind::skin;
-    });
-    return touches;
-}
 
 std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most) {
     std::map<int, PointBehind> found;
@@ -125,7 +89,7 @@ std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end) {
     return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
 }
 
-std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh, double tolerance) {
+std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh) {
     std::map<int, int> edges = frontEdges(mesh);
     std::set<int> inside;
     for (const auto& [origin, h] : edges) {
@@ -133,14 +97,13 @@ std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh, double tolerance) {
     }
     std::vector<SlitEnd> ends;
     const auto follow = [&](int start) {
-        std::vector<int> line{start};
-        int label = 0;
+        SlitEnd& end = ends.emplace_back(SlitEnd{{start}, 0});
+        std::vector<int>& line = end.vertices;
         for (auto edge = edges.find(start); edge != edges.end(); edge = edges.find(line.back())) {
-            label = mesh.wallLabel(SurfaceMesh::triangleOf(edge->second));
+            end.label = mesh.wallLabel(SurfaceMesh::triangleOf(edge->second));
             line.push_back(mesh.target(edge->second));
             edges.erase(edge);
         }
-        addStraight(mesh, line, label, tolerance, ends);
     };
     const std::map<int, int> all = edges;
     for (const auto& [origin, h] : all) {

@@ -8,15 +8,14 @@
 
 namespace kerf {
 
-/// A nearly straight stretch of the end of a slit: the line where both of its walls meet.
+/// The end of a slit: the line where both of its walls meet.
 struct SlitEnd {
     std::vector<int> vertices;  ///< along it, at least two
     int label = 0;              ///< of the wall W+ beside it, as SurfaceMesh::wallLabel
 };
 
-/// The ends of all slits, divided at corners: where the line leaves a chord by more than
-/// `tolerance` at rest [m]. O(triangles).
-std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh, double tolerance);
+/// The ends of all slits. O(triangles).
+std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh);
 
 /// The present axes of a slit's end, unit.
 struct EndFrame {
@@ -36,8 +35,5 @@ struct PointBehind {
 
 /// The points of W+ within `most` [m] of an end, without those on it, by vertex.
 std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most);
-
-/// Whether a vertex lies on the skin.
-bool touchesSkin(const SurfaceMesh& mesh, int v);
 
 }  // namespace kerf

@@ -1,10 +1,13 @@
 #include "sim/run/tear/tear.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "sim/base/sort_unique.h"
+#include "sim/mesh/ray_box.h"
+#include "sim/mesh/triangle.h"
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/parts/led_blade.h"
 
@@ -17,16 +20,20 @@ namespace {
 constexpr double kBondedOpening = 0.15;
 constexpr double kFreeOpening = 0.4;
 // Edges of walls.
-constexpr double kLooksBack = 1.6;  // where the openings are taken
-constexpr double kStraight = 0.6;   // an end may leave a straight line
-constexpr double kOneFront = 3;     // an end up to so long advances evenly
-constexpr double kOverhang = 0.7;   // the blade stands out of the skin
-constexpr double kNearEnds = 3;     // no place near an end is a weak spot
-constexpr double kMostTurn = 0.6;   // of the heading in an advance [rad]
-constexpr double kFollows = 0.5;    // of an opening that advances, where one end follows the other
-constexpr int kPatience = 400;      // steps without an advance until a tear has ended
-constexpr int kMostFailures = 3;    // in a row
-constexpr int kRest = 50;           // steps, after so many failures
+constexpr double kNotchDepth = 0.8;
+constexpr double kNotchAbove = 0.3;
+constexpr double kLooksBack = 1.6;   // where the openings are taken
+constexpr double kOneFront = 3;      // an end up to so long advances evenly
+constexpr double kOverhang = 0.7;    // the blade stands out of the skin
+constexpr double kLeastEnd = 0.5;    // of a length that advances
+constexpr double kNearEnds = 3;      // no place near an end is a weak spot
+constexpr double kMostTurn = 0.6;    // of the heading in an advance [rad]
+constexpr double kFollows = 0.5;     // of an opening that advances, where one end follows the other
+constexpr int kPatience = 400;       // steps without an advance until a tear has ended
+constexpr int kMostFailures = 3;     // in a row
+constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
+constexpr int kRest = 400;           // steps until what failed is tried again
+constexpr double kMostScale = 3;     // of an edge at rest where the material is strained
 
 /// The direction of the largest tension about the end of a slit whose walls opened and slid by
 /// `way`: Erdogan and Sih (1963), with stress intensities in proportion to the displacements.
@@ -53,12 +60,14 @@ double advanceBy(double opening, double other) {
     return opening < needed ? 0 : std::min(opening, 1.0);
 }
 
-/// Through the ends of a slit's end, and out of the skin there.
-Blade bladeThrough(const SurfaceMesh& mesh, const SlitEnd& end, const Vec3& a, const Vec3& b,
-                   double edge) {
-    const Vec3 out = kOverhang * edge * (b - a).stableNormalized();
-    return {touchesSkin(mesh, end.vertices.front()) ? Vec3(a - out) : a,
-            touchesSkin(mesh, end.vertices.back()) ? Vec3(b + out) : b};
+/// How far an end reaches ahead of the line between its first and last vertex [m].
+double depthOf(const SurfaceMesh& mesh, const SlitEnd& end, const EndFrame& frame) {
+    double most = 0;
+    for (const int v : end.vertices) {
+        const Vec3 off = mesh.position(v) - mesh.position(end.vertices.front());
+        most = std::max(most, off.dot(frame.heading));
+    }
+    return most;
 }
 
 /// At which the skin begins to tear.
@@ -114,11 +123,14 @@ void Tear::step() {
     if (!tear.goesOn && standsInMaterial(body_.cutter->rung())) {
         return;  // a blade cuts
     }
-    tear.rest = std::max(tear.rest - 1, 0);
     output_.report.tear = TearReport{.stress = stress()};
-    const bool advanced = goOn() || (tear.rest == 0 && (beginElsewhere() || beginAtWeakSpot()));
+    const bool advanced = goOn() || beginElsewhere() || beginAtWeakSpot();
     output_.report.tear->advanced = advanced;
     tear.idle = advanced ? 0 : tear.idle + 1;
+    tear.rest = std::max(tear.rest - 1, 0);
+    if (advanced || tear.rest == 0) {
+        tear.stuck.clear();
+    }
     if (tear.idle > kPatience || !standsInMaterial(body_.cutter->rung())) {
         endStroke();
     }
@@ -137,7 +149,7 @@ bool Tear::goOn() {
         tear.failures = cuts ? 0 : tear.failures + 1;
         if (tear.failures >= kMostFailures) {
             endStroke();
-            tear.rest = kRest;
+            noteStuck(end);
         }
         return cuts;
     }
@@ -150,7 +162,7 @@ bool Tear::beginElsewhere() {
     Opening most;
     most.atFirst = 1;
     for (const SlitEnd& end : allEnds()) {
-        if (body_.memory.tear.goesOn && shareVertices(end, body_.cutter->rung())) {
+        if (!mayBegin(end)) {
             continue;
         }
         const Opening opening = openingOf(end);
@@ -165,19 +177,37 @@ bool Tear::beginElsewhere() {
     }
     const SlitEnd end = *found;
     const bool cuts = advance(end, most, true) == CutOutcome::cut;
-    body_.memory.tear.rest = cuts ? 0 : kRest;
+    if (!cuts) {
+        endStroke();
+        noteStuck(end);
+    }
     return cuts;
+}
+
+bool Tear::mayBegin(const SlitEnd& end) const {
+    const TearStroke& tear = body_.memory.tear;
+    return lengthOf(body_.mesh(), end) >= kLeastEnd * body_.wallEdge &&
+           std::ranges::find(tear.stuck, end.vertices.front()) == tear.stuck.end() &&
+           !(tear.goesOn && shareVertices(end, body_.cutter->rung()));
+}
+
+void Tear::noteStuck(const SlitEnd& end) {
+    body_.memory.tear.stuck.push_back(end.vertices.front());
+    body_.memory.tear.rest = kRest;
 }
 
 /// Returns whether the skin is notched where it is stretched most.
 bool Tear::beginAtWeakSpot() {
-    if (stress() < 1) {
+    if (stress() < 1 || body_.memory.tear.rest > 0) {
         return false;
     }
-    StrongPlaces strong{body_.heldVertices(), {}, kNearEnds * body_.wallEdge};
+    StrongPlaces strong{{}, kNearEnds * body_.wallEdge};
+    for (const std::uint32_t v : body_.heldVertices()) {
+        strong.places.push_back(body_.mesh().restPosition(static_cast<int>(v)));
+    }
     for (const SlitEnd& end : allEnds()) {
         for (const int v : end.vertices) {
-            strong.ends.push_back(body_.mesh().restPosition(v));
+            strong.places.push_back(body_.mesh().restPosition(v));
         }
     }
     body_.mesh().bringAll();
@@ -187,12 +217,18 @@ bool Tear::beginAtWeakSpot() {
         return false;
     }
     endStroke();
-    const Notch notch = notchAt(*spot, body_.wallEdge);
-    body_.cutter->begin(notch.from);
-    body_.memory.tear = {.goesOn = true, .firstVertex = body_.mesh().vertexCount()};
-    const bool cuts = cut(notch.to) == CutOutcome::cut;
+    const Vec3 in = -body_.wallEdge * spot->normal;
+    const Vec3 deep = spot->at + kNotchDepth * in;
+    const Blade to =
+        bladeThrough(deep - body_.wallEdge * spot->along, deep + body_.wallEdge * spot->along);
+    const Vec3 back = -(kNotchDepth + kNotchAbove) * in;
+    body_.cutter->begin({to.a + back, to.b + back});
+    body_.memory.beginStroke(
+        {.number = body_.cutter->strokeNumber(), .firstTriangle = body_.mesh().triangleSlots()});
+    beginStroke();
+    const bool cuts = cut(to) == CutOutcome::cut;
     endStroke();
-    body_.memory.tear.rest = cuts ? 0 : kRest;
+    body_.memory.tear.rest = cuts ? kRestAfterNotch : kRest;
     return cuts;
 }
 
@@ -215,6 +251,10 @@ Tear::Opening Tear::openingOf(const SlitEnd& end) const {
         ofFirst += (1 - share) * place.distance;
         ofLast += share * place.distance;
         opening.way += way;
+        const Vec3 middle = mesh.position(facing) + 0.5 * way;
+        opening.behind += middle;
+        opening.restBehind += place.distance;
+        ++opening.points;
     }
     opening.atFirst /= ofFirst;
     opening.atLast /= ofLast;
@@ -233,22 +273,61 @@ double Tear::neededAt(int plus, double behind) const {
 
 CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins) {
     const SurfaceMesh& mesh = body_.mesh();
-    const double edge = body_.wallEdge;
     const std::optional<EndFrame> frame = frameOf(mesh, end);
     if (!frame) {
         return CutOutcome::air;
     }
-    const Vec3 a = mesh.position(end.vertices.front());
-    const Vec3 b = mesh.position(end.vertices.back());
+    // Where the end is a bay of the uncut material, the blade goes straight below all of it.
+    const Vec3 deepest = depthOf(mesh, end, *frame) * frame->heading;
+    const Vec3 a = mesh.position(end.vertices.front()) + deepest;
+    const Vec3 b = mesh.position(end.vertices.back()) + deepest;
     if (begins) {
         endStroke();
-        body_.cutter->goOnFrom({end.vertices, end.label / 2, frame->heading},
-                               bladeThrough(mesh, end, a, b, edge));
-        body_.memory.tear = {.goesOn = true, .firstVertex = mesh.vertexCount()};
+        body_.cutter->goOnFrom({end.vertices, end.label / 2, frame->heading}, {a, b});
+        beginStroke();
     }
-    const Vec3 way = edge * wayOfLargestTension(*frame, opening.way);
-    return cut(bladeThrough(mesh, end, a + advanceBy(opening.atFirst, opening.atLast) * way,
-                            b + advanceBy(opening.atLast, opening.atFirst) * way, edge));
+    const Vec3 way = body_.wallEdge * scaleAt(opening, *frame, 0.5 * (a + b)) *
+                     wayOfLargestTension(*frame, opening.way);
+    return cut(bladeThrough(a + advanceBy(opening.atFirst, opening.atLast) * way,
+                            b + advanceBy(opening.atLast, opening.atFirst) * way));
+}
+
+/// The blade along a line in the body, out of its skin on both sides.
+Blade Tear::bladeThrough(const Vec3& a, const Vec3& b) {
+    const Vec3 middle = 0.5 * (a + b);
+    const Vec3 axis = (b - a).stableNormalized();
+    const double length = (b - a).norm();
+    const double overhang = kOverhang * body_.wallEdge;
+    const auto out = [&](const Vec3& direction) -> Vec3 {
+        const double way = wayOut(middle, direction).value_or(0.5 * length);
+        return middle + (way + overhang) * direction;
+    };
+    return {out(-axis), out(axis)};
+}
+
+/// How far it is out of the body; none from outside of it [m].
+std::optional<double> Tear::wayOut(const Vec3& from, const Vec3& direction) {
+    const SurfaceMesh& mesh = body_.mesh();
+    const std::array<Vec3, 2> line{from, from + body_.memory.measure.bounds.diagonal() * direction};
+    double nearest = 1e300;
+    bool leaves = false;
+    for (const int t : body_.trianglesNear(line)) {
+        const Corners corners = cornersOf(mesh, t);
+        const std::optional<LineHit> hit = hitOf(corners, from, direction, 0);
+        if (hit && hit->distance > 0 && hit->distance < nearest) {
+            nearest = hit->distance;
+            leaves = areaNormal(corners).dot(direction) > 0;
+        }
+    }
+    return leaves ? std::optional(nearest) : std::nullopt;
+}
+
+/// The present length of the material ahead, over that at rest, by that behind the end.
+double Tear::scaleAt(const Opening& opening, const EndFrame& frame, const Vec3& end) {
+    const Vec3 middle = opening.behind / std::max(opening.points, 1);
+    const double rest = opening.restBehind / std::max(opening.points, 1);
+    const double now = frame.heading.dot(end - middle);
+    return rest > 0 ? std::clamp(now / rest, 1 / kMostScale, kMostScale) : 1.0;
 }
 
 /// The largest stress of the skin, as a share of the strength.
@@ -270,16 +349,28 @@ CutOutcome Tear::cut(const Blade& to) {
     return result.outcome;
 }
 
+void Tear::beginStroke() {
+    TearStroke& tear = body_.memory.tear;
+    tear.goesOn = true;
+    tear.firstVertex = body_.mesh().vertexCount();
+    tear.failures = 0;
+}
+
 /// Ends whatever stroke there is.
 void Tear::endStroke() {
     if (body_.cutter->inStroke() && (body_.memory.tear.goesOn || isOn())) {
         accept(body_.cutter->finish());
     }
-    body_.memory.tear = {};
+    body_.memory.tear.goesOn = false;
 }
 
 void Tear::accept(const CutResult& result) {
     output_.report.search.add(body_.cutter->takeSearchWork());
+    const auto record = std::ranges::find(body_.memory.strokes, body_.cutter->strokeNumber(),
+                                          &StrokeRecord::number);
+    if (record != body_.memory.strokes.end()) {
+        record->add(result);
+    }
     if (!result.delta.empty()) {
         followCut(result.delta, body_, log_.history(), output_);
     }
@@ -306,7 +397,7 @@ std::vector<SlitEnd> Tear::presentEnds() const {
 const std::vector<SlitEnd>& Tear::allEnds() {
     if (revision_ != body_.modelRevision) {
         revision_ = body_.modelRevision;
-        ends_ = findSlitEnds(body_.mesh(), kStraight * body_.wallEdge);
+        ends_ = findSlitEnds(body_.mesh());
     }
     return ends_;
 }

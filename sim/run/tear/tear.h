@@ -1,6 +1,6 @@
 #pragma once
 
-#include <utility>
+#include <optional>
 #include <vector>
 
 #include "sim/run/parts/running_body.h"
@@ -28,20 +28,29 @@ class Tear {
     bool isOn() const;
     /// What a slit's end is opened by.
     struct Opening {
-        double atFirst = 0;       ///< at its first vertex, of what makes it advance
-        double atLast = 0;        ///< at its last
-        Vec3 way = Vec3::Zero();  ///< sum of the ways from W- to W+ [m]
+        double atFirst = 0;          ///< at its first vertex, of what makes it advance
+        double atLast = 0;           ///< at its last
+        Vec3 way = Vec3::Zero();     ///< sum of the ways from W- to W+ [m]
+        Vec3 behind = Vec3::Zero();  ///< sum of the points behind, halfway between the walls [m]
+        double restBehind = 0;       ///< sum of their distances from the end at rest [m]
+        int points = 0;
         double most() const { return std::max(atFirst, atLast); }
     };
     Opening openingOf(const SlitEnd& end) const;
+    static double scaleAt(const Opening& opening, const EndFrame& frame, const Vec3& end);
     double stress() const;
     void note(const Opening& opening);
     double neededAt(int plus, double behind) const;
     bool goOn();
     bool beginElsewhere();
     bool beginAtWeakSpot();
+    bool mayBegin(const SlitEnd& end) const;
+    void noteStuck(const SlitEnd& end);
     CutOutcome advance(const SlitEnd& end, const Opening& opening, bool begins);
+    Blade bladeThrough(const Vec3& a, const Vec3& b);
+    std::optional<double> wayOut(const Vec3& from, const Vec3& direction);
     CutOutcome cut(const Blade& to);
+    void beginStroke();
     void endStroke();
     void accept(const CutResult& result);
     std::vector<SlitEnd> presentEnds() const;

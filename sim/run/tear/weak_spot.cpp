@@ -11,11 +11,6 @@ namespace kerf {
 
 namespace {
 
-// Edges: half the length of a notch, how high above the skin it begins, how deep it goes.
-constexpr double kHalfLength = 1;
-constexpr double kAbove = 0.3;
-constexpr double kDepth = 0.8;
-
 /// The largest principal stretch of a triangle and its present direction.
 struct Stretch {
     double size = 0;
@@ -38,14 +33,10 @@ Stretch largestStretch(const Corners& rest, const Corners& now) {
 }
 
 bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
-    const Triangle& corners = mesh.triangle(t);
-    const auto isHeld = [&](int v) {
-        return std::ranges::binary_search(strong.held, static_cast<std::uint32_t>(v));
-    };
-    const Vec3 middle = mesh.restPosition(corners[0]);
-    return mesh.kind(t) == SurfaceKind::skin && std::ranges::none_of(corners, isHeld) &&
-           std::ranges::none_of(strong.ends, [&](const Vec3& end) {
-               return (end - middle).norm() < strong.nearEnds;
+    const Vec3 corner = mesh.restPosition(mesh.triangle(t)[0]);
+    return mesh.kind(t) == SurfaceKind::skin &&
+           std::ranges::none_of(strong.places, [&](const Vec3& place) {
+               return (place - corner).norm() < strong.reach;
            });
 }
 
@@ -66,13 +57,6 @@ std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
         }
     }
     return spot;
-}
-
-Notch notchAt(const WeakSpot& spot, double edge) {
-    const Vec3 half = kHalfLength * edge * spot.along;
-    const Vec3 above = spot.at + kAbove * edge * spot.normal;
-    const Vec3 below = spot.at - kDepth * edge * spot.normal;
-    return {{above - half, above + half}, {below - half, below + half}};
 }
 
 }  // namespace kerf

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "sim/cut/blade.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/run/tear/slit_ends.h"
 
 namespace kerf {
 
@@ -19,21 +16,13 @@ struct WeakSpot {
 
 /// What does not count where weak spots are sought.
 struct StrongPlaces {
-    std::vector<std::uint32_t> held;  ///< vertices that are pinned or pulled, ascending
-    std::vector<Vec3> ends;           ///< of slits, at rest [m]
-    double nearEnds = 0;              ///< distance at rest within which those count instead [m]
+    std::vector<Vec3> places;  ///< what is held, and ends of slits, at rest [m]
+    double reach = 0;          ///< around each [m]
 };
 
 /// The triangle of the skin that is stretched most, if by more than `least`, as a share of its
 /// length. O(triangles).
 std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
                                      const StrongPlaces& strong);
-
-/// A short blade above a weak spot, and the same pressed into it, for edges of a length [m].
-struct Notch {
-    Blade from;
-    Blade to;
-};
-Notch notchAt(const WeakSpot& spot, double edge);
 
 }  // namespace kerf
