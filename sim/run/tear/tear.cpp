@@ -29,6 +29,8 @@ constexpr double kLeastEnd = 0.5;    // of a length that advances
 constexpr double kNearEnds = 3;      // no place near an end is a weak spot
 constexpr double kMostTurn = 0.6;    // of the heading in an advance [rad]
 constexpr double kFollows = 0.5;     // of an opening that advances, where one end follows the other
+constexpr int kPause = 10;           // steps without an advance until another slit may tear
+constexpr double kNearlyOpen = 0.7;  // of what makes an end advance: the skin bears no more
 constexpr int kPatience = 400;       // steps without an advance until a tear has ended
 constexpr int kMostFailures = 3;     // in a row
 constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
@@ -124,7 +126,8 @@ void Tear::step() {
         return;  // a blade cuts
     }
     output_.report.tear = TearReport{.stress = stress()};
-    const bool advanced = goOn() || beginElsewhere() || beginAtWeakSpot();
+    const bool advanced =
+        goOn() || (tear.idle >= kPause && (beginElsewhere() || beginAtWeakSpot()));
     output_.report.tear->advanced = advanced;
     tear.idle = advanced ? 0 : tear.idle + 1;
     tear.rest = std::max(tear.rest - 1, 0);
@@ -198,7 +201,7 @@ void Tear::noteStuck(const SlitEnd& end) {
 
 /// Returns whether the skin is notched where it is stretched most.
 bool Tear::beginAtWeakSpot() {
-    if (stress() < 1 || body_.memory.tear.rest > 0) {
+    if (stress() < 1 || output_.report.tear->opening > kNearlyOpen || body_.memory.tear.rest > 0) {
         return false;
     }
     StrongPlaces strong{{}, kNearEnds * body_.wallEdge};
@@ -283,7 +286,9 @@ CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins
     const Vec3 b = mesh.position(end.vertices.back()) + deepest;
     if (begins) {
         endStroke();
-        body_.cutter->goOnFrom({end.vertices, end.label / 2, frame->heading}, {a, b});
+        const Vec3 out = kOverhang * body_.wallEdge * frame->along;
+        body_.cutter->goOnFrom({end.vertices, end.label / 2, frame->heading},
+                               {a - deepest - out, b - deepest + out});
         beginStroke();
     }
     const Vec3 way = body_.wallEdge * scaleAt(opening, *frame, 0.5 * (a + b)) *
