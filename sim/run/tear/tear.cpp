@@ -33,6 +33,7 @@ constexpr int kPause = 10;           // steps without an advance until another s
 constexpr double kNearlyOpen = 0.7;  // of what makes an end advance: the skin bears no more
 constexpr int kPatience = 400;       // steps without an advance until a tear has ended
 constexpr int kMostFailures = 3;     // in a row
+constexpr int kLooksForSpots = 5;    // steps
 constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
 constexpr int kRest = 400;           // steps until what failed is tried again
 constexpr double kMostScale = 3;     // of an edge at rest where the material is strained
@@ -201,7 +202,8 @@ void Tear::noteStuck(const SlitEnd& end) {
 
 /// Returns whether the skin is notched where it is stretched most.
 bool Tear::beginAtWeakSpot() {
-    if (stress() < 1 || output_.report.tear->opening > kNearlyOpen || body_.memory.tear.rest > 0) {
+    if (output_.clock.stepsDone % kLooksForSpots != 0 || stress() < 1 ||
+        output_.report.tear->opening > kNearlyOpen || body_.memory.tear.rest > 0) {
         return false;
     }
     StrongPlaces strong{{}, kNearEnds * body_.wallEdge};

@@ -32,6 +32,21 @@ Stretch largestStretch(const Corners& rest, const Corners& now) {
     return {std::sqrt(std::max(stretches.eigenvalues()[2], 0.0)), stretches.eigenvectors().col(2)};
 }
 
+/// Of a triangle and those at its corners, by area at rest: one alone may stretch for its shape.
+double meanAround(const SurfaceMesh& mesh, int t, const std::vector<Stretch>& stretches) {
+    double sum = 0;
+    double area = 0;
+    for (const int v : mesh.triangle(t)) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            const int u = SurfaceMesh::triangleOf(h);
+            const double share = triangleArea(restCornersOf(mesh, u));
+            sum += share * stretches[u].size;
+            area += share;
+        });
+    }
+    return sum / area;
+}
+
 bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
     const Vec3 corner = mesh.restPosition(mesh.triangle(t)[0]);
     return mesh.kind(t) == SurfaceKind::skin &&
@@ -44,19 +59,27 @@ bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
 
 std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
                                      const StrongPlaces& strong) {
-    std::optional<WeakSpot> spot;
+    std::vector<Stretch> stretches(mesh.triangleSlots());
+    for (const int t : livingTriangles(mesh)) {
+        stretches[t] = largestStretch(restCornersOf(mesh, t), cornersOf(mesh, t));
+    }
+    int weakest = -1;
     double most = 1 + least;
     for (const int t : livingTriangles(mesh)) {
-        const Corners now = cornersOf(mesh, t);
-        const Stretch stretch = largestStretch(restCornersOf(mesh, t), now);
-        if (stretch.size > most && counts(mesh, t, strong)) {
-            most = stretch.size;
-            const Vec3 normal = unitNormal<Vec3>(now[0], now[1], now[2]);
-            spot = {(now[0] + now[1] + now[2]) / 3, normal,
-                    normal.cross(stretch.direction).stableNormalized()};
+        if (stretches[t].size > most && counts(mesh, t, strong)) {
+            if (const double mean = meanAround(mesh, t, stretches); mean > most) {
+                most = mean;
+                weakest = t;
+            }
         }
     }
-    return spot;
+    if (weakest < 0) {
+        return std::nullopt;
+    }
+    const Corners now = cornersOf(mesh, weakest);
+    const Vec3 normal = unitNormal<Vec3>(now[0], now[1], now[2]);
+    return WeakSpot{(now[0] + now[1] + now[2]) / 3, normal,
+                    normal.cross(stretches[weakest].direction).stableNormalized()};
 }
 
 }  // namespace kerf

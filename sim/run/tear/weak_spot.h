@@ -20,8 +20,8 @@ struct StrongPlaces {
     double reach = 0;          ///< around each [m]
 };
 
-/// The triangle of the skin that is stretched most, if by more than `least`, as a share of its
-/// length. O(triangles).
+/// The place of the skin that is stretched most, in the mean of a triangle and its neighbours, if
+/// by more than `least`, as a share of its length. O(triangles).
 std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
                                      const StrongPlaces& strong);
 
