@@ -11,40 +11,43 @@ namespace kerf {
 
 namespace {
 
-/// The largest principal stretch of a triangle and its present direction.
-struct Stretch {
-    double size = 0;
-    Vec3 direction = Vec3::Zero();
-};
-
-Stretch largestStretch(const Corners& rest, const Corners& now) {
+/// The gradient of a triangle's deformation, in its plane.
+Eigen::Matrix3d gradientOf(const Corners& rest, const Corners& now) {
     Eigen::Matrix<double, 3, 2> edges;
     edges << rest[1] - rest[0], rest[2] - rest[0];
     Eigen::Matrix<double, 3, 2> moved;
     moved << now[1] - now[0], now[2] - now[0];
     const Eigen::Matrix2d metric = edges.transpose() * edges;
     if (!(std::abs(metric.determinant()) > 1e-12 * metric.squaredNorm())) {
-        return {};
+        return Eigen::Matrix3d::Zero();
     }
-    // In edges: moved = gradient * edges.
-    const Eigen::Matrix3d gradient = moved * metric.inverse() * edges.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretches(gradient * gradient.transpose());
-    return {std::sqrt(std::max(stretches.eigenvalues()[2], 0.0)), stretches.eigenvectors().col(2)};
+    return moved * metric.inverse() * edges.transpose();
 }
 
 /// Of a triangle and those at its corners, by area at rest: one alone may stretch for its shape.
-double meanAround(const SurfaceMesh& mesh, int t, const std::vector<Stretch>& stretches) {
-    double sum = 0;
+Eigen::Matrix3d meanGradient(const SurfaceMesh& mesh, int t) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     double area = 0;
     for (const int v : mesh.triangle(t)) {
         mesh.forEachOutgoing(v, [&](int h) {
-            const int u = SurfaceMesh::triangleOf(h);
-            const double share = triangleArea(restCornersOf(mesh, u));
-            sum += share * stretches[u].size;
+            const Corners rest = restCornersOf(mesh, SurfaceMesh::triangleOf(h));
+            const double share = triangleArea(rest);
+            sum += share * gradientOf(rest, cornersOf(mesh, SurfaceMesh::triangleOf(h)));
             area += share;
         });
     }
     return sum / area;
+}
+
+/// The largest principal stretch and its present direction.
+struct Stretch {
+    double size = 0;
+    Vec3 direction = Vec3::Zero();
+};
+
+Stretch largestStretch(const Eigen::Matrix3d& gradient) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretches(gradient * gradient.transpose());
+    return {std::sqrt(std::max(stretches.eigenvalues()[2], 0.0)), stretches.eigenvectors().col(2)};
 }
 
 bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
@@ -59,18 +62,14 @@ bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
 
 std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
                                      const StrongPlaces& strong) {
-    std::vector<Stretch> stretches(mesh.triangleSlots());
-    for (const int t : livingTriangles(mesh)) {
-        stretches[t] = largestStretch(restCornersOf(mesh, t), cornersOf(mesh, t));
-    }
     int weakest = -1;
-    double most = 1 + least;
+    Stretch most{1 + least};
     for (const int t : livingTriangles(mesh)) {
-        if (stretches[t].size > most && counts(mesh, t, strong)) {
-            if (const double mean = meanAround(mesh, t, stretches); mean > most) {
-                most = mean;
-                weakest = t;
-            }
+        const Eigen::Matrix3d own = gradientOf(restCornersOf(mesh, t), cornersOf(mesh, t));
+        if (largestStretch(own).size > most.size && counts(mesh, t, strong)) {
+            const Stretch mean = largestStretch(meanGradient(mesh, t));
+            weakest = mean.size > most.size ? t : weakest;
+            most = mean.size > most.size ? mean : most;
         }
     }
     if (weakest < 0) {
@@ -79,7 +78,7 @@ std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
     const Corners now = cornersOf(mesh, weakest);
     const Vec3 normal = unitNormal<Vec3>(now[0], now[1], now[2]);
     return WeakSpot{(now[0] + now[1] + now[2]) / 3, normal,
-                    normal.cross(stretches[weakest].direction).stableNormalized()};
+                    normal.cross(most.direction).stableNormalized()};
 }
 
 }  // namespace kerf
