@@ -8,7 +8,7 @@ import sys
 
 import kerf
 
-from . import bar, blade, fem, iterations, materials, paper, paper_figures, paper_report
+from . import bar, blade, fem, iterations, materials, paper, paper_figures, paper_report, tear
 from .workshop import progress, remove, write
 
 # As `kerf --help` says.
@@ -21,7 +21,7 @@ MOST_REPEATS = 100
 #: Experiments of Kerf's own, which "all" leaves out: each has a folder of its name. They print
 #: their report, or with --json their summary, and return what failed as a sentence, or "".
 OWN = {"bar": bar.run, "fem": fem.run, "blade": blade.run, "materials": materials.run,
-       "iterations": iterations.run}
+       "iterations": iterations.run, "tear": tear.run}
 
 
 class Parser(argparse.ArgumentParser):
@@ -68,6 +68,8 @@ def parser():
                       help="runs of each stroke, for the spread of frame rates (5)")
     made.add_argument("--whole", action="store_true",
                       help="with bar: all combinations of settings, which takes hours")
+    made.add_argument("--quick", action="store_true",
+                      help="with tear: one run of each specimen")
     made.add_argument("--json", action="store_true", help="print one JSON object")
     return made
 
@@ -79,6 +81,8 @@ def parse(words):
                          "neither --published nor --runs")
     if arguments.whole and arguments.name != "bar":
         raise UsageError("--whole is for 'bar' alone; leave it out")
+    if arguments.quick and arguments.name != "tear":
+        raise UsageError("--quick is for 'tear' alone; leave it out")
     return arguments
 
 
