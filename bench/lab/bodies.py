@@ -30,6 +30,20 @@ def box(size, cells):
     return np.array(size) * (np.array(grid) / cells - 0.5), triangles
 
 
+def ring(inner, outer, thickness, cells):
+    """Points and triangles of a flat ring around z: cells across, around and through it."""
+    points, triangles = box([1, 1, 1], cells)
+    grid = np.rint((points + 0.5) * cells).astype(int)
+    around = grid[triangles][:, :, 1]
+    is_end = (around == around[:, :1]).all(axis=1) & np.isin(around[:, 0], (0, cells[1]))
+    grid[:, 1] %= cells[1]
+    grid, triangles = numbered([[tuple(grid[v]) for v in t] for t in triangles[~is_end]])
+    radius, angle, height = (np.array(grid) / cells).T
+    radius = inner + (outer - inner) * radius
+    return np.stack([radius * np.cos(2 * np.pi * angle), radius * np.sin(2 * np.pi * angle),
+                     thickness * (height - 0.5)], axis=1), triangles
+
+
 def numbered(triangles):
     """The different corners of triangles by their first use, and the triangles by their numbers."""
     numbers = {}

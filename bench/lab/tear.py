@@ -16,7 +16,7 @@ MOST_MISSING = 0.05
 
 #: Without what is not measured. Without a strength no second tear begins elsewhere.
 PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "true_modulus": 1,
-          "wall_coarsening": 1, "bending_stiffness": 0, "tensile_strength": 1e9}
+          "wall_coarsening": 1, "tensile_strength": 1e9}
 STEP = 4  # squares that a wave in a bar passes in a time step
 ITERATIONS = 24  # in such a step
 SHORTEST, LONGEST = 0.0005, 0.02  # of time steps [s]
@@ -24,10 +24,9 @@ RESOLUTIONS = ("coarse", "fine")
 #: Of opening: the stretch at which it tears, in the time in which a wave passes the specimen.
 SPEEDS = {"slow": 0.002, "medium": 0.004, "fast": 0.008}
 LOADING_STEPS = 60
+HAND_RATE = 120  # of the springs of hands, as docs/physics.md has it [1/s]
 STARTS_AT = 0.75  # of the toughness: the energy release rate from which on it is pulled slowly
 MOST_RELEASE = 2.5  # of the toughness: then it has not torn
-WINDOW = (0.2, 0.6)  # of the ligament: while it tears, the toughness is read
-TORN = 0.7  # of the ligament: then a run ends
 MOST_STEPS = 4000
 SIZE = (640, 360)  # of pictures [pixels]
 FILES = ("summary.json", "report.md", "release.png")
@@ -75,8 +74,7 @@ class Point(typing.NamedTuple):
 @dataclasses.dataclass
 class Run:
     """A specimen that was torn."""
-    specimen: str
-    material: Material
+    specimen: typing.Any
     resolution: str
     speed: str
     triangles: int
@@ -85,15 +83,20 @@ class Run:
     image: object = None  #: while it tears
 
     @property
+    def material(self):
+        return self.specimen.material
+
+    @property
+    def read(self):
+        """The points from which the toughness is read; none if it did not tear on."""
+        low, high = self.specimen.WINDOW
+        return ([p for p in self.points if low <= p.torn <= high]
+                if self.points[-1].torn >= high else [])
+
+    @property
     def found(self):
-        """The mean energy release rate while the tear goes on; None if it doesn't [J/m^2]."""
-        low, high = WINDOW
-        if self.points[-1].torn < high:
-            return None
-        read = [p for p in self.points if low <= p.torn <= high]
-        shares = np.array([p.torn for p in read])
-        rates = np.array([p.release for p in read])
-        return float(np.trapz(rates, shares) / (shares[-1] - shares[0]))
+        """The toughness, or None if it did not tear on [J/m^2]."""
+        return self.specimen.toughness_from(self.read) if self.read else None
 
     @property
     def ratio(self):
@@ -106,7 +109,7 @@ class Run:
         return (end.strain + end.kinetic + end.fracture) / end.work
 
     def __str__(self):
-        return f"{self.specimen} of {self.material.name}, {self.resolution}, {self.speed}"
+        return f"{self.specimen.name} of {self.material.name}, {self.resolution}, {self.speed}"
 
 
 # --- Specimens ------------------------------------------------------------------------------------
@@ -121,6 +124,7 @@ class Strip:
     name = "strip"
     squares = {"coarse": 16, "fine": 24}  #: over the height
     LENGTH, NOTCH = 2.5, 1  # in heights
+    WINDOW, torn, pace = (0.2, 0.6), 0.7, 1
     view = {"eye": [0, -0.5, 2.4], "target": [0, 0, 0]}  # in heights
 
     def __init__(self, material, resolution):
@@ -136,8 +140,14 @@ class Strip:
         size = np.array([length or self.length, self.height, self.thickness])
         return bodies.box(size, np.rint(size / self.square).astype(int))
 
-    def grips(self, opening):
-        """Where the pins are: low and high corners of two boxes."""
+    def toughness_from(self, points):
+        return mean_release(points)
+
+    def grips(self, sim):
+        return Pins(sim, self)
+
+    def held(self, opening):
+        """Where the pins are: a side, low and high corners of two boxes."""
         for side in (1, -1):
             y = side * (self.height + opening) / 2
             yield side, np.array([-2 * self.length, y - 0.3 * self.square, -self.thickness]), (
@@ -160,6 +170,189 @@ class Strip:
 
     def force_exponent(self, opening):
         return self.energy.exponent(opening)
+
+
+class Ring:
+    """A ring that is pulled apart, notched from inside where it is bent most.
+
+    The energy release rate is what the strain energy loses by torn area at a held opening (Irwin
+    and Kies 1954), of rings with longer notches that don't tear.
+    """
+    name = "ring"
+    squares = {"coarse": 12, "fine": 16}  #: across the ring
+    INNER, OUTER = 0.5, 1.5  # radii, in widths of the ring
+    NOTCH, LONGER = 0.3, (0.3, 0.45, 0.6, 0.75)  # in widths
+    WINDOW, torn, pace = (0.2, 0.6), 0.7, 1
+    view = {"eye": [0.6, -0.6, 4], "target": [0, 0, 0]}  # in widths
+
+    def __init__(self, material, resolution):
+        self.material = material
+        self.height = HEIGHT[material.name] * material.length
+        self.square = self.height / self.squares[resolution]
+        self.thickness = 2 * self.square
+        self.ligament = (1 - self.NOTCH) * self.height * self.thickness
+        self.opening = 0.1 * self.height  # for a start
+
+    def body(self):
+        across = round(self.height / self.square)
+        around = 2 * round(np.pi * (self.INNER + self.OUTER) / 2 * across)
+        return bodies.ring(self.INNER * self.height, self.OUTER * self.height, self.thickness,
+                           [across, around, 2])
+
+    def toughness_from(self, points):
+        return mean_release(points)
+
+    def grips(self, sim):
+        return Pins(sim, self)
+
+    def held(self, opening):
+        """Where the pins are: a side, low and high corners of two boxes."""
+        for side in (1, -1):
+            y = side * (self.OUTER * self.height + opening / 2)
+            half = np.array([2, 0.12, 1]) * self.height
+            yield side, np.array([0, y, 0]) - half, np.array([0, y, 0]) + half
+
+    def cut(self, sim, length=NOTCH):
+        start = self.INNER * self.height
+        slit(sim, start - self.square, start + length * self.height, 0.1 * self.square,
+             self.thickness)
+
+    def calibrate(self):
+        """Finds the energies by opening and length of the notch."""
+        for lengths in (self.LONGER[:2], self.LONGER):
+            fits = [Fit(*loaded(self, self.body(), 1.3 * self.opening, length))
+                    for length in lengths]
+            self.by_length = [np.polyfit(lengths, values, len(lengths) - 1)
+                              for values in zip(*((f.square, f.cube) for f in fits))]
+            self.opening *= math.sqrt(self.material.toughness / self.release(self.opening, 0))
+
+    def release(self, opening, torn):
+        """[J/m^2]"""
+        slopes = [np.polyval(np.polyder(fit), self.length_of(torn)) for fit in self.by_length]
+        return -(slopes[0] + slopes[1] * opening) * opening**2 / (self.height * self.thickness)
+
+    def force_exponent(self, opening):
+        return 2
+
+    def length_of(self, torn):
+        """Of the notch, in widths."""
+        return self.NOTCH + (1 - self.NOTCH) * torn
+
+
+class Trouser:
+    """A sheet with two legs that hands pull apart across it (Rivlin and Thomas 1953).
+
+    Legs that hardly stretch move by twice the length of the tear: the energy release rate is 2 F
+    over the thickness, and the hands' work over the torn area.
+    """
+    name = "trouser"
+    squares = {"coarse": 4, "fine": 6}  #: over a leg
+    SIZE = {"gelatin": 100, "silicone": 30, "liver": 10}  # a leg's width, in material lengths
+    LENGTH, LEGS, REACH = 8, 3, 0.45  # in widths of a leg
+    WINDOW = (0.05, 0.4)
+    torn, pace = 0.45, 1
+    view = {"eye": [-3.5, -7, 5], "target": [-0.5, 0, 0]}  # in widths of a leg
+
+    def __init__(self, material, resolution):
+        self.material = material
+        self.height = self.SIZE[material.name] * material.length
+        self.square = self.height / self.squares[resolution]
+        self.thickness = 2 * self.square
+        self.length = self.LENGTH * self.height
+        self.ligament = (self.LENGTH - self.LEGS) * self.height * self.thickness
+        self.opening = self.height
+
+    def body(self):
+        size = np.array([self.length, 2 * self.height, self.thickness])
+        return bodies.box(size, np.rint(size / self.square).astype(int))
+
+    def cut(self, sim):
+        slit(sim, -self.length / 2 - self.square, -self.length / 2 + self.LEGS * self.height,
+             0.1 * self.square, self.thickness)
+
+    def calibrate(self):
+        """The force is measured."""
+
+    def toughness_from(self, points):
+        """Work by torn area, or 2 F over the thickness in the mean [J/m^2]."""
+        start, end = points[0], points[-1]
+        return (end.work - start.work) / ((end.torn - start.torn) * self.ligament)
+
+    def grips(self, sim):
+        return Hands(sim, self)
+
+
+class Hands:
+    """Two hands that hold the legs of a trouser."""
+
+    def __init__(self, sim, specimen):
+        self.sim, self.specimen, self.opening, self.work, self.release = sim, specimen, 0, 0, 0
+        self.step = sim.params["time_step"]
+        self.mass = masses(sim)
+        self.hands = []
+        for number, side in enumerate((1, -1)):
+            at = np.array([-specimen.length / 2, side * specimen.height / 2, 0])
+            reach = specimen.REACH * specimen.height
+            sim.grab(list(at), reach, hand=number)
+            held = np.flatnonzero(np.linalg.norm(sim.positions - at, axis=1) <= reach)
+            self.hands.append([side, at, held, sim.positions[held], sim.positions[held], 0])
+
+    def go(self, speed, torn):
+        """A step at a speed of opening [m/s]."""
+        del torn
+        self.opening += speed * self.step
+        for number, (side, at, *_) in enumerate(self.hands):
+            self.sim.drag(list(at + [0, 0, side * self.opening / 2]), hand=number)
+        report = self.sim.step()
+        across = 0
+        for hand in self.hands:
+            side, _, held, rest, before, force_before = hand
+            now = self.sim.positions[held]
+            way = np.array([0, 0, side / 2])
+            force = self.mass[held][:, None] * (
+                HAND_RATE**2 * (rest + way * self.opening - now)
+                + 2 * HAND_RATE * (way * speed - self.sim.velocities[held]))
+            self.work += ((force + force_before) / 2 * (now - before)).sum()
+            hand[4:] = now, force
+            across += side * force[:, 2].sum() / 2
+        self.release = 2 * across / self.specimen.thickness
+        return report
+
+
+class Pins:
+    """Moving pins that hold both ends of a specimen."""
+
+    def __init__(self, sim, specimen):
+        self.sim, self.specimen, self.opening, self.work, self.release = sim, specimen, 0, 0, 0
+        self.step = sim.params["time_step"]
+        self.speed, self.force = 0, 0
+
+    def go(self, speed, torn):
+        """A step at a speed of opening [m/s]; `torn`: of the ligament before it."""
+        if speed != self.speed:
+            pull(self.sim, self.specimen, self.opening, speed)
+            self.speed = speed
+        report = self.sim.step()
+        self.opening += speed * self.step
+        force = (self.specimen.force_exponent(self.opening) * report.strain_energy / self.opening)
+        self.work += (force + self.force) / 2 * speed * self.step
+        self.force = force
+        self.release = self.specimen.release(self.opening, torn)
+        return report
+
+
+def mean_release(points):
+    """The mean energy release rate by torn area [J/m^2]."""
+    torn, rates = np.array([(p.torn, p.release) for p in points]).T
+    return float(np.trapz(rates, torn) / (torn[-1] - torn[0]))
+
+
+def masses(sim):
+    """Of each vertex: its share of the area, as of the whole [kg]."""
+    points, triangles = np.asarray(sim.mesh.rest_positions), np.asarray(sim.mesh.triangles)
+    shares = np.zeros(len(points))
+    np.add.at(shares, triangles, bodies.areas(points, triangles)[:, None] / 3)
+    return sim.params["density"] * bodies.volume(points, triangles) * shares / shares.sum()
 
 
 class Fit:
@@ -196,14 +389,16 @@ def slit(sim, start, end, y, depth):
 
 def pull(sim, specimen, opening, speed):
     """The grips go on from an opening at a speed [m, m/s]."""
-    for side, low, high in specimen.grips(opening):
+    for side, low, high in specimen.held(opening):
         sim.pin(low=low, high=high, velocity=[0, side * speed / 2, 0],
                 seconds=MOST_STEPS * sim.params["time_step"])
 
 
-def loaded(specimen, body, opening):
+def loaded(specimen, body, opening, notch=0):
     """Openings and strain energies of a body that does not tear, without the first few."""
     sim = simulate(specimen, body)
+    if notch:
+        specimen.cut(sim, notch)
     step = opening / LOADING_STEPS
     pull(sim, specimen, 0, step / sim.params["time_step"])
     energies = [sim.step().strain_energy for _ in range(LOADING_STEPS)]
@@ -216,31 +411,21 @@ def tear(specimen, speed, resolution):
     sim = simulate(specimen, specimen.body())
     specimen.cut(sim)
     sim.set("tearing", 1)
-    time_step = sim.params["time_step"]
-    slow = SPEEDS[speed] * specimen.opening * material.wave / specimen.height
-    fast = max(slow, specimen.opening / (LOADING_STEPS * time_step))
-    pull(sim, specimen, 0, fast)
-    run = Run(specimen.name, material, resolution, speed, len(sim.mesh.triangles), slow, [])
-    opening, now, is_slow, work, fracture = 0.0, fast, False, 0.0, 0.0
-    before = (0.0, 0.0)  # opening, force
+    slow = SPEEDS[speed] * specimen.opening * material.wave / specimen.height * specimen.pace
+    fast = max(slow, specimen.opening / (LOADING_STEPS * sim.params["time_step"]))
+    run = Run(specimen, resolution, speed, len(sim.mesh.triangles), slow, [])
+    grips, now, fracture, torn = specimen.grips(sim), fast, 0.0, 0.0
     for _ in range(MOST_STEPS):
-        release = specimen.release(opening, fracture / material.toughness / specimen.ligament)
-        if not is_slow and release > STARTS_AT * material.toughness:
-            is_slow, now = True, slow
-            pull(sim, specimen, opening, now)
-        report = sim.step()
-        opening += now * time_step
+        if grips.release > STARTS_AT * material.toughness:
+            now = slow
+        report = grips.go(now, torn)
         fracture += report.fracture_energy or 0
-        force = specimen.force_exponent(opening) * report.strain_energy / opening
-        work += (force + before[1]) / 2 * (opening - before[0])
-        before = (opening, force)
         torn = fracture / material.toughness / specimen.ligament
-        release = specimen.release(opening, torn)
-        run.points.append(Point(opening, release, torn, work, report.strain_energy,
-                                report.kinetic_energy, fracture))
-        if run.image is None and torn > 0.45:
+        run.points.append(Point(grips.opening, grips.release, torn, grips.work,
+                                report.strain_energy, report.kinetic_energy, fracture))
+        if run.image is None and torn > 0.6 * specimen.torn:
             run.image = sim.picture(*SIZE, view=scaled(specimen.view, specimen.height))
-        if torn > TORN or release > MOST_RELEASE * material.toughness:
+        if torn > specimen.torn or grips.release > MOST_RELEASE * material.toughness:
             break
     return run
 
@@ -249,7 +434,7 @@ def scaled(view, size):
     return {key: [size * x for x in place] for key, place in view.items()}
 
 
-SPECIMENS = (Strip,)
+SPECIMENS = (Strip, Ring, Trouser)
 
 
 # --- Report ---------------------------------------------------------------------------------------
@@ -263,7 +448,7 @@ def rows_of(runs):
     """A row for each specimen, material and resolution, with a column for each speed."""
     rows = {}
     for run in runs:
-        key = (run.specimen, run.material.name, run.resolution)
+        key = (run.specimen.name, run.material.name, run.resolution)
         rows.setdefault(key, {})[run.speed] = run
     return rows
 
@@ -289,12 +474,12 @@ def report_of(runs):
 
 
 def file_of(run):
-    return f"{run.specimen}-{run.material.name}.png"
+    return f"{run.specimen.name}-{run.material.name}.png"
 
 
 def pictured(runs):
     """The finest run of each specimen and material that has a picture."""
-    return list({(r.specimen, r.material.name): r for r in runs if r.image is not None}.values())
+    return list({(r.specimen.name, r.material.name): r for r in runs if r.image is not None}.values())
 
 
 def missed(run):
@@ -303,7 +488,7 @@ def missed(run):
 
 def summary_of(run):
     end = run.points[-1]
-    return {"specimen": run.specimen, "material": run.material.name, "mesh": run.resolution,
+    return {"specimen": run.specimen.name, "material": run.material.name, "mesh": run.resolution,
             "speed": run.speed, "triangles": run.triangles, "opening_speed": run.opening_speed,
             "toughness": run.material.toughness, "found": run.found, "ratio": run.ratio,
             "work": end.work, "strain": end.strain, "kinetic": end.kinetic,
@@ -311,12 +496,12 @@ def summary_of(run):
 
 
 def plot_of(runs):
-    names = list(dict.fromkeys((r.specimen, r.material.name) for r in runs))
+    names = list(dict.fromkeys((r.specimen.name, r.material.name) for r in runs))
     figure, axes = drawing.panels(math.ceil(len(names) / 3), min(3, len(names)), 420, 280)
     colors = dict(zip(SPEEDS, (drawing.BLUE, drawing.GREEN, drawing.VERMILLION)))
     for name, panel in zip(names, axes.flat):
         for run in runs:
-            if (run.specimen, run.material.name) == name:
+            if (run.specimen.name, run.material.name) == name:
                 torn, rate = np.array([(100 * p.torn, p.release) for p in run.points]).T
                 panel.plot(torn, rate / run.material.toughness, color=colors[run.speed],
                            linestyle="-" if run.resolution == "fine" else ":",

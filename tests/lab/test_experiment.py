@@ -62,6 +62,7 @@ class Experiment(LabCase):
                 (["bar", "--runs", "2", "--out", "x"], "takes neither --published nor --runs"),
                 (["fem", "--runs", "2", "--out", "x"], "'fem' is none of the paper's experiments"),
                 (["sphere20", "--whole", "--out", "x"], "--whole is for 'bar' alone"),
+                (["blade", "--quick", "--out", "x"], "--quick is for 'tear' alone"),
                 (["all", "--runs", "0", "--out", "x"], "--runs"),
                 (["cube", "--out", "x"], "there is no experiment 'cube'; there are sphere20, ")):
             done = experiment(*words)
