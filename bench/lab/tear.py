@@ -57,7 +57,7 @@ def material_of(name):
 
 
 #: Height of specimens, in lengths of the material: those of the softest stay within metres.
-HEIGHT = {"gelatin": 600, "silicone": 100, "liver": 30}
+HEIGHT = {"gelatin": 600, "silicone": 200, "liver": 30}
 
 
 class Point(typing.NamedTuple):
