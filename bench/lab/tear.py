@@ -473,7 +473,8 @@ def report_of(runs):
         "legs of trousers by hands. The toughness found is the energy release rate while it tears, "
         "in per cent of the toughness that was set; a dash where it did not tear on. Work is the "
         "share that is found again as strain, motion and new surface. That of hands is measured; "
-        f"the force of pins is that of an elastic body of this strain energy.\n\nWithin {100 * MOST_ERROR:.0f} %: {within} of {len(runs)} runs. Work found "
+        f"the force of pins is that of an elastic body of this strain energy.\n\n"
+        f"Within {100 * MOST_ERROR:.0f} %: {within} of {len(runs)} runs. Work found "
         f"again within {100 * MOST_MISSING:.0f} %: {balanced} of {len(runs)}.\n\n"
         + table(["specimen", "material", "mesh", *(f"found, {s}, %" for s in speeds),
                  *(f"work, {s}, %" for s in speeds)], ratios)
@@ -487,7 +488,8 @@ def file_of(run):
 
 def pictured(runs):
     """The finest run of each specimen and material that has a picture."""
-    return list({(r.specimen.name, r.material.name): r for r in runs if r.image is not None}.values())
+    by_name = {(r.specimen.name, r.material.name): r for r in runs if r.image is not None}
+    return list(by_name.values())
 
 
 def missed(run):
