@@ -16,9 +16,11 @@ namespace kerf {
 namespace {
 
 // Openings one edge behind an end at which it advances, of the law's reach: where walls are bonded,
-// and where they are free, as linear elasticity has it at a quarter of the toughness.
+// and where they are free, as linear elasticity has it at a quarter of the toughness; there a reach
+// of more edges than kLongestReach counts as so many, as soft bodies blunt the end.
 constexpr double kBondedOpening = 0.15;
 constexpr double kFreeOpening = 0.4;
+constexpr double kLongestReach = 0.6;
 // Edges of walls.
 constexpr double kNotchDepth = 0.8;
 constexpr double kNotchAbove = 0.3;
@@ -273,7 +275,8 @@ double Tear::neededAt(int plus, double behind) const {
     const double edges = behind / body_.wallEdge;
     return bond != nullptr && !bond->isBroken()
                ? kBondedOpening * bond->reach() * edges * std::sqrt(edges)
-               : kFreeOpening * cohesion.law().reach() * std::sqrt(edges);
+               : kFreeOpening * std::min(cohesion.law().reach(), kLongestReach * body_.wallEdge) *
+                     std::sqrt(edges);
 }
 
 CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins) {
