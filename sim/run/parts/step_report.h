@@ -31,8 +31,16 @@ struct TearReport {
     std::string failure{};  ///< why an advance was impossible; empty if none was
 };
 
+/// The energies of a step.
+struct StepEnergies {
+    double fractureEnergy = 0;           ///< of the new surface of this step [J]
+    double kineticEnergy = 0;            ///< see BodyMeasure [J]
+    double potentialEnergy = 0;          ///< [J]
+    std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
+};
+
 /// One row of metrics.csv, after a step.
-struct StepReport {
+struct StepReport : StepEnergies {
     int step = 0;            ///< index of the step that just ran, from 0
     double time = 0;         ///< simulated time at its end [s]
     double volume = 0;       ///< sum over pieces [m^3]
@@ -47,17 +55,13 @@ struct StepReport {
     int seeds = 0;                       ///< groups of neighbours among the touched triangles
     Debris debris;                       ///< removed in this step
     SweptArea swept;                     ///< by the blade inside the material, in this step
-    double fractureEnergy = 0;           ///< of the new surface of this step [J]
     std::optional<BladeLoad> bladeLoad;  ///< none unless measured, or while paused
     HeldEdge heldEdge;                   ///< with `blade_feels`
     std::optional<TearReport> tear;      ///< with `tearing`
     int contacts = 0;                    ///< of the body with itself in the last substep
     bool closed = true;
-    bool open = false;                   ///< walls of a stroke of the open cut are absent
-    double kineticEnergy = 0;            ///< see BodyMeasure [J]
-    double potentialEnergy = 0;          ///< [J]
-    std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
-    int lostPieces = 0;                  ///< diverged pieces, reset to the start of the step
+    bool open = false;   ///< walls of a stroke of the open cut are absent
+    int lostPieces = 0;  ///< diverged pieces, reset to the start of the step
     StageTimes times;
     /// For the triangles near the blade: part of the time of the cut, except the prefetch.
     SearchWork search;

@@ -24,11 +24,14 @@ constexpr double kLongestReach = 0.6;
 // Edges of walls.
 constexpr double kNotchDepth = 0.8;
 constexpr double kNotchAbove = 0.3;
-constexpr double kLooksBack = 1.6;   // where the openings are taken
-constexpr double kOneFront = 3;      // an end up to so long advances evenly
-constexpr double kOverhang = 0.7;    // the blade stands out of the skin
-constexpr double kLeastEnd = 0.5;    // of a length that advances
-constexpr double kNearEnds = 3;      // no place near an end is a weak spot
+constexpr double kLooksBack = 1.6;  // where the openings are taken
+constexpr double kOneFront = 3;     // an end up to so long advances evenly
+constexpr double kOverhang = 0.7;   // the blade stands out of the skin
+constexpr double kLeastEnd = 0.5;   // of a length that advances
+constexpr double kNearEnds = 3;     // no place near an end is a weak spot
+// Of the heading by slip alone, over 1 less half its share of the displacements [rad]: 140 degrees.
+constexpr double kTurn = 2.44;
+constexpr double kTwist = 0.5;       // of mode III against mode I, at Poisson's ratio 0.5
 constexpr double kMostTurn = 0.6;    // of the heading in an advance [rad]
 constexpr double kFollows = 0.5;     // of an opening that advances, where one end follows the other
 constexpr int kPause = 10;           // steps without an advance until another slit may tear
@@ -40,17 +43,15 @@ constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
 constexpr int kRest = 400;           // steps until what failed is tried again
 constexpr double kMostScale = 3;     // of an edge at rest where the material is strained
 
-/// The direction of the largest tension about the end of a slit whose walls opened and slid by
-/// `way`: Erdogan and Sih (1963), with stress intensities in proportion to the displacements.
+/// The direction in which the end of a slit goes on whose walls opened and slid by `way`: Richard,
+/// Fulland and Sander (2005), with stress intensities in proportion to the displacements.
 Vec3 wayOfLargestTension(const EndFrame& frame, const Vec3& way) {
-    const double opened = std::max(way.dot(frame.side), 0.0);
     const double slid = way.dot(frame.heading);
-    if (std::abs(slid) <= 1e-6 * way.norm()) {
-        return frame.heading;
-    }
-    const double root = std::sqrt(opened * opened + 8 * slid * slid);
-    const double angle =
-        std::clamp(2 * std::atan((opened - root) / (4 * slid)), -kMostTurn, kMostTurn);
+    const double twisted = kTwist * std::abs(way.dot(frame.along));
+    const double sum = std::max(way.dot(frame.side), 0.0) + std::abs(slid) + twisted;
+    const double share = sum > 0 ? std::abs(slid) / sum : 0;
+    const double turn = std::min((kTurn - 0.5 * kTurn * share) * share, kMostTurn);
+    const double angle = slid > 0 ? -turn : turn;
     return std::cos(angle) * frame.heading + std::sin(angle) * frame.side;
 }
 
@@ -212,10 +213,13 @@ bool Tear::beginAtWeakSpot() {
     for (const std::uint32_t v : body_.heldVertices()) {
         strong.places.push_back(body_.mesh().restPosition(static_cast<int>(v)));
     }
+    std::vector<int> torn;
+    body_.memory.cohesion.addVertices(torn);
     for (const SlitEnd& end : allEnds()) {
-        for (const int v : end.vertices) {
-            strong.places.push_back(body_.mesh().restPosition(v));
-        }
+        torn.insert(torn.end(), end.vertices.begin(), end.vertices.end());
+    }
+    for (const int v : torn) {
+        strong.places.push_back(body_.mesh().restPosition(v));
     }
     body_.mesh().bringAll();
     const std::optional<WeakSpot> spot =
