@@ -120,6 +120,29 @@ vec3 fleshAlbedo(vec3 rest, float depth) {
 }
 #endif
 
+// A torn wall by its material: how high it stands, 0 to 1, and what 1 is, as inUnits().
+#if PATTERN == 3 || PATTERN == 7
+// Shells with ridges between them, as brittle gels and stone break.
+const float kTornDepth = 0.03;
+float tornHeight(vec3 u) {
+    float fold = 2.0 * valueNoise(u * 5.0 + 3.0 * valueNoise(u * 3.0)) - 1.0;
+    return sqrt(fold * fold + 0.01);
+}
+#elif PATTERN == 4 || PATTERN == 6
+// Bundles of fibres, pulled out.
+const float kTornDepth = 0.03;
+float tornHeight(vec3 u) {
+    vec3 along = PATTERN == 4 ? vec3(0.15, 1.0, 1.0) : vec3(1.0, 0.1, 1.0);
+    return 0.6 * valueNoise(u * 16.0 * along) + 0.4 * valueNoise(u * 37.0 * along + 7.0);
+}
+#else
+// Crumbs.
+const float kTornDepth = 0.03;
+float tornHeight(vec3 u) {
+    return 0.6 * valueNoise(u * 15.0) + 0.4 * valueNoise(u * 34.0 + 7.0);
+}
+#endif
+
 vec3 innerAlbedo(vec3 rest) {
     float depth = depthBelowSkin(rest);
     vec3 flesh = fleshAlbedo(rest, depth);

@@ -25,6 +25,8 @@ uniform float wireframe;
 out vec4 color;
 
 #ifdef WALLS
+in float torn;
+const float kTornContrast = 0.5;  // of its high and low places
 const float kFacing = 0.36;
 vec3 ownColor(vec3 rest) { return innerAlbedo(rest); }
 #else
@@ -52,6 +54,15 @@ void main() {
     n = bumped(n, heightOf(restPosition));
 #endif
     vec3 albedo = mix(ownColor(restPosition), pieceTint.rgb, max(pieceTint.w, 0.0));
+#if defined(WALLS) && !defined(MATCAP)
+    vec3 u = inUnits(restPosition);
+    float rise = torn * tornHeight(u);
+    float unit = max(restExtent.x, max(restExtent.y, restExtent.z));
+    float seen = clamp(1.2 - 15.0 * length(fwidth(u)), 0.0, 1.0);  // finer than pixels: flat
+    vec3 rough = bumped(n, seen * kTornDepth * unit * rise);
+    n = torn > 0.0 ? rough : n;  // to the bit what a blade leaves
+    albedo *= torn > 0.0 ? 1.0 + kTornContrast * (rise - 0.5 * torn) : 1.0;
+#endif
 #ifdef MATCAP
     vec3 light = matcap(albedo, n, v);
 #else

@@ -22,6 +22,7 @@ void paintCorner(SkinRecord record, int corner) {
 #endif
 
 #ifdef WALLS
+out float torn;  // 1 where a tear made the wall, 0 where a blade did
 const uint kKind = 1u;
 #else
 const uint kKind = 0u;
@@ -93,6 +94,9 @@ void main() {
     int number = triangleOf(gl_VertexID);
     uvec4 triangle = triangles[number];
     placeCorner(gl_VertexID, number, triangle.xyz);
+#ifdef WALLS
+    torn = dot(corners, vec3((triangle.www >> uvec3(4u, 5u, 6u)) & 1u));
+#endif
     worldPosition += shiftOfPiece(triangle);
 #ifdef SECTION
     hideBehindSection(worldPosition);

@@ -173,14 +173,14 @@ void BodyUpdater::renewEdges() {
 
 /// -1 where no triangle around the vertex is present.
 int BodyUpdater::presentPieceOf(int vertex) const {
-    return mesh_.hidden(vertex) ? -1 : labels_.ofVertex()[vertex];
+    return hidden(mesh_, vertex) ? -1 : labels_.ofVertex()[vertex];
 }
 
 std::vector<int> BodyUpdater::hiddenVertices() const {
     std::vector<int> vertices;
     for (const int t : absent_) {
         std::ranges::copy_if(mesh_.triangle(t), std::back_inserter(vertices),
-                             [this](int v) { return mesh_.hidden(v); });
+                             [this](int v) { return hidden(mesh_, v); });
     }
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

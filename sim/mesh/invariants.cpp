@@ -263,7 +263,7 @@ std::vector<int> verticesOnBorder(const SurfaceMesh& mesh, const std::vector<int
             if (piece >= found.size()) {
                 found.resize(piece + 1, -1);
             }
-            if (found[piece] < 0 && !mesh.hidden(v)) {
+            if (found[piece] < 0 && !hidden(mesh, v)) {
                 found[piece] = v;
             }
         }

@@ -84,21 +84,6 @@ int SurfaceMesh::findHalfEdge(int u, int v) const {
     return h;
 }
 
-int SurfaceMesh::valence(int v) const {
-    int count = 0;
-    forEachOutgoing(v, [&](int) { ++count; });
-    return count;
-}
-
-bool SurfaceMesh::hidden(int v) const {
-    if (openStroke_ < 0 || outgoing_[v] < 0) {
-        return false;
-    }
-    bool allAbsent = true;
-    forEachOutgoing(v, [&](int h) { allAbsent = allAbsent && absent(h / 3); });
-    return allAbsent;
-}
-
 int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& velocity) {
     positions_.push_back(position);
     restPositions_.push_back(rest);
@@ -107,6 +92,14 @@ int SurfaceMesh::addVertex(const Vec3& position, const Vec3& rest, const Vec3& v
     outgoing_.push_back(-1);
     copyGroup_.push_back(-1);
     return vertexCount() - 1;
+}
+
+void SurfaceMesh::noteTorn(int firstVertex) {
+    torn_.resize(static_cast<std::size_t>(vertexCount()), 0);
+    for (int v = firstVertex; v < vertexCount(); ++v) {
+        const int first = firstCopy(v);
+        torn_[v] = first >= firstVertex || isTorn(first) ? 1 : 0;
+    }
 }
 
 int SurfaceMesh::addTriangle(const Triangle& corners, SurfaceKind kind, int wallLabel) {
@@ -188,6 +181,21 @@ void SurfaceMesh::leaveCopies(int v) {
         members.erase(std::find(members.begin(), members.end(), v));
         copyGroup_[v] = -1;
     }
+}
+
+int valence(const SurfaceMesh& mesh, int v) {
+    int count = 0;
+    mesh.forEachOutgoing(v, [&](int) { ++count; });
+    return count;
+}
+
+bool hidden(const SurfaceMesh& mesh, int v) {
+    if (mesh.openStroke() < 0 || mesh.outgoing(v) < 0) {
+        return false;
+    }
+    bool allAbsent = true;
+    mesh.forEachOutgoing(v, [&](int h) { allAbsent = allAbsent && mesh.absent(h / 3); });
+    return allAbsent;
 }
 
 std::vector<int> livingTriangles(const SurfaceMesh& mesh) {

@@ -99,6 +99,8 @@ class SurfaceMesh {
         return positions_;
     }
     const std::vector<Vec3>& restPositions() const { return restPositions_; }
+    /// Whether a tear made it, not a blade.
+    bool isTorn(int v) const { return static_cast<std::size_t>(v) < torn_.size() && torn_[v] != 0; }
     /// One half-edge that starts at v, -1 for an unused vertex.
     int outgoing(int v) const { return outgoing_[v]; }
 
@@ -149,11 +151,6 @@ class SurfaceMesh {
         } while (h != first);
     }
 
-    /// Number of triangles around v.
-    int valence(int v) const;
-    /// Whether there are triangles around v and all of them are absent.
-    bool hidden(int v) const;
-
     // Numbers that are elsewhere.
     /// From now on `source` has the positions and velocities of all vertices. It must outlive the
     /// mesh and its copies, or until nothing is stale.
@@ -183,6 +180,9 @@ class SurfaceMesh {
     }
     void setOutgoing(int v, int h) { outgoing_[v] = h; }
 
+    /// Vertices from this index on are torn, except copies of older ones that are not.
+    void noteTorn(int firstVertex);
+
     /// Makes a and b, and all copies of either, copies of one point.
     void joinCopies(int a, int b);
     /// Makes v a separate point.
@@ -200,7 +200,8 @@ class SurfaceMesh {
     template <class Archive>
     void archive(Archive& io) {
         io(old_, positions_, restPositions_, velocities_, outgoing_, triangles_, twins_, kinds_,
-           wallLabels_, copyGroup_, copyMembers_, originalVertices_, aliveTriangles_, openStroke_);
+           wallLabels_, copyGroup_, copyMembers_, originalVertices_, aliveTriangles_, openStroke_,
+           torn_);
     }
 
   private:
@@ -225,7 +226,13 @@ class SurfaceMesh {
     int originalVertices_ = 0;
     int aliveTriangles_ = 0;
     int openStroke_ = -1;
+    std::vector<std::uint8_t> torn_;  ///< of each vertex up to the last torn one
 };
+
+/// Number of triangles around v.
+int valence(const SurfaceMesh& mesh, int v);
+/// Whether there are triangles around v and all of them are absent.
+bool hidden(const SurfaceMesh& mesh, int v);
 
 /// The slots of the living triangles, ascending.
 std::vector<int> livingTriangles(const SurfaceMesh& mesh);

@@ -19,7 +19,7 @@ std::vector<int> numberUsedVertices(const SurfaceMesh& mesh) {
     std::vector<int> numbers(mesh.vertexCount(), -1);
     int next = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0 && !mesh.hidden(v)) {
+        if (mesh.outgoing(v) >= 0 && !hidden(mesh, v)) {
             numbers[v] = next++;
         }
     }

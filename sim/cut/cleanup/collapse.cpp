@@ -100,7 +100,7 @@ bool keepsMeshComplex(const SurfaceMesh& mesh, const std::vector<int>& edges) {
     std::sort(added.begin(), added.end());
     return std::adjacent_find(added.begin(), added.end()) == added.end() &&
            std::all_of(lost.begin(), lost.end(), [&](const std::pair<const int, int>& apex) {
-               return mesh.valence(apex.first) - apex.second >= kLeastValence;
+               return valence(mesh, apex.first) - apex.second >= kLeastValence;
            });
 }
 

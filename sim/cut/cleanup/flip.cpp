@@ -151,8 +151,8 @@ class Flip {
             return false;
         }
         return std::all_of(quads_.begin(), quads_.end(), [&](const Quad& q) {
-            return q.c != q.d && mesh_.valence(q.a) >= kLeastFlippedValence &&
-                   mesh_.valence(q.b) >= kLeastFlippedValence;
+            return q.c != q.d && valence(mesh_, q.a) >= kLeastFlippedValence &&
+                   valence(mesh_, q.b) >= kLeastFlippedValence;
         });
     }
 

@@ -33,7 +33,10 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     // Positions and velocities: what is written becomes what the GPU will hold.
     const std::vector<std::uint32_t> written = rewrittenVertices(body.mesh(), delta);
     const BodyState state = roundVertices(body.mesh(), written);
-    // The model, by the mesh.
+    // What is torn, not cut; the model, by the mesh.
+    if (memory.tear.goesOn) {
+        body.mesh().noteTorn(delta.firstNewVertex);
+    }
     pausePoint();
     body.whole = false;
     const BodyChange change = body.updater->update(delta);

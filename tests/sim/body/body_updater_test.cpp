@@ -73,7 +73,7 @@ void expectListsDoNotOverlap(const Incidence& incidence) {
 void expectNeighbours(const BodyModel& model, const SurfaceMesh& mesh) {
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const IncidenceRange& range = model.neighbours.ranges[v];
-        EXPECT_EQ(static_cast<int>(range.end - range.first), mesh.valence(v));
+        EXPECT_EQ(static_cast<int>(range.end - range.first), valence(mesh, v));
         for (std::uint32_t k = range.first; k < range.end; ++k) {
             const std::uint32_t entry = model.neighbours.entries[k];
             const auto next = k + 1 < range.end ? k + 1 : range.first;
@@ -266,6 +266,29 @@ TEST(BodyUpdater, RunsTwiceToTheSameBits) {
     EXPECT_EQ(x.incidences[shared::kStretch].entries, y.incidences[shared::kStretch].entries);
     EXPECT_EQ(x.neighbours.entries, y.neighbours.entries);
     EXPECT_EQ(unitMasses(x), unitMasses(y));
+}
+
+// The copies of a point have one look, and a tear leaves the end of a cut as it was.
+TEST(SurfaceTag, SaysWhichCornersAreTorn) {
+    SurfaceMesh mesh = test::cubeSphere(2, 0.5);
+    const auto copyOf = [&](int v) {
+        const int copy = mesh.addVertex(mesh.position(v), mesh.restPosition(v), mesh.velocity(v));
+        mesh.joinCopies(v, copy);
+        return copy;
+    };
+    const std::uint32_t before = surfaceTag(mesh, 0);
+    const int ofCut = copyOf(0);
+    const int ofTear = mesh.addVertex(Vec3::Zero(), Vec3::Zero(), Vec3::Zero());
+    mesh.noteTorn(ofCut);
+    const int later = copyOf(ofTear);
+    mesh.noteTorn(later);
+    EXPECT_FALSE(mesh.isTorn(0));
+    EXPECT_FALSE(mesh.isTorn(ofCut));
+    EXPECT_TRUE(mesh.isTorn(ofTear));
+    EXPECT_TRUE(mesh.isTorn(later));
+    EXPECT_FALSE(mesh.isTorn(copyOf(0))) << "of a blade, later";
+    mesh.setCorner(0, 1, later);
+    EXPECT_EQ(surfaceTag(mesh, 0), before | 1U << 5);
 }
 
 }  // namespace

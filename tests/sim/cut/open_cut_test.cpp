@@ -44,7 +44,7 @@ void expectOpen(const SurfaceMesh& mesh, const BodyModel& model) {
         EXPECT_TRUE(mesh.present(t));
     }
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        EXPECT_TRUE(!mesh.hidden(v) || unitMass(model, v) == 0);
+        EXPECT_TRUE(!hidden(mesh, v) || unitMass(model, v) == 0);
     }
 }
 
