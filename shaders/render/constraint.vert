@@ -83,7 +83,7 @@ Line lineOf(int index, int part) {
     PullRecord pull = pulls[index];
     vec3 from = at(pull.vertex);
     vec3 target = vec3(pull.target_x, pull.target_y, pull.target_z);
-    return Line(true, from, pull.leads == kForcePull ? from + target : target, 0.0);
+    return Line(pull.leads < kFirstBond, from, pull.leads == kForcePull ? from + target : target, 0.0);
 }
 #endif
 

@@ -96,7 +96,19 @@ bool drawGuillotineRows(const Rows& rows) {
     return changed;
 }
 
+/// Of what pulls.
+void drawTearing(const Rows& rows) {
+    bool tears = rows.model.parameters.now.tearing != 0;
+    if (checkbox("What is pulled tears", tears, "pull.tears",
+                 "On: the body tears where pulling opens the end of a slit far enough, or where it "
+                 "stresses the skin beyond its strength. Off: only a blade cuts.\n"
+                 "Toughness and strengths of the material are among the parameters.")) {
+        rows.actions.emplace_back(SetParam{"tearing", tears ? 1.0 : 0.0});
+    }
+}
+
 bool drawGrabRow(const Rows& rows) {
+    drawTearing(rows);
     return slideLength("Hand", rows.tools.grab.radius, kLargestRadius * rows.tools.longest,
                        "Radius of the area that is pulled");
 }
@@ -160,6 +172,7 @@ bool drawPinRows(const Rows& rows) {
 }
 
 bool drawRetractRow(const Rows& rows) {
+    drawTearing(rows);
     if (rows.model.body.hooks > 0) {
         drawButton("Remove last", "retract.remove", -1, ActionId::removeRetractor, rows.actions);
         return false;

@@ -126,6 +126,11 @@ inline constexpr std::array kPlots{
                    {"new surface", Reading::fractureEnergy, Hue::vermillion, CurveStyle::dashed}},
         .minSpan = 0.001,
         .readoutDecimals = 4},
+    PlotKind{.id = "fracture",
+             .title = "Fracture energy, J",
+             .curves = {{"new surface", Reading::fractureEnergy, Hue::vermillion}},
+             .minSpan = 0.001,
+             .readoutDecimals = 4},
 };
 
 /// The plots of a point of the surface, shown while one is plotted.

@@ -1,8 +1,14 @@
 #include "app/editor/view/first_steps.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "app/scene/editor_stroke.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/text.h"
+#include "sim/run/parts/step_report.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {
@@ -10,6 +16,8 @@ namespace kerf::app {
 using ui::ActionId;
 using ui::actionOf;
 using ui::Hint;
+
+constexpr double kLately = 0.2;  // simulated time in which one advance follows another [s]
 
 void CutWatch::follow(bool cutting, int pieces, int triangles) {
     const MeshCounts now{pieces, triangles};
@@ -125,6 +133,38 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
     return hint;
 }
 
+std::string tearSentence(const StepReport& report, const Params& params, bool toreLately) {
+    if (params.tearing == 0) {
+        return "";
+    }
+    if (params.solver == SolverMode::pbd || params.openCut != 0 || params.toughness == 0) {
+        const char* const why = params.toughness == 0              ? "a toughness of 0"
+                                : params.solver == SolverMode::pbd ? "the solver pbd"
+                                                                   : "the open cut";
+        return fmt::format("Nothing tears with {}.", why);
+    }
+    if (!report.tear) {
+        return "";
+    }
+    const TearReport& tear = *report.tear;
+    if (!tear.failure.empty()) {
+        return fmt::format("It should tear, but the mesh does not allow it ({}). Pull another way.",
+                           tear.failure);
+    }
+    if (toreLately) {
+        return tear.opening > 0 ? "Tearing at the end of a slit."
+                                : "Tearing: the stress exceeds the tensile strength.";
+    }
+    if (tear.opening > 0) {
+        return fmt::format(
+            "Not tearing: the slit is opened to {:.0f} % of what its end needs. Pull farther.",
+            std::min(100 * tear.opening, 99.0));
+    }
+    return fmt::format(
+        "Not tearing: the skin bears {:.0f} % of its strength. Cut a slit first, or pull farther.",
+        std::min(100 * tear.stress, 99.0));
+}
+
 void NewcomerGuide::begin(const EditorScene& scene) {
     cutWatch_ = {};
     piecesAtFirst_ = scene.simulation().report().pieces;
@@ -160,10 +200,17 @@ bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
     if (now.cutting || now.touching || now.playing) {
         tip_.clear();
     }
+    const StepReport& report = scene.simulation().report();
+    toreAt_ = report.tear && report.tear->advanced ? report.time : toreAt_;
     return now.outcome != before;
 }
 
 ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
+    if (scene != nullptr && (view.tools.holdsBody() || !scene->simulation().hands().empty())) {
+        const StepReport& report = scene->simulation().report();
+        const bool lately = std::abs(report.time - toreAt_) < kLately;
+        return {tearSentence(report, scene->simulation().params(), lately), {}};
+    }
     return tip_.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{tip_, {}};
 }
 

@@ -81,6 +81,9 @@ class FirstSteps {
     bool wentOn_ = false;                ///< a stroke was drawn after that
 };
 
+/// Says why what is pulled tears or does not, while `tearing` is on. "" says nothing.
+std::string tearSentence(const StepReport& report, const Params& params, bool toreLately);
+
 /// Follows what a new user does, and suggests what to do next.
 class NewcomerGuide {
   public:
@@ -100,6 +103,7 @@ class NewcomerGuide {
     CutWatch cutWatch_;
     FirstSteps firstSteps_;
     int piecesAtFirst_ = 1;
+    double toreAt_ = -1;  ///< simulated time [s]
     std::string tip_;
 };
 

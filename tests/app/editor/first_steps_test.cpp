@@ -94,6 +94,23 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "but for what is new";
 }
 
+TEST(TearSentence, SaysWhyItTearsOrNot) {
+    Params params;
+    StepReport report;
+    report.tear = TearReport{.opening = 0.41, .stress = 0.2};
+    EXPECT_EQ(tearSentence(report, params, true), "") << "off";
+    params.tearing = 1;
+    EXPECT_THAT(tearSentence(report, params, false), HasSubstr("41 % of what its end needs"));
+    EXPECT_EQ(tearSentence(report, params, true), "Tearing at the end of a slit.");
+    report.tear->opening = 0;
+    EXPECT_THAT(tearSentence(report, params, false), HasSubstr("20 % of its strength"));
+    EXPECT_THAT(tearSentence(report, params, true), HasSubstr("exceeds the tensile strength"));
+    report.tear->failure = "no room";
+    EXPECT_THAT(tearSentence(report, params, true), HasSubstr("(no room)"));
+    params.solver = SolverMode::pbd;
+    EXPECT_EQ(tearSentence(report, params, true), "Nothing tears with the solver pbd.");
+}
+
 // A file may hold several shells.
 TEST(FirstSteps, WhatWasOpenedInPiecesIsNotCutYet) {
     const FirstSteps steps;
