@@ -16,11 +16,13 @@ import tempfile
 FOLDER = pathlib.Path(__file__).resolve().parent
 SIZE = (480, 300)
 NEARER = {"cloth": 0.86, "citrus": 0.88}  # of the distance of the view
-STEPS = {"cloth": 260, "citrus": 310, "egg": 330}  # until the picture
+STEPS = {"cloth": 260, "citrus": 310, "egg": 330, "tear": 96}  # until the picture
 # Cuts before it: the ends of the blade, above and below the model.
 CUTS = {"citrus": [[-0.03, 0.09, -0.08], [0.03, 0.09, 0.08]],
         "egg": [[-0.05, 0.11, 0.045], [0.05, 0.11, -0.045]]}
 DEPTH = 0.13  # of a cut
+# A hand after the events of the scene: where it takes hold, and where it is in the end.
+PULLS = {"tear": [[0.033, 0.062, 0], [0.082, 0.06, 0]]}
 
 
 def session_for_picture(file):
@@ -31,13 +33,18 @@ def session_for_picture(file):
     view["eye"] = [t + NEARER.get(name_of(file), 0.72) * (e - t) for e, t in zip(view["eye"], view["target"])]
     last = STEPS.get(name_of(file), 0)
     session["steps"] = max(1, last)
-    session["events"] = []
+    session["events"] = session["events"] if name_of(file) in PULLS else []
     if name_of(file) in CUTS:
         ends = CUTS[name_of(file)]
         below = [[x, y - DEPTH, z] for x, y, z in ends]
         session["events"] = [{"step": 0, "type": "blade", "a": ends[0], "b": ends[1]},
                              {"step": 60, "type": "blade", "a": below[0], "b": below[1]},
                              {"step": 61, "type": "lift"}]
+    if name_of(file) in PULLS:
+        at, to = PULLS[name_of(file)]
+        session["events"] += [{"step": 24, "type": "grab", "at": at, "radius": 0.016,
+                               "surface": True},
+                              {"step": last, "type": "drag", "to": to}]
     session["events"].append({"step": last, "type": "screenshot", "file": "picture.png",
                               "width": 2 * SIZE[0], "height": 2 * SIZE[1]})
     return session

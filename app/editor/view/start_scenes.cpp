@@ -19,6 +19,7 @@ std::shared_ptr<const Cards> readCards() {
         {"liver", "Liver",
          "Press S and draw an incision, then Y and drag across it to hold it open."},
         {"jelly", "Jelly cube", "Press Shift+Space: it falls and wobbles. Then cut it."},
+        {"tear", "Jelly to tear", "Press D and pull its right half away from the slit."},
         {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
         {"cloth", "Cloth", "Press Shift+Space: it drapes itself. Then cut it."},
     });

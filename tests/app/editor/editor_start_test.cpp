@@ -164,5 +164,33 @@ TEST_F(EditorStart, EverySceneIsCut) {
     }
 }
 
+// As the line of its card says.
+TEST_F(EditorStart, TheJellyTearsWhereItIsPulled) {
+    startEmpty();
+    click("start.tear");
+    waitForWork();
+    settle();
+    EXPECT_EQ(editor->title(), "Kerf - tear - 1 piece");
+    tap(Key::d);
+    EXPECT_TRUE(editor->itemRects().contains("pull.tears"));
+    const ui::Series& taken = (*panels().plots.history)[ui::Reading::fractureEnergy];
+    const double before = taken.last();
+    moveTo(530, 210);
+    press(true);
+    std::string hints;
+    for (int i = 0; i < 120 && taken.last() == before; ++i) {
+        moveTo(530 + 2.0 * i, 210);
+        frames(1);
+        hints += panels().help.hint.text;
+    }
+    EXPECT_GT(taken.last(), before);
+    EXPECT_THAT(hints, HasSubstr("% of what its end needs. Pull farther."));
+    frames(1);
+    EXPECT_EQ(panels().help.hint.text, "Tearing at the end of a slit.");
+    press(false);
+    frames(2);
+    EXPECT_THAT(panels().help.hint.text, Not(HasSubstr("earing")));
+}
+
 }  // namespace
 }  // namespace kerf::app
