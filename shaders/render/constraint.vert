@@ -83,7 +83,8 @@ Line lineOf(int index, int part) {
     PullRecord pull = pulls[index];
     vec3 from = at(pull.vertex);
     vec3 target = vec3(pull.target_x, pull.target_y, pull.target_z);
-    return Line(pull.leads < kFirstBond, from, pull.leads == kForcePull ? from + target : target, 0.0);
+    vec3 to = pull.leads == kForcePull ? from + target : target;
+    return Line(pull.leads < kFirstBond, from, to, 0.0);  // bonds of tears are no hands
 }
 #endif
 

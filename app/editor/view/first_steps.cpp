@@ -205,13 +205,19 @@ bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
     return now.outcome != before;
 }
 
+std::string NewcomerGuide::whyItTears(const EditorScene& scene, const EditorView& view) const {
+    const Simulation& now = scene.simulation();
+    const bool pulls = !now.hands().empty() && (view.tools.holdsBody() || scene.timeline().playing);
+    const bool lately = std::abs(now.report().time - toreAt_) < kLately;
+    return pulls ? tearSentence(now.report(), now.params(), lately) : "";
+}
+
 ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
-    if (scene != nullptr && (view.tools.holdsBody() || !scene->simulation().hands().empty())) {
-        const StepReport& report = scene->simulation().report();
-        const bool lately = std::abs(report.time - toreAt_) < kLately;
-        return {tearSentence(report, scene->simulation().params(), lately), {}};
+    if (!tip_.empty()) {
+        return {tip_, {}};
     }
-    return tip_.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{tip_, {}};
+    std::string tear = scene != nullptr ? whyItTears(*scene, view) : "";
+    return tear.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{tear, {}};
 }
 
 }  // namespace kerf::app

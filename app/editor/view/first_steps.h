@@ -99,6 +99,7 @@ class NewcomerGuide {
 
   private:
     Situation situationOf(const EditorScene* scene, const EditorView& view) const;
+    std::string whyItTears(const EditorScene& scene, const EditorView& view) const;
 
     CutWatch cutWatch_;
     FirstSteps firstSteps_;
