@@ -21,6 +21,7 @@ namespace {
 constexpr double kBondedOpening = 0.15;
 constexpr double kFreeOpening = 0.4;
 constexpr double kLongestReach = 0.6;
+constexpr double kLeastOfReach = 0.05;
 // Edges of walls.
 constexpr double kNotchDepth = 0.8;
 constexpr double kNotchAbove = 0.3;
@@ -40,7 +41,7 @@ constexpr int kPatience = 400;       // steps without an advance until a tear ha
 constexpr int kMostFailures = 3;     // in a row
 constexpr int kLooksForSpots = 5;    // steps
 constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
-constexpr int kRest = 400;           // steps until what failed is tried again
+constexpr int kRest = 100;           // steps until what failed is tried again
 constexpr double kMostScale = 3;     // of an edge at rest where the material is strained
 
 /// The direction in which the end of a slit goes on whose walls opened and slid by `way`: Richard,
@@ -279,8 +280,13 @@ double Tear::neededAt(int plus, double behind) const {
     const double edges = behind / body_.wallEdge;
     return bond != nullptr && !bond->isBroken()
                ? kBondedOpening * bond->reach() * edges * std::sqrt(edges)
-               : kFreeOpening * std::min(cohesion.law().reach(), kLongestReach * body_.wallEdge) *
-                     std::sqrt(edges);
+               : kFreeOpening * freeReach() * std::sqrt(edges);
+}
+
+/// The reach of the law where walls are free [m].
+double Tear::freeReach() const {
+    const double reach = body_.memory.cohesion.law().reach();
+    return std::min(reach, std::max(kLongestReach * body_.wallEdge, kLeastOfReach * reach));
 }
 
 CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins) {

@@ -41,6 +41,7 @@ class Tear {
     double stress() const;
     void note(const Opening& opening);
     double neededAt(int plus, double behind) const;
+    double freeReach() const;
     bool goOn();
     bool beginElsewhere();
     bool beginAtWeakSpot();
