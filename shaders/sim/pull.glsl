@@ -1,5 +1,5 @@
-// d of a vertex that a hand pulls, a force or a bond: see pull.comp. The includer declares `uniforms`,
-// positionOf(v), displacementOf(v) and setDisplacement(v, d).
+// d of a vertex that a hand pulls, a force or a bond: see pull.comp. The includer declares
+// `uniforms`, positionOf(v), displacementOf(v) and setDisplacement(v, d).
 // What a force adds to it in a sweep; the sweeps of plain PBD share it.
 vec3 forceWay(PullRecord pull) {
     return uniforms.substep * uniforms.substep / float(uniforms.sweeps) *

@@ -18,6 +18,14 @@ namespace kerf {
 
 namespace {
 
+/// Ascending.
+std::vector<std::uint32_t> verticesOf(const std::vector<shared::PullRecord>& pulls) {
+    std::vector<std::uint32_t> vertices(pulls.size());
+    std::ranges::transform(pulls, vertices.begin(), &shared::PullRecord::vertex);
+    sortUnique(vertices);
+    return vertices;
+}
+
 OrientedBox oriented(const Bounds& box) {
     return {box.center(), Eigen::Matrix3d::Identity(), 0.5 * (box.high - box.low)};
 }
@@ -258,34 +266,17 @@ void RunningBody::prepareStep(const Params& params) {
         const std::vector<shared::PullRecord> leads = leadsBack(params);
         pulls.insert(pulls.end(), leads.begin(), leads.end());
     }
-    std::vector<std::uint32_t> pulled;
-    pulled.reserve(pulls.size());
-    for (const shared::PullRecord& pull : pulls) {
-        pulled.push_back(pull.vertex);
-    }
-    sortUnique(pulled);
-    const std::vector<shared::PullRecord> pushes = forces(params.density, pulled);
+    const std::vector<shared::PullRecord> pushes = forces(params.density, verticesOf(pulls));
     pulls.insert(pulls.end(), pushes.begin(), pushes.end());
-    addBonds(pulls);
+    if (!memory.cohesion.empty()) {
+        const std::vector<shared::PullRecord> bonds = memory.cohesion.pulls(verticesOf(pulls));
+        pulls.insert(pulls.end(), bonds.begin(), bonds.end());
+    }
     solver.setPulls(pulls);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {
         solver.masses().carryFrom(course.vertices, course.from, course.velocities);
     }
-}
-
-/// Of what else pulls at, a bond does not.
-void RunningBody::addBonds(std::vector<shared::PullRecord>& pulls) const {
-    if (memory.cohesion.empty()) {
-        return;
-    }
-    std::vector<std::uint32_t> pulled;
-    for (const shared::PullRecord& pull : pulls) {
-        pulled.push_back(pull.vertex);
-    }
-    sortUnique(pulled);
-    const std::vector<shared::PullRecord> bonds = memory.cohesion.pulls(pulled);
-    pulls.insert(pulls.end(), bonds.begin(), bonds.end());
 }
 
 std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {

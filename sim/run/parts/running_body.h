@@ -121,7 +121,6 @@ struct RunningBody {
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     std::vector<shared::PullRecord> forces(double density,
                                            const std::vector<std::uint32_t>& pulled) const;
-    void addBonds(std::vector<shared::PullRecord>& pulls) const;
     void castIspcs(IspcRays rays);
     std::vector<Vec3> placesAfter(const MovePins& move) const;
     void take(std::shared_ptr<const UncutBody> body);

@@ -31,7 +31,7 @@ PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& 
     PointBehind nearest{1e300, 0};
     const double parts = static_cast<double>(line.size() - 1);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec3 from = mesh.restPosition(line[i]);
+        const Vec3& from = mesh.restPosition(line[i]);
         const Vec3 along = mesh.restPosition(line[i + 1]) - from;
         const Vec3 off = mesh.restPosition(v) - from;
         const double length = along.squaredNorm();

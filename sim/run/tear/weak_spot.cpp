@@ -51,7 +51,7 @@ Stretch largestStretch(const Eigen::Matrix3d& gradient) {
 }
 
 bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
-    const Vec3 corner = mesh.restPosition(mesh.triangle(t)[0]);
+    const Vec3& corner = mesh.restPosition(mesh.triangle(t)[0]);
     return mesh.kind(t) == SurfaceKind::skin &&
            std::ranges::none_of(strong.places, [&](const Vec3& place) {
                return (place - corner).norm() < strong.reach;
