@@ -47,7 +47,7 @@ struct Simulation::State {
     UndoLog log;
     SimulationOutput output;
     RunningStroke stroke{body, input, log, output};
-    Tear tear{body, input, log, output};
+    Tear tear{body, input, log, output, stroke};
     /// See Simulation::expectPlacement().
     std::shared_ptr<const UncutBody> preparedPlacement;
 

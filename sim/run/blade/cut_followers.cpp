@@ -1,5 +1,6 @@
 #include "sim/run/blade/cut_followers.h"
 
+#include <algorithm>
 #include <string>
 
 #include "sim/base/float_rounding.h"
@@ -74,6 +75,26 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     memory.closed = memory.closed && defect.empty();
     if (!defect.empty()) {
         output.say("the cut left the mesh open: {}", defect);
+    }
+}
+
+void endTear(RunningBody& body, UndoHistory& history, SimulationOutput& output) {
+    if (body.memory.tear.goesOn) {
+        followTear(body.cutter->finish(), body, history, output);
+        body.memory.tear.goesOn = false;
+    }
+}
+
+void followTear(const CutResult& result, RunningBody& body, UndoHistory& history,
+                SimulationOutput& output) {
+    output.report.search.add(body.cutter->takeSearchWork());
+    const auto record =
+        std::ranges::find(body.memory.strokes, body.cutter->strokeNumber(), &StrokeRecord::number);
+    if (record != body.memory.strokes.end()) {
+        record->add(result);
+    }
+    if (!result.delta.empty()) {
+        followCut(result.delta, body, history, output);
     }
 }
 

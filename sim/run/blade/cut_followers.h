@@ -11,4 +11,11 @@ namespace kerf {
 void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
                SimulationOutput& output);
 
+/// Ends the tear in progress, if there is one, so that another stroke may begin.
+void endTear(RunningBody& body, UndoHistory& history, SimulationOutput& output);
+
+/// Updates all state after a step of a tear.
+void followTear(const CutResult& result, RunningBody& body, UndoHistory& history,
+                SimulationOutput& output);
+
 }  // namespace kerf

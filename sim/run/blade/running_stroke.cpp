@@ -70,9 +70,7 @@ bool RunningStroke::mayTouch(const Blade& to) {
 }
 
 void RunningStroke::begin() {
-    if (body_.cutter->inStroke()) {
-        endTear();
-    }
+    endTear(body_, log_.history(), output_);
     log_.beginStroke(body_);
     output_.refusal.clear();
     body_.cutter->begin(input_.blade.edge());
@@ -84,15 +82,6 @@ void RunningStroke::begin() {
 
 void RunningStroke::end() {
     accept(isInStroke() ? body_.cutter->finish() : CutResult{});
-}
-
-/// So that the blade may begin a stroke.
-void RunningStroke::endTear() {
-    const CutResult result = body_.cutter->finish();
-    if (!result.delta.empty()) {
-        followCut(result.delta, body_, log_.history(), output_);
-    }
-    body_.memory.tear.goesOn = false;
 }
 
 void RunningStroke::accept(const CutResult& result) {

@@ -22,6 +22,8 @@ class RunningStroke {
 
     /// Carries out the blade's commands.
     void step();
+    /// Ends a stroke in progress, as lifting the blade does; the blade stays.
+    void end();
     /// Whether the coming step ends a stroke in progress.
     bool endsInStep() const;
     void lift();
@@ -44,8 +46,6 @@ class RunningStroke {
     bool mayTouch(const Blade& to);
     bool isInStroke() const;
     void begin();
-    void end();
-    void endTear();
     void accept(const CutResult& result);
     BladePush push() const;
     std::optional<EdgeSpring> edgeSpring() const;

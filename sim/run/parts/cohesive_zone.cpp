@@ -25,16 +25,15 @@ bool hasWall(const SurfaceMesh& mesh, int v, int label) {
 }  // namespace
 
 TearLaw tearLaw(const Params& params, double edge) {
-    TearLaw law;
-    law.toughness = params.toughness;
-    const double resolved =
-        std::sqrt(kZoneLength * params.youngsModulus * params.toughness / (kEdgesInZone * edge));
-    law.strength = std::min(params.tensileStrength, resolved);
-    law.skinToughness = params.skinThickness * params.skinToughness;
-    const double skinResolved =
-        std::sqrt(kZoneLength * params.skinModulus * params.skinToughness / (kEdgesInZone * edge));
-    law.skinStrength = params.skinThickness * std::min(params.skinStrength, skinResolved);
-    return law;
+    const auto resolved = [&](double modulus, double toughness, double strength) {
+        return std::min(strength,
+                        std::sqrt(kZoneLength * modulus * toughness / (kEdgesInZone * edge)));
+    };
+    return {params.toughness,
+            resolved(params.youngsModulus, params.toughness, params.tensileStrength),
+            params.skinThickness * params.skinToughness,
+            params.skinThickness *
+                resolved(params.skinModulus, params.skinToughness, params.skinStrength)};
 }
 
 int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel) {

@@ -140,7 +140,7 @@ void Tear::step() {
         tear.stuck.clear();
     }
     if (tear.idle > kPatience || !standsInMaterial(body_.cutter->rung())) {
-        endStroke();
+        endStroke();  // none of a blade
     }
 }
 
@@ -210,6 +210,19 @@ bool Tear::beginAtWeakSpot() {
         output_.report.tear->opening > kNearlyOpen || body_.memory.tear.rest > 0) {
         return false;
     }
+    body_.mesh().bringAll();
+    const std::optional<WeakSpot> spot =
+        findWeakSpot(body_.mesh(), leastStretch(input_.params), strongPlaces());
+    if (!spot) {
+        return false;
+    }
+    const bool cuts = notch(*spot);
+    body_.memory.tear.rest = cuts ? kRestAfterNotch : kRest;
+    return cuts;
+}
+
+/// What is held, what tears already, and around that.
+StrongPlaces Tear::strongPlaces() {
     StrongPlaces strong{{}, kNearEnds * body_.wallEdge};
     for (const std::uint32_t v : body_.heldVertices()) {
         strong.places.push_back(body_.mesh().restPosition(static_cast<int>(v)));
@@ -222,17 +235,16 @@ bool Tear::beginAtWeakSpot() {
     for (const int v : torn) {
         strong.places.push_back(body_.mesh().restPosition(v));
     }
-    body_.mesh().bringAll();
-    const std::optional<WeakSpot> spot =
-        findWeakSpot(body_.mesh(), leastStretch(input_.params), strong);
-    if (!spot) {
-        return false;
-    }
-    endStroke();
-    const Vec3 in = -body_.wallEdge * spot->normal;
-    const Vec3 deep = spot->at + kNotchDepth * in;
-    const Blade to =
-        bladeThrough(deep - body_.wallEdge * spot->along, deep + body_.wallEdge * spot->along);
+    return strong;
+}
+
+/// Presses a blade into the skin. Returns whether it cuts.
+bool Tear::notch(const WeakSpot& spot) {
+    makeRoom();
+    const Vec3 in = -body_.wallEdge * spot.normal;
+    const Vec3 half = body_.wallEdge * spot.along;
+    const Vec3 deep = spot.at + kNotchDepth * in;
+    const Blade to = bladeThrough(deep - half, deep + half);
     const Vec3 back = -(kNotchDepth + kNotchAbove) * in;
     body_.cutter->begin({to.a + back, to.b + back});
     body_.memory.beginStroke(
@@ -240,7 +252,6 @@ bool Tear::beginAtWeakSpot() {
     beginStroke();
     const bool cuts = cut(to) == CutOutcome::cut;
     endStroke();
-    body_.memory.tear.rest = cuts ? kRestAfterNotch : kRest;
     return cuts;
 }
 
@@ -300,7 +311,7 @@ CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins
     const Vec3 a = mesh.position(end.vertices.front()) + deepest;
     const Vec3 b = mesh.position(end.vertices.back()) + deepest;
     if (begins) {
-        endStroke();
+        makeRoom();
         const Vec3 out = kOverhang * body_.wallEdge * frame->along;
         body_.cutter->goOnFrom({end.vertices, end.label / 2, frame->heading},
                                {a - deepest - out, b - deepest + out});
@@ -362,11 +373,19 @@ void Tear::note(const Opening& opening) {
 
 CutOutcome Tear::cut(const Blade& to) {
     const CutResult result = body_.cutter->advance(to);
-    accept(result);
+    followTear(result, body_, log_.history(), output_);
     if (result.outcome != CutOutcome::cut) {
         output_.report.tear->failure = result.reason;
     }
     return result.outcome;
+}
+
+/// Ends whatever stroke there is: of another tear, or of a blade in the air.
+void Tear::makeRoom() {
+    endStroke();
+    if (body_.cutter->inStroke()) {
+        stroke_.end();
+    }
 }
 
 void Tear::beginStroke() {
@@ -376,24 +395,8 @@ void Tear::beginStroke() {
     tear.failures = 0;
 }
 
-/// Ends whatever stroke there is.
 void Tear::endStroke() {
-    if (body_.cutter->inStroke() && (body_.memory.tear.goesOn || isOn())) {
-        accept(body_.cutter->finish());
-    }
-    body_.memory.tear.goesOn = false;
-}
-
-void Tear::accept(const CutResult& result) {
-    output_.report.search.add(body_.cutter->takeSearchWork());
-    const auto record = std::ranges::find(body_.memory.strokes, body_.cutter->strokeNumber(),
-                                          &StrokeRecord::number);
-    if (record != body_.memory.strokes.end()) {
-        record->add(result);
-    }
-    if (!result.delta.empty()) {
-        followCut(result.delta, body_, log_.history(), output_);
-    }
+    endTear(body_, log_.history(), output_);
 }
 
 std::vector<SlitEnd> Tear::presentEnds() const {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/running_body.h"
 #include "sim/run/parts/simulation_parts.h"
 #include "sim/run/tear/slit_ends.h"
@@ -16,8 +17,9 @@ namespace kerf {
 class Tear {
   public:
     /// All must outlive the object.
-    Tear(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output)
-        : body_(body), input_(input), log_(log), output_(output) {}
+    Tear(RunningBody& body, SimulationInput& input, UndoLog& log, SimulationOutput& output,
+         RunningStroke& stroke)
+        : body_(body), input_(input), log_(log), output_(output), stroke_(stroke) {}
 
     /// Before a step: the vertices that it reads once the body has moved.
     const std::vector<int>& watched();
@@ -45,15 +47,17 @@ class Tear {
     bool goOn();
     bool beginElsewhere();
     bool beginAtWeakSpot();
+    StrongPlaces strongPlaces();
+    bool notch(const WeakSpot& spot);
     bool mayBegin(const SlitEnd& end) const;
     void noteStuck(const SlitEnd& end);
     CutOutcome advance(const SlitEnd& end, const Opening& opening, bool begins);
     Blade bladeThrough(const Vec3& a, const Vec3& b);
     std::optional<double> wayOut(const Vec3& from, const Vec3& direction);
     CutOutcome cut(const Blade& to);
+    void makeRoom();
     void beginStroke();
     void endStroke();
-    void accept(const CutResult& result);
     std::vector<SlitEnd> presentEnds() const;
     const std::vector<SlitEnd>& allEnds();
 
@@ -61,6 +65,7 @@ class Tear {
     SimulationInput& input_;
     UndoLog& log_;
     SimulationOutput& output_;
+    RunningStroke& stroke_;  ///< of the blade
 
     // Of the present mesh, for speed alone.
     int revision_ = -1;

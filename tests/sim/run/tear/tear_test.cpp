@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
+#include "sim/run/parts/stroke_record.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/simulation_fixture.h"
 
@@ -236,8 +237,34 @@ TEST_F(TearTest, AnUncutPlaceBeginsToTearAtTheStrength) {
     EXPECT_GE(simulation->report().pieces, 2);
 }
 
+TEST_F(TearTest, ABladeInTheAirKeepsItsStroke) {
+    std::vector<std::size_t> strokes;
+    for (const int on : {0, 1}) {
+        Params params = tearing(1e4);
+        params.tearing = on;
+        make(params, false);
+        // Down through the strip, past its end, and up through it elsewhere.
+        const std::array<Vec2, 5> path{
+            Vec2(0.02, 0.02), {0.02, -0.02}, {0.07, -0.02}, {-0.02, -0.02}, {-0.02, 0.02}};
+        for (std::size_t leg = 0; leg + 1 < path.size(); ++leg) {
+            for (int i = 0; i <= 8; ++i) {
+                const Vec2 p = path[leg] + (path[leg + 1] - path[leg]) * i / 8;
+                simulation->execute(
+                    MoveBlade{{{p.x(), p.y(), -kSize.z()}, {p.x(), p.y(), kSize.z()}}});
+                simulation->step();
+            }
+        }
+        simulation->execute(LiftBlade{});
+        simulation->step();
+        strokes.push_back(simulation->strokes().size());
+    }
+    EXPECT_EQ(strokes[1], strokes[0]) << "with and without tearing";
+}
+
 TEST_F(TearTest, ABladeTakesOver) {
-    make(tearing(1));
+    Params params = tearing(1);
+    params.debrisVolume = 0;  // nothing to tell of the end of the stroke
+    make(params);
     pull(0.02);
     run(70);
     EXPECT_TRUE(simulation->report().tear.has_value());
