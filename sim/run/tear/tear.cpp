@@ -100,9 +100,15 @@ bool Tear::isOn() const {
 
 const std::vector<int>& Tear::watched() {
     watched_.clear();
-    if (!isOn()) {
-        return watched_;
+    body_.memory.cohesion.addVertices(watched_);
+    if (isOn()) {
+        watchEnds();
     }
+    sortUnique(watched_);
+    return watched_;
+}
+
+void Tear::watchEnds() {
     const SurfaceMesh& mesh = body_.mesh();
     for (const SlitEnd& end : allEnds()) {
         watched_.insert(watched_.end(), end.vertices.begin(), end.vertices.end());
@@ -111,22 +117,16 @@ const std::vector<int>& Tear::watched() {
             watched_.insert(watched_.end(), {v, std::max(facing, v)});
         }
     }
-    body_.memory.cohesion.addVertices(watched_);
-    sortUnique(watched_);
-    return watched_;
 }
 
 void Tear::step() {
     TearStroke& tear = body_.memory.tear;
-    CohesiveZone& cohesion = body_.memory.cohesion;
+    weakenBonds();
     if (!isOn()) {
         endStroke();
         return;
     }
-    cohesion.setLaw(tearLaw(input_.params, body_.wallEdge));
-    const double taken = cohesion.taken();
-    cohesion.noteOpenings(body_.mesh());
-    output_.report.fractureEnergy += cohesion.taken() - taken;
+    body_.memory.cohesion.setLaw(tearLaw(input_.params, body_.wallEdge));
     if (!tear.goesOn && standsInMaterial(body_.cutter->rung())) {
         return;  // a blade cuts
     }
@@ -142,6 +142,14 @@ void Tear::step() {
     if (tear.idle > kPatience || !standsInMaterial(body_.cutter->rung())) {
         endStroke();  // none of a blade
     }
+}
+
+/// Those of earlier tears too, once nothing tears on.
+void Tear::weakenBonds() {
+    CohesiveZone& cohesion = body_.memory.cohesion;
+    const double taken = cohesion.taken();
+    cohesion.noteOpenings(body_.mesh());
+    output_.report.fractureEnergy += cohesion.taken() - taken;
 }
 
 /// Returns whether the tear in progress advances.

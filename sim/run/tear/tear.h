@@ -28,6 +28,8 @@ class Tear {
 
   private:
     bool isOn() const;
+    void watchEnds();
+    void weakenBonds();
     /// What a slit's end is opened by.
     struct Opening {
         double atFirst = 0;          ///< at its first vertex, of what makes it advance

@@ -182,6 +182,20 @@ TEST_F(TearTest, NothingTearsThatIsToughEnoughOrNotToTear) {
     }
 }
 
+TEST_F(TearTest, BondsPartWhenNothingIsToTearOn) {
+    make(tearing(0.5));
+    pull(0.04);
+    while (!simulation->report().tear || !simulation->report().tear->advanced) {
+        ASSERT_LT(simulation->stepCount(), 200);
+        simulation->step();
+    }
+    run(10);
+    simulation->execute(SetParam{"tearing", 0.0});
+    EXPECT_GT(tear(50), 0);
+    EXPECT_FALSE(simulation->report().tear.has_value());
+    EXPECT_EQ(simulation->report().pieces, 1);
+}
+
 TEST_F(TearTest, ContinuesBitForBitFromAMoment) {
     make(tearing(1));
     pull(0.04);
@@ -235,6 +249,48 @@ TEST_F(TearTest, AnUncutPlaceBeginsToTearAtTheStrength) {
     EXPECT_NEAR(strain, 0.2, 0.04);
     tear(100);
     EXPECT_GE(simulation->report().pieces, 2);
+}
+
+// The lower half hangs by what is ahead of the notch.
+TEST_F(TearTest, WeightTears) {
+    for (const double toughness : {0.5, 500.0}) {
+        make(tearing(toughness));
+        simulation->execute(Pin{.region = Bounds{{-1, 0.4 * kSize.y(), -1}, {1, 1, 1}}});
+        simulation->execute(SetParam{"gravity", Vec3(0, -100, 0)});
+        tear(150);
+        EXPECT_EQ(simulation->report().pieces, toughness < 1 ? 2 : 1);
+    }
+}
+
+TEST_F(TearTest, AFallOnTheEdgeOfABoxTears) {
+    for (const double strength : {0.1, 10.0}) {
+        Params params = tearing(0.5);
+        params.tensileStrength = strength * kModulus;
+        make(params, false);
+        simulation->execute(
+            AddBox{{.center = Vec3(0, -0.5 * kSize.y() - 0.06, 0), .size = Vec3(0.01, 0.1, 0.1)}});
+        simulation->execute(SetParam{"gravity", Vec3(0, -50, 0)});
+        EXPECT_EQ(tear(150) > 0, strength < 1);
+    }
+}
+
+// Its plate wedges the walls of the notch apart, far behind the end.
+TEST_F(TearTest, ABladeThatPushesTears) {
+    for (const double toughness : {0.5, 500.0}) {
+        Params params = tearing(toughness);
+        params.bladePush = 1;
+        params.bladeThickness = 0.05;
+        make(params);
+        simulation->execute(SetParam{"blade_feels", 1.0});
+        simulation->execute(Pin{.region = Bounds{{0.45 * kSize.x(), -1, -1}, {1, 1, 1}}});
+        double energy = 0;
+        for (int i = 0; i <= 50; ++i) {
+            const double way = -0.01 + (0.8 * kNotch + 0.01) * i / 50;
+            simulation->execute(MoveBlade{at(-0.5 * kSize.x() + way)});
+            energy += tear(1);
+        }
+        EXPECT_EQ(energy > 0.02 * toughness * ligament(), toughness < 1) << energy;
+    }
 }
 
 TEST_F(TearTest, ABladeInTheAirKeepsItsStroke) {
