@@ -383,7 +383,8 @@ CutOutcome Tear::cut(const Blade& to) {
     const CutResult result = body_.cutter->advance(to);
     followTear(result, body_, log_.history(), output_);
     if (result.outcome != CutOutcome::cut) {
-        output_.report.tear->failure = result.reason;
+        output_.report.tear->failure =
+            result.reason.empty() ? "no material lies ahead of the slit" : result.reason;
     }
     return result.outcome;
 }
