@@ -9,9 +9,8 @@ namespace kerf {
 
 namespace {
 
-// Edges of walls in a cohesive zone: about 0.88 E J / s^2 is its length (Rice 1979).
+// A cohesive zone is about 0.88 E J / s^2 long (Rice 1979).
 constexpr double kZoneLength = 0.88;
-constexpr double kEdgesInZone = 3.5;
 // Of its reach: up to here a new bond is as stiff as at this opening.
 constexpr double kStiffUpTo = 0.02;
 

@@ -10,6 +10,9 @@
 
 namespace kerf {
 
+/// Edges of walls in a cohesive zone, at least.
+inline constexpr double kEdgesInZone = 3.5;
+
 /// What new surface takes, as a cohesive law: the traction falls linearly from `strength` to zero
 /// while the walls open (Hillerborg, Modeer, Petersson 1976).
 struct TearLaw {

@@ -1,6 +1,8 @@
 #include "sim/run/tear/slit_ends.h"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "sim/mesh/triangle.h"
@@ -43,6 +45,60 @@ PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& 
     return nearest;
 }
 
+/// The axes of an end by where its vertices are.
+template <class At>
+std::optional<EndFrame> frameBy(const SurfaceMesh& mesh, const SlitEnd& end, const At& at) {
+    Vec3 side = Vec3::Zero();
+    Vec3 behind = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
+        const int u = end.vertices[i];
+        const int v = end.vertices[i + 1];
+        const int h = mesh.findHalfEdge(u, v);
+        if (h >= 0) {
+            const Vec3 p = at(mesh.apex(h));
+            const Vec3 q = at(mesh.apex(mesh.twin(h)));
+            side -= unitNormal<Vec3>(at(u), at(v), p) + unitNormal<Vec3>(at(u), at(v), q);
+            behind += p + q - at(u) - at(v);
+        }
+    }
+    EndFrame frame;
+    frame.along = (at(end.vertices.back()) - at(end.vertices.front())).stableNormalized();
+    const Vec3 across = side - frame.along * side.dot(frame.along);
+    frame.heading = frame.along.cross(across).stableNormalized();
+    frame.heading *= frame.heading.dot(behind) > 0 ? -1 : 1;
+    frame.side = across.stableNormalized();
+    return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
+}
+
+/// Two sides of a triangle, and its normal.
+Eigen::Matrix3d axesOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+    Eigen::Matrix3d axes;
+    axes << b - a, c - a, unitNormal<Vec3>(a, b, c);
+    return axes;
+}
+
+/// That nearest to a point at rest, and where it carries that point.
+struct NearestTriangle {
+    double distance = 0;  ///< [m]
+    Vec3 place;
+};
+
+/// Takes a triangle if it is nearer; it goes on beyond its sides as it is strained.
+void takeNearer(const SurfaceMesh& mesh, const std::array<int, 3>& corners, const Vec3& rest,
+                NearestTriangle& found) {
+    const auto [a, b, c] = corners;
+    const Eigen::Matrix3d axes =
+        axesOf(mesh.restPosition(a), mesh.restPosition(b), mesh.restPosition(c));
+    const Vec3 parts = axes.fullPivLu().solve(rest - mesh.restPosition(a));
+    Vec3 inside{std::max(parts.x(), 0.0), std::max(parts.y(), 0.0), 0};
+    inside /= std::max(inside.sum(), 1.0);
+    if (const double distance = (axes * (inside - parts)).norm(); distance < found.distance) {
+        found = {distance,
+                 mesh.position(a) +
+                     axesOf(mesh.position(a), mesh.position(b), mesh.position(c)) * parts};
+    }
+}
+
 }  // namespace
 
 std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most) {
@@ -66,27 +122,48 @@ std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& 
 }
 
 std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end) {
-    const auto at = [&](int v) { return mesh.position(v); };
-    Vec3 side = Vec3::Zero();
-    Vec3 behind = Vec3::Zero();
-    for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
-        const int u = end.vertices[i];
-        const int v = end.vertices[i + 1];
-        const int h = mesh.findHalfEdge(u, v);
-        if (h >= 0) {
-            const Vec3 p = at(mesh.apex(h));
-            const Vec3 q = at(mesh.apex(mesh.twin(h)));
-            side -= unitNormal<Vec3>(at(u), at(v), p) + unitNormal<Vec3>(at(u), at(v), q);
-            behind += p + q - at(u) - at(v);
-        }
+    return frameBy(mesh, end, [&](int v) { return mesh.position(v); });
+}
+
+std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length) {
+    std::optional<EndFrame> frame = frameBy(mesh, end, [&](int v) { return mesh.restPosition(v); });
+    if (!frame) {
+        return frame;
     }
-    EndFrame frame;
-    frame.along = (at(end.vertices.back()) - at(end.vertices.front())).stableNormalized();
-    const Vec3 across = side - frame.along * side.dot(frame.along);
-    frame.heading = frame.along.cross(across).stableNormalized();
-    frame.heading *= frame.heading.dot(behind) > 0 ? -1 : 1;
-    frame.side = across.stableNormalized();
-    return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
+    const Vec3& first = mesh.restPosition(end.vertices.front());
+    const Vec3& last = mesh.restPosition(end.vertices.back());
+    Vec3 ahead = Vec3::Zero();
+    for (const auto& [v, place] : pointsBehind(mesh, end, length)) {
+        ahead += first + place.share * (last - first) - mesh.restPosition(v);
+    }
+    ahead -= frame->along * frame->along.dot(ahead);
+    if (!ahead.isZero(0)) {
+        frame->heading = ahead.normalized();
+        frame->side -= frame->heading * frame->heading.dot(frame->side);
+        frame->side.normalize();
+    }
+    return frame;
+}
+
+Vec3 presentPlace(const SurfaceMesh& mesh, const SlitEnd& end, int beside, const Vec3& rest) {
+    const double reach = 2 * (rest - mesh.restPosition(beside)).norm();
+    std::vector<int> vertices{beside};
+    NearestTriangle found{1e300, mesh.position(beside)};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        mesh.forEachOutgoing(vertices[i], [&](int h) {
+            const int label = mesh.wallLabel(SurfaceMesh::triangleOf(h));
+            const int next = mesh.target(h);
+            if (label == end.label || label == end.label + 1) {
+                return;
+            }
+            takeNearer(mesh, {vertices[i], next, mesh.apex(h)}, rest, found);
+            if ((mesh.restPosition(next) - mesh.restPosition(beside)).norm() < reach &&
+                std::ranges::find(vertices, next) == vertices.end()) {
+                vertices.push_back(next);
+            }
+        });
+    }
+    return found.place;
 }
 
 std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh) {

@@ -17,15 +17,20 @@ struct SlitEnd {
 /// The ends of all slits. O(triangles).
 std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh);
 
-/// The present axes of a slit's end, unit.
+/// The axes of a slit's end, unit.
 struct EndFrame {
     Vec3 along = Vec3::Zero();    ///< from its first vertex to the last
     Vec3 heading = Vec3::Zero();  ///< away from the slit, halfway between its walls
     Vec3 side = Vec3::Zero();     ///< towards the material of W+
 };
 
-/// None for an end without a direction.
+/// As it is now; none for an end without a direction.
 std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end);
+/// At rest, heading as the slit does in the mean over its last `length` [m].
+std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length);
+
+/// Where the material is now that lies at `rest` [m] beside a vertex of an end.
+Vec3 presentPlace(const SurfaceMesh& mesh, const SlitEnd& end, int beside, const Vec3& rest);
 
 /// A point of a wall near the end of its slit, at rest.
 struct PointBehind {

@@ -33,7 +33,6 @@ constexpr double kNearEnds = 3;     // no place near an end is a weak spot
 // Of the heading by slip alone, over 1 less half its share of the displacements [rad]: 140 degrees.
 constexpr double kTurn = 2.44;
 constexpr double kTwist = 0.5;       // of mode III against mode I, at Poisson's ratio 0.5
-constexpr double kMostTurn = 0.6;    // of the heading in an advance [rad]
 constexpr double kFollows = 0.5;     // of an opening that advances, where one end follows the other
 constexpr int kPause = 10;           // steps without an advance until another slit may tear
 constexpr double kNearlyOpen = 0.7;  // of what makes an end advance: the skin bears no more
@@ -42,18 +41,17 @@ constexpr int kMostFailures = 3;     // in a row
 constexpr int kLooksForSpots = 5;    // steps
 constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
 constexpr int kRest = 100;           // steps until what failed is tried again
-constexpr double kMostScale = 3;     // of an edge at rest where the material is strained
 
-/// The direction in which the end of a slit goes on whose walls opened and slid by `way`: Richard,
-/// Fulland and Sander (2005), with stress intensities in proportion to the displacements.
-Vec3 wayOfLargestTension(const EndFrame& frame, const Vec3& way) {
+/// The angle by which the end of a slit turns towards W+ in an edge, whose walls opened and slid by
+/// `way`: Richard, Fulland and Sander (2005), with stress intensities in proportion to the
+/// displacements. It takes the length of the cohesive zone, within which no kink is resolved.
+double turnOf(const EndFrame& frame, const Vec3& way) {
     const double slid = way.dot(frame.heading);
     const double twisted = kTwist * std::abs(way.dot(frame.along));
     const double sum = std::max(way.dot(frame.side), 0.0) + std::abs(slid) + twisted;
     const double share = sum > 0 ? std::abs(slid) / sum : 0;
-    const double turn = std::min((kTurn - 0.5 * kTurn * share) * share, kMostTurn);
-    const double angle = slid > 0 ? -turn : turn;
-    return std::cos(angle) * frame.heading + std::sin(angle) * frame.side;
+    const double turn = (kTurn - 0.5 * kTurn * share) * share;
+    return (slid > 0 ? -turn : turn) / kEdgesInZone;
 }
 
 double lengthOf(const SurfaceMesh& mesh, const SlitEnd& end) {
@@ -282,10 +280,6 @@ Tear::Opening Tear::openingOf(const SlitEnd& end) const {
         ofFirst += (1 - share) * place.distance;
         ofLast += share * place.distance;
         opening.way += way;
-        const Vec3 middle = mesh.position(facing) + 0.5 * way;
-        opening.behind += middle;
-        opening.restBehind += place.distance;
-        ++opening.points;
     }
     opening.atFirst /= ofFirst;
     opening.atLast /= ofLast;
@@ -311,7 +305,8 @@ double Tear::freeReach() const {
 CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins) {
     const SurfaceMesh& mesh = body_.mesh();
     const std::optional<EndFrame> frame = frameOf(mesh, end);
-    if (!frame) {
+    const std::optional<EndFrame> rest = restFrameOf(mesh, end, kEdgesInZone * body_.wallEdge);
+    if (!frame || !rest) {
         return CutOutcome::air;
     }
     // Where the end is a bay of the uncut material, the blade goes straight below all of it.
@@ -325,10 +320,16 @@ CutOutcome Tear::advance(const SlitEnd& end, const Opening& opening, bool begins
                                {a - deepest - out, b - deepest + out});
         beginStroke();
     }
-    const Vec3 way = body_.wallEdge * scaleAt(opening, *frame, 0.5 * (a + b)) *
-                     wayOfLargestTension(*frame, opening.way);
-    return cut(bladeThrough(a + advanceBy(opening.atFirst, opening.atLast) * way,
-                            b + advanceBy(opening.atLast, opening.atFirst) * way));
+    const double turn = turnOf(*frame, opening.way);
+    const Vec3 way =
+        body_.wallEdge * (std::cos(turn) * rest->heading + std::sin(turn) * rest->side);
+    const auto goal = [&](int v, double own, double other) -> Vec3 {
+        return presentPlace(mesh, end, v, mesh.restPosition(v) + advanceBy(own, other) * way);
+    };
+    const int first = end.vertices.front();
+    const int last = end.vertices.back();
+    return cut(bladeThrough(deepest + goal(first, opening.atFirst, opening.atLast),
+                            deepest + goal(last, opening.atLast, opening.atFirst)));
 }
 
 /// The blade along a line in the body, out of its skin on both sides.
@@ -359,14 +360,6 @@ std::optional<double> Tear::wayOut(const Vec3& from, const Vec3& direction) {
         }
     }
     return leaves ? std::optional(nearest) : std::nullopt;
-}
-
-/// The present length of the material ahead, over that at rest, by that behind the end.
-double Tear::scaleAt(const Opening& opening, const EndFrame& frame, const Vec3& end) {
-    const Vec3 middle = opening.behind / std::max(opening.points, 1);
-    const double rest = opening.restBehind / std::max(opening.points, 1);
-    const double now = frame.heading.dot(end - middle);
-    return rest > 0 ? std::clamp(now / rest, 1 / kMostScale, kMostScale) : 1.0;
 }
 
 /// The largest stress of the skin, as a share of the strength.

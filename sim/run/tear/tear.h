@@ -32,16 +32,12 @@ class Tear {
     void weakenBonds();
     /// What a slit's end is opened by.
     struct Opening {
-        double atFirst = 0;          ///< at its first vertex, of what makes it advance
-        double atLast = 0;           ///< at its last
-        Vec3 way = Vec3::Zero();     ///< sum of the ways from W- to W+ [m]
-        Vec3 behind = Vec3::Zero();  ///< sum of the points behind, halfway between the walls [m]
-        double restBehind = 0;       ///< sum of their distances from the end at rest [m]
-        int points = 0;
+        double atFirst = 0;       ///< at its first vertex, of what makes it advance
+        double atLast = 0;        ///< at its last
+        Vec3 way = Vec3::Zero();  ///< sum of the ways from W- to W+ [m]
         double most() const { return std::max(atFirst, atLast); }
     };
     Opening openingOf(const SlitEnd& end) const;
-    static double scaleAt(const Opening& opening, const EndFrame& frame, const Vec3& end);
     double stress() const;
     void note(const Opening& opening);
     double neededAt(int plus, double behind) const;
