@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <iostream>
 #include <random>
 #include <string>
@@ -80,6 +81,7 @@ class RandomPulls : public test::SimulationTest {
         return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
     }
     void step(PullFigures& figures);
+    void trace(const StepReport& report);
 
     std::mt19937 random_;
 };
@@ -134,10 +136,23 @@ void RandomPulls::step(PullFigures& figures) {
     if (!report.closed) {
         figures.defect = "not closed";
     }
+    trace(report);
     if (report.tear && report.tear->advanced) {
         ++figures.advances;
     } else if (report.tear && !report.tear->failure.empty()) {
         ++figures.refused;
+    }
+}
+
+/// KERF_FUZZ_TRACE: a line for each step that tears or fails to.
+void RandomPulls::trace(const StepReport& report) {
+    if (std::getenv("KERF_FUZZ_TRACE") != nullptr && report.tear &&
+        (report.tear->advanced || !report.tear->failure.empty())) {
+        const SurfaceMesh& mesh = simulation->mesh();
+        std::cout << "step " << report.step << ": opening " << report.tear->opening << ", stress "
+                  << report.tear->stress << ", intersecting "
+                  << test::selfIntersections(mesh).size() << ", folds " << test::foldedEdges(mesh)
+                  << " " << report.tear->failure << "\n";
     }
 }
 
