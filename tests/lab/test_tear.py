@@ -40,7 +40,8 @@ class Tear(unittest.TestCase):
         openings = np.linspace(1, 2, 9)
         fit = tear.Fit(openings, 3 * openings**2 - 0.5 * openings**3)
         self.assertAlmostEqual(fit(2), 8)
-        self.assertAlmostEqual(fit.exponent(2), (2 * 12 - 3 * 4) / 8)
+        self.assertAlmostEqual(fit.slope(2), 6 * 2 - 1.5 * 2**2)
+        self.assertAlmostEqual(((fit - fit / 2) / 2)(2), 2)
 
     def test_a_ring_is_closed_and_as_large_as_asked(self):
         points, triangles = bodies.ring(1, 2, 0.5, [2, 60, 1])
