@@ -637,20 +637,31 @@ def liver():
 JELLY_HALF, JELLY_ROUND, JELLY_EDGE = 0.035, 0.009, 0.0041
 
 
-def jelly_shape(points):
-    """A cube with rounded edges."""
-    out = np.abs(points) - (JELLY_HALF - JELLY_ROUND)
-    most = out.max(axis=1)
-    beyond = np.maximum(out, 0)
-    flat = np.where(out == most[:, None], 1.0, 0.0)
-    direction = np.where((most > 0)[:, None], unit(beyond), flat)
-    value = np.where(most > 0, length(beyond), most) - JELLY_ROUND
-    return value, direction * np.where(points < 0, -1.0, 1.0)
+def rounded_box(half, rounding):
+    """A box with rounded edges, of this half size [m]."""
+    def shape(points):
+        out = np.abs(points) - (half - rounding)
+        most = out.max(axis=1)
+        beyond = np.maximum(out, 0)
+        flat = np.where(out == most[:, None], 1.0, 0.0)
+        direction = np.where((most > 0)[:, None], unit(beyond), flat)
+        value = np.where(most > 0, length(beyond), most) - rounding
+        return value, direction * np.where(points < 0, -1.0, 1.0)
+    return shape
 
 
 def jelly():
     reach = 1.3 * JELLY_HALF
-    return remeshed(jelly_shape, [-reach] * 3, [reach] * 3, JELLY_EDGE, JELLY_EDGE)
+    return remeshed(rounded_box(JELLY_HALF, JELLY_ROUND), [-reach] * 3, [reach] * 3, JELLY_EDGE,
+                    JELLY_EDGE)
+
+
+SLAB_HALF, SLAB_ROUND, SLAB_EDGE = np.array([0.08, 0.006, 0.06]), 0.005, 0.005
+
+
+def slab():
+    reach = SLAB_HALF + 2 * SLAB_EDGE
+    return remeshed(rounded_box(SLAB_HALF, SLAB_ROUND), -reach, reach, SLAB_EDGE, SLAB_EDGE)
 
 
 EGG_HEIGHT, EGG_RADIUS, EGG_WALL, EGG_EDGE = 0.044, 0.033, 0.006, 0.0036
@@ -763,7 +774,7 @@ def make(name):
 
 
 SHAPES = {"banana": banana, "octopus": octopus, "orange": orange, "liver": liver, "jelly": jelly,
-          "egg": egg, "cloth": cloth}
+          "slab": slab, "egg": egg, "cloth": cloth}
 MODELS = ["sphere20", "sphere80", "sphere768", *SHAPES]
 
 

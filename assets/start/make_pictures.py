@@ -16,13 +16,16 @@ import tempfile
 FOLDER = pathlib.Path(__file__).resolve().parent
 SIZE = (480, 300)
 NEARER = {"cloth": 0.86, "citrus": 0.88}  # of the distance of the view
-STEPS = {"cloth": 260, "citrus": 310, "egg": 330, "tear": 96}  # until the picture
+STEPS = {"cloth": 260, "citrus": 310, "egg": 330, "tear": 96, "orange": 196, "incision": 400}  # until the picture
 # Cuts before it: the ends of the blade, above and below the model.
 CUTS = {"citrus": [[-0.03, 0.09, -0.08], [0.03, 0.09, 0.08]],
         "egg": [[-0.05, 0.11, 0.045], [0.05, 0.11, -0.045]]}
 DEPTH = 0.13  # of a cut
-# A hand after the events of the scene: where it takes hold, and where it is in the end.
-PULLS = {"tear": [[0.033, 0.062, 0], [0.082, 0.06, 0]]}
+# Hands after the events of the scene: their reach, where they take hold, and where they end.
+PULLS = {"tear": [0.016, [[0.033, 0.062, 0], [0.082, 0.06, 0]]],
+         "orange": [0.035, [[0.036, 0.045, 0], [0.161, 0.05, 0]]],
+         "incision": [0.012, *([[x, 0.012, z], [x, 0.012, 5.5 * z]]
+                               for x in (-0.012, 0.012) for z in (-0.008, 0.008))]}
 
 
 def session_for_picture(file):
@@ -41,10 +44,11 @@ def session_for_picture(file):
                              {"step": 60, "type": "blade", "a": below[0], "b": below[1]},
                              {"step": 61, "type": "lift"}]
     if name_of(file) in PULLS:
-        at, to = PULLS[name_of(file)]
-        session["events"] += [{"step": 24, "type": "grab", "at": at, "radius": 0.016,
-                               "surface": True},
-                              {"step": last, "type": "drag", "to": to}]
+        radius, *hands = PULLS[name_of(file)]
+        for hand, (at, to) in enumerate(hands):
+            session["events"] += [{"step": 24, "type": "grab", "hand": hand, "at": at,
+                                   "radius": radius, "surface": True},
+                                  {"step": last, "type": "drag", "hand": hand, "to": to}]
     session["events"].append({"step": last, "type": "screenshot", "file": "picture.png",
                               "width": 2 * SIZE[0], "height": 2 * SIZE[1]})
     return session
