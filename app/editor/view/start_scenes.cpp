@@ -20,7 +20,7 @@ std::shared_ptr<const Cards> readCards() {
          "Press S and draw an incision, then Y and drag across it to hold it open."},
         {"jelly", "Jelly cube", "Press Shift+Space: it falls and wobbles. Then cut it."},
         {"tear", "Jelly to tear", "Press D and pull its right half away from the slit."},
-        {"orange", "Orange to open", "Press D and pull its right half off, far to the right."},
+        {"orange", "Orange to open", "Press D, double the Hand, and pull its right half far off."},
         {"incision", "Incision to tear",
          "Press Y and drag across the slit to hold it open. Too far, and it tears on."},
         {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
