@@ -1,10 +1,9 @@
 #include "sim/run/tear/slit_ends.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <set>
 
+#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
@@ -70,35 +69,6 @@ std::optional<EndFrame> frameBy(const SurfaceMesh& mesh, const SlitEnd& end, con
     return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
 }
 
-/// Two sides of a triangle, and its normal.
-Eigen::Matrix3d axesOf(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Eigen::Matrix3d axes;
-    axes << b - a, c - a, unitNormal<Vec3>(a, b, c);
-    return axes;
-}
-
-/// That nearest to a point at rest, and where it carries that point.
-struct NearestTriangle {
-    double distance = 0;  ///< [m]
-    Vec3 place;
-};
-
-/// Takes a triangle if it is nearer; it goes on beyond its sides as it is strained.
-void takeNearer(const SurfaceMesh& mesh, const std::array<int, 3>& corners, const Vec3& rest,
-                NearestTriangle& found) {
-    const auto [a, b, c] = corners;
-    const Eigen::Matrix3d axes =
-        axesOf(mesh.restPosition(a), mesh.restPosition(b), mesh.restPosition(c));
-    const Vec3 parts = axes.fullPivLu().solve(rest - mesh.restPosition(a));
-    Vec3 inside{std::max(parts.x(), 0.0), std::max(parts.y(), 0.0), 0};
-    inside /= std::max(inside.sum(), 1.0);
-    if (const double distance = (axes * (inside - parts)).norm(); distance < found.distance) {
-        found = {distance,
-                 mesh.position(a) +
-                     axesOf(mesh.position(a), mesh.position(b), mesh.position(c)) * parts};
-    }
-}
-
 }  // namespace
 
 std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most) {
@@ -145,25 +115,21 @@ std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end,
     return frame;
 }
 
-Vec3 presentPlace(const SurfaceMesh& mesh, const SlitEnd& end, int beside, const Vec3& rest) {
-    const double reach = 2 * (rest - mesh.restPosition(beside)).norm();
-    std::vector<int> vertices{beside};
-    NearestTriangle found{1e300, mesh.position(beside)};
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        mesh.forEachOutgoing(vertices[i], [&](int h) {
-            const int label = mesh.wallLabel(SurfaceMesh::triangleOf(h));
-            const int next = mesh.target(h);
-            if (label == end.label || label == end.label + 1) {
-                return;
-            }
-            takeNearer(mesh, {vertices[i], next, mesh.apex(h)}, rest, found);
-            if ((mesh.restPosition(next) - mesh.restPosition(beside)).norm() < reach &&
-                std::ranges::find(vertices, next) == vertices.end()) {
-                vertices.push_back(next);
-            }
-        });
-    }
-    return found.place;
+Vec3 presentWay(const SurfaceMesh& mesh, const SlitEnd& end, int from, const Vec3& way) {
+    using cut::VertexPositions;
+    cut::DeformationField field(VertexPositions::atRest(mesh), VertexPositions::current(mesh));
+    mesh.forEachOutgoing(from, [&](int h) {
+        const int t = SurfaceMesh::triangleOf(h);
+        if (mesh.wallLabel(t) / 2 != end.label / 2 || mesh.wallLabel(t) < 0) {
+            field.add(mesh.triangle(t));
+        }
+    });
+    return field.along(way);
+}
+
+double restLength(const SurfaceMesh& mesh, const SlitEnd& end) {
+    return (mesh.restPosition(end.vertices.back()) - mesh.restPosition(end.vertices.front()))
+        .norm();
 }
 
 std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh) {

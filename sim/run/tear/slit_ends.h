@@ -17,6 +17,9 @@ struct SlitEnd {
 /// The ends of all slits. O(triangles).
 std::vector<SlitEnd> findSlitEnds(const SurfaceMesh& mesh);
 
+/// From its first vertex to the last, at rest [m].
+double restLength(const SurfaceMesh& mesh, const SlitEnd& end);
+
 /// The axes of a slit's end, unit.
 struct EndFrame {
     Vec3 along = Vec3::Zero();    ///< from its first vertex to the last
@@ -29,8 +32,8 @@ std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end);
 /// At rest, heading as the slit does in the mean over its last `length` [m].
 std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length);
 
-/// Where the material is now that lies at `rest` [m] beside a vertex of an end.
-Vec3 presentPlace(const SurfaceMesh& mesh, const SlitEnd& end, int beside, const Vec3& rest);
+/// A way at rest from a vertex of an end as it is now, by the material about it [m].
+Vec3 presentWay(const SurfaceMesh& mesh, const SlitEnd& end, int from, const Vec3& way);
 
 /// A point of a wall near the end of its slit, at rest.
 struct PointBehind {

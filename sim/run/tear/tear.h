@@ -1,12 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/running_body.h"
 #include "sim/run/parts/simulation_parts.h"
-#include "sim/run/tear/slit_ends.h"
+#include "sim/run/tear/end_opening.h"
 #include "sim/run/tear/weak_spot.h"
 #include "sim/run/undo/undo_log.h"
 
@@ -30,18 +29,9 @@ class Tear {
     bool isOn() const;
     void watchEnds();
     void weakenBonds();
-    /// What a slit's end is opened by.
-    struct Opening {
-        double atFirst = 0;       ///< at its first vertex, of what makes it advance
-        double atLast = 0;        ///< at its last
-        Vec3 way = Vec3::Zero();  ///< sum of the ways from W- to W+ [m]
-        double most() const { return std::max(atFirst, atLast); }
-    };
-    Opening openingOf(const SlitEnd& end) const;
+    EndOpening openingAt(const SlitEnd& end) const;
     double stress() const;
-    void note(const Opening& opening);
-    double neededAt(int plus, double behind) const;
-    double freeReach() const;
+    void note(const EndOpening& opening);
     bool goOn();
     bool beginElsewhere();
     bool beginAtWeakSpot();
@@ -49,9 +39,7 @@ class Tear {
     bool notch(const WeakSpot& spot);
     bool mayBegin(const SlitEnd& end) const;
     void noteStuck(const SlitEnd& end);
-    CutOutcome advance(const SlitEnd& end, const Opening& opening, bool begins);
-    Blade bladeThrough(const Vec3& a, const Vec3& b);
-    std::optional<double> wayOut(const Vec3& from, const Vec3& direction);
+    CutOutcome advance(const SlitEnd& end, const EndOpening& opening, bool begins);
     CutOutcome cut(const Blade& to);
     void makeRoom();
     void beginStroke();
