@@ -138,10 +138,7 @@ std::string tearSentence(const StepReport& report, const Params& params, bool to
         return "";
     }
     if (params.solver == SolverMode::pbd || params.openCut != 0 || params.toughness == 0) {
-        const char* const why = params.toughness == 0              ? "a toughness of 0"
-                                : params.solver == SolverMode::pbd ? "the solver pbd"
-                                                                   : "the open cut";
-        return fmt::format("Nothing tears with {}.", why);
+        return "Nothing tears with a toughness of 0, the solver pbd or the open cut.";
     }
     if (!report.tear) {
         return "";

@@ -25,14 +25,13 @@ struct TearStroke {
     bool goesOn = false;       ///< the cutter's stroke is a tear
     int firstVertex = 0;       ///< those from here on are of the tear
     int idle = 0;              ///< steps since it last advanced
-    int failures = 0;          ///< advances in a row that cut nothing
     int rest = 0;              ///< steps until what is stuck is tried again
     std::vector<int> stuck{};  ///< first vertices of ends that could not advance
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(goesOn, firstVertex, idle, failures, rest, stuck);
+        io(goesOn, firstVertex, idle, rest, stuck);
     }
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
@@ -44,31 +43,6 @@ PointBehind placeBehind(const SurfaceMesh& mesh, int v, const std::vector<int>& 
     return nearest;
 }
 
-/// The axes of an end by where its vertices are.
-template <class At>
-std::optional<EndFrame> frameBy(const SurfaceMesh& mesh, const SlitEnd& end, const At& at) {
-    Vec3 side = Vec3::Zero();
-    Vec3 behind = Vec3::Zero();
-    for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
-        const int u = end.vertices[i];
-        const int v = end.vertices[i + 1];
-        const int h = mesh.findHalfEdge(u, v);
-        if (h >= 0) {
-            const Vec3 p = at(mesh.apex(h));
-            const Vec3 q = at(mesh.apex(mesh.twin(h)));
-            side -= unitNormal<Vec3>(at(u), at(v), p) + unitNormal<Vec3>(at(u), at(v), q);
-            behind += p + q - at(u) - at(v);
-        }
-    }
-    EndFrame frame;
-    frame.along = (at(end.vertices.back()) - at(end.vertices.front())).stableNormalized();
-    const Vec3 across = side - frame.along * side.dot(frame.along);
-    frame.heading = frame.along.cross(across).stableNormalized();
-    frame.heading *= frame.heading.dot(behind) > 0 ? -1 : 1;
-    frame.side = across.stableNormalized();
-    return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
-}
-
 }  // namespace
 
 std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& end, double most) {
@@ -91,12 +65,32 @@ std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& 
     return found;
 }
 
-std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end) {
-    return frameBy(mesh, end, [&](int v) { return mesh.position(v); });
+std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
+                                const cut::VertexPositions& at) {
+    Vec3 side = Vec3::Zero();
+    Vec3 behind = Vec3::Zero();
+    for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
+        const int u = end.vertices[i];
+        const int v = end.vertices[i + 1];
+        const int h = mesh.findHalfEdge(u, v);
+        if (h >= 0) {
+            const Vec3 p = at[mesh.apex(h)];
+            const Vec3 q = at[mesh.apex(mesh.twin(h))];
+            side -= unitNormal<Vec3>(at[u], at[v], p) + unitNormal<Vec3>(at[u], at[v], q);
+            behind += p + q - at[u] - at[v];
+        }
+    }
+    EndFrame frame;
+    frame.along = (at[end.vertices.back()] - at[end.vertices.front()]).stableNormalized();
+    const Vec3 across = side - frame.along * side.dot(frame.along);
+    frame.heading = frame.along.cross(across).stableNormalized();
+    frame.heading *= frame.heading.dot(behind) > 0 ? -1 : 1;
+    frame.side = across.stableNormalized();
+    return frame.heading.isZero(0) ? std::nullopt : std::optional(frame);
 }
 
 std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length) {
-    std::optional<EndFrame> frame = frameBy(mesh, end, [&](int v) { return mesh.restPosition(v); });
+    std::optional<EndFrame> frame = frameOf(mesh, end, cut::VertexPositions::atRest(mesh));
     if (!frame) {
         return frame;
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -27,8 +28,9 @@ struct EndFrame {
     Vec3 side = Vec3::Zero();     ///< towards the material of W+
 };
 
-/// As it is now; none for an end without a direction.
-std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end);
+/// By present or rest positions; none for an end without a direction.
+std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
+                                const cut::VertexPositions& at);
 /// At rest, heading as the slit does in the mean over its last `length` [m].
 std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length);
 

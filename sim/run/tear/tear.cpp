@@ -21,10 +21,9 @@ constexpr double kNearEnds = 3;      // no place near an end is a weak spot
 constexpr int kPause = 10;           // steps without an advance until another slit may tear
 constexpr double kNearlyOpen = 0.7;  // of what makes an end advance: the skin bears no more
 constexpr int kPatience = 400;       // steps without an advance until a tear has ended
-constexpr int kMostFailures = 3;     // in a row
 constexpr int kLooksForSpots = 5;    // steps
 constexpr int kRestAfterNotch = 20;  // steps, in which it relieves the skin
-constexpr int kRest = 100;           // steps until what failed is tried again
+constexpr int kRest = 30;            // steps until what failed is tried again
 
 /// At which the skin begins to tear.
 double leastStretch(const Params& params) {
@@ -103,50 +102,27 @@ void Tear::weakenBonds() {
 
 /// Returns whether the tear in progress advances.
 bool Tear::goOn() {
-    TearStroke& tear = body_.memory.tear;
     for (const SlitEnd& end : presentEnds()) {
         const EndOpening opening = openingAt(end);
-        note(opening);
-        if (opening.most() <= 1) {
-            continue;
+        if (opening.most() > 1) {
+            return advance(end, opening, false);
         }
-        const bool cuts = advance(end, opening, false) == CutOutcome::cut;
-        tear.failures = cuts ? 0 : tear.failures + 1;
-        if (tear.failures >= kMostFailures) {
-            endStroke();
-            noteStuck(end);
-        }
-        return cuts;
     }
     return false;
 }
 
 /// Returns whether the end of another slit does, the one that is opened most.
 bool Tear::beginElsewhere() {
-    const SlitEnd* found = nullptr;
-    EndOpening most;
-    most.atFirst = 1;
+    SlitEnd found;
+    EndOpening most{1, 1};
     for (const SlitEnd& end : allEnds()) {
-        if (!mayBegin(end)) {
-            continue;
-        }
-        const EndOpening opening = openingAt(end);
-        note(opening);
+        const EndOpening opening = mayBegin(end) ? openingAt(end) : EndOpening{};
         if (opening.most() > most.most()) {
             most = opening;
-            found = &end;
+            found = end;
         }
     }
-    if (found == nullptr) {
-        return false;
-    }
-    const SlitEnd end = *found;
-    const bool cuts = advance(end, most, true) == CutOutcome::cut;
-    if (!cuts) {
-        endStroke();
-        noteStuck(end);
-    }
-    return cuts;
+    return !found.vertices.empty() && advance(found, most, true);
 }
 
 bool Tear::mayBegin(const SlitEnd& end) const {
@@ -154,11 +130,6 @@ bool Tear::mayBegin(const SlitEnd& end) const {
     return restLength(body_.mesh(), end) >= kLeastEnd * body_.wallEdge &&
            std::ranges::find(tear.stuck, end.vertices.front()) == tear.stuck.end() &&
            !(tear.goesOn && shareVertices(end, body_.cutter->rung()));
-}
-
-void Tear::noteStuck(const SlitEnd& end) {
-    body_.memory.tear.stuck.push_back(end.vertices.front());
-    body_.memory.tear.rest = kRest;
 }
 
 /// Returns whether the skin is notched where it is stretched most.
@@ -207,26 +178,34 @@ bool Tear::notch(const WeakSpot& spot) {
     body_.memory.beginStroke(
         {.number = body_.cutter->strokeNumber(), .firstTriangle = body_.mesh().triangleSlots()});
     beginStroke();
-    const bool cuts = cut(to) == CutOutcome::cut;
+    const bool cuts = cut(to);
     endStroke();
     return cuts;
 }
 
-EndOpening Tear::openingAt(const SlitEnd& end) const {
-    return openingOf(body_.mesh(), body_.memory.cohesion, body_.wallEdge, end);
+/// Notes the largest, too.
+EndOpening Tear::openingAt(const SlitEnd& end) {
+    const EndOpening opening = openingOf(body_.mesh(), body_.memory.cohesion, body_.wallEdge, end);
+    double& most = output_.report.tear->opening;
+    most = std::max(most, opening.most());
+    return opening;
 }
 
-CutOutcome Tear::advance(const SlitEnd& end, const EndOpening& opening, bool begins) {
+/// Returns whether it cuts. An end that can't advance rests.
+bool Tear::advance(const SlitEnd& end, const EndOpening& opening, bool begins) {
     const std::optional<TearBlade> blade = bladeOf(body_, end, opening);
-    if (!blade) {
-        return CutOutcome::air;
-    }
-    if (begins) {
+    if (blade && begins) {
         makeRoom();
         body_.cutter->goOnFrom({end.vertices, end.label / 2, blade->heading}, blade->from);
         beginStroke();
     }
-    return cut(blade->to);
+    const bool cuts = blade && cut(blade->to);
+    if (!cuts) {
+        endStroke();
+        body_.memory.tear.stuck.push_back(end.vertices.front());
+        body_.memory.tear.rest = kRest;
+    }
+    return cuts;
 }
 
 /// The largest stress of the skin, as a share of the strength.
@@ -234,19 +213,15 @@ double Tear::stress() const {
     return body_.memory.measure.largestStretch / leastStretch(input_.params);
 }
 
-void Tear::note(const EndOpening& opening) {
-    double& most = output_.report.tear->opening;
-    most = std::max(most, opening.most());
-}
-
-CutOutcome Tear::cut(const Blade& to) {
+/// Returns whether it cuts.
+bool Tear::cut(const Blade& to) {
     const CutResult result = body_.cutter->advance(to);
     followTear(result, body_, log_.history(), output_);
     if (result.outcome != CutOutcome::cut) {
         output_.report.tear->failure =
             result.reason.empty() ? "no material lies ahead of the slit" : result.reason;
     }
-    return result.outcome;
+    return result.outcome == CutOutcome::cut;
 }
 
 /// Ends whatever stroke there is: of another tear, or of a blade in the air.
@@ -261,7 +236,6 @@ void Tear::beginStroke() {
     TearStroke& tear = body_.memory.tear;
     tear.goesOn = true;
     tear.firstVertex = body_.mesh().vertexCount();
-    tear.failures = 0;
 }
 
 void Tear::endStroke() {

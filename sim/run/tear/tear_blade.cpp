@@ -31,8 +31,7 @@ double turnOf(const EndFrame& frame, const Vec3& way) {
 
 /// How far an end of the blade goes, in edges.
 double advanceBy(double opening, double other) {
-    const double needed = other > 1 ? kFollows : 1;
-    return opening < needed ? 0 : std::min(opening, 1.0);
+    return opening < (other > 1 ? kFollows : 1) ? 0 : std::min(opening, 1.0);
 }
 
 /// How far an end reaches ahead of the line between its first and last vertex [m].
@@ -67,18 +66,16 @@ std::optional<double> wayOut(RunningBody& body, const Vec3& from, const Vec3& di
 Blade bladeThrough(RunningBody& body, const Vec3& a, const Vec3& b) {
     const Vec3 middle = 0.5 * (a + b);
     const Vec3 axis = (b - a).stableNormalized();
-    const double length = (b - a).norm();
-    const double overhang = kOverhang * body.wallEdge;
     const auto out = [&](const Vec3& direction) -> Vec3 {
-        const double way = wayOut(body, middle, direction).value_or(0.5 * length);
-        return middle + (way + overhang) * direction;
+        const double way = wayOut(body, middle, direction).value_or(0.5 * (b - a).norm());
+        return middle + (way + kOverhang * body.wallEdge) * direction;
     };
     return {out(-axis), out(axis)};
 }
 
 std::optional<TearBlade> bladeOf(RunningBody& body, const SlitEnd& end, const EndOpening& opening) {
     const SurfaceMesh& mesh = body.mesh();
-    const std::optional<EndFrame> frame = frameOf(mesh, end);
+    const std::optional<EndFrame> frame = frameOf(mesh, end, cut::VertexPositions::current(mesh));
     const std::optional<EndFrame> rest = restFrameOf(mesh, end, kEdgesInZone * body.wallEdge);
     if (!frame || !rest) {
         return std::nullopt;

@@ -108,7 +108,8 @@ TEST(TearSentence, SaysWhyItTearsOrNot) {
     report.tear->failure = "no room";
     EXPECT_THAT(tearSentence(report, params, true), HasSubstr("(no room)"));
     params.solver = SolverMode::pbd;
-    EXPECT_EQ(tearSentence(report, params, true), "Nothing tears with the solver pbd.");
+    EXPECT_EQ(tearSentence(report, params, true),
+              "Nothing tears with a toughness of 0, the solver pbd or the open cut.");
 }
 
 // A file may hold several shells.
