@@ -150,7 +150,7 @@ std::string tearSentence(const StepReport& report, const Params& params, bool to
     }
     if (toreLately) {
         return tear.opening > 0 ? "Tearing at the end of a slit."
-                                : "Tearing: the stress exceeds the tensile strength.";
+                                : "Torn through, or where the stress exceeds the tensile strength.";
     }
     if (tear.opening > 0) {
         return fmt::format(
