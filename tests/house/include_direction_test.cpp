@@ -59,6 +59,7 @@ const std::vector<fs::path> kRooms = {
     "app/files/import",
     "app/files/export",
     "app/files/film",
+    "app/practice",
     "app/session",
     "app/journal",
     "app/regression",
