@@ -1,0 +1,418 @@
+#include "app/practice/cut_measure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr double kTop = 0.5;   // of a cube of 1 m
+constexpr double kAt = 0.013;  // z of most cuts [m]
+
+/// A body that is cut for a task: what lies within `lump` [m] of the origin is model 1, else 0.
+class PracticeBody {
+  public:
+    explicit PracticeBody(SurfaceMesh whole, double lump = 0)
+        : uncut_(std::move(whole)), mesh_(uncut_), lump_(lump) {}
+
+    void cut(const test::Stroke& way) {
+        const CutCheck check = test::runStroke(cutter_, mesh_, way);
+        ASSERT_EQ(check.problem, "");
+        ASSERT_EQ(check.refused, 0) << check.reason;
+        ASSERT_GT(check.cuts, 0);
+    }
+    CutScore score(const Task& task) { return measureCut(view(task)); }
+    std::vector<float> deviations(const Task& task) { return deviationAtWalls(view(task)); }
+    SurfaceMesh& mesh() { return mesh_; }
+
+  private:
+    using CutCheck = test::CutCheck;
+
+    std::vector<int> membersOf(const SurfaceMesh& mesh) const {
+        std::vector<int> members(mesh.triangleSlots(), -1);
+        for (const int t : livingTriangles(mesh)) {
+            const Corners at = restCornersOf(mesh, t);
+            members[t] = ((at[0] + at[1] + at[2]) / 3).norm() < lump_ ? 1 : 0;
+        }
+        return members;
+    }
+    TaskBody view(const Task& task) {
+        members_ = membersOf(mesh_);
+        uncutMembers_ = membersOf(uncut_);
+        return {task, mesh_, uncut_, members_, uncutMembers_};
+    }
+
+    SurfaceMesh uncut_;
+    SurfaceMesh mesh_;
+    double lump_;
+    Cutter cutter_{mesh_, CutSettings{}};
+    std::vector<int> members_;
+    std::vector<int> uncutMembers_;
+};
+
+PracticeBody cube() {
+    return PracticeBody(test::box(Vec3::Ones(), 6));
+}
+
+/// A cube with a ball of radius 0.08 m in a cavity in its middle.
+PracticeBody cubeWithLump() {
+    const TriangleSoup hollow = test::joined(
+        test::boxSoup(Vec3::Ones(), 6), test::turned(test::icosphereSoup(2, 0.105)), Vec3::Zero());
+    return PracticeBody(
+        test::meshOf(test::joined(hollow, test::icosphereSoup(2, 0.08), Vec3::Zero())), 0.09);
+}
+
+/// Downwards across the whole cube in the plane z = `z`, to `depth` below its top [m].
+test::Stroke downTo(double depth, double z = kAt) {
+    const double above = 0.2;
+    return test::straightStroke({0.01, kTop + (above - depth) / 2, z}, Vec3::UnitX(),
+                                -Vec3::UnitY(), 2, above + depth,
+                                static_cast<int>(60 * (above + depth)));
+}
+
+/// By an upright blade that reaches `depth` below the top, from one place there to another [m].
+test::Stroke drawn(const Vec3& from, const Vec3& to, double depth) {
+    test::Stroke stroke;
+    const int steps = static_cast<int>(std::ceil(60 * (to - from).norm()));
+    for (int i = 0; i <= steps; ++i) {
+        const Vec3 at = from + (to - from) * i / steps;
+        stroke.push_back({at + Vec3(0, 0.2, 0), at - Vec3(0, depth, 0)});
+    }
+    return stroke;
+}
+
+/// All around the middle, right through.
+test::Stroke around(double radius, double turns = 1) {
+    constexpr int kRound = 88;
+    test::Stroke stroke;
+    for (int i = 0; i <= turns * kRound; ++i) {
+        const double angle = 2 * std::numbers::pi * (i % kRound) / kRound + 0.01;
+        const Vec3 at(radius * std::cos(angle), 0, radius * std::sin(angle));
+        stroke.push_back({at + Vec3::UnitY(), at - Vec3::UnitY()});
+    }
+    return stroke;
+}
+
+TaskLine lineOf(double fromX, double toX, double z = kAt) {
+    TaskLine line;
+    line.points = {{fromX, kTop, z}, {toX, kTop, z}};
+    line.reach = 0.1;
+    return line;
+}
+
+Task taskOf(const TaskLine& line) {
+    Task task;
+    task.lines = {line};
+    return task;
+}
+
+TaskLine deep(TaskLine line, double depth, double band) {
+    line.depth = depth;
+    line.band = band;
+    return line;
+}
+
+TEST(CutMeasure, AStraightCutAlongTheLineHasNoDeviation) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3));
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.5, 0.5), 0.3, 0.01)));
+    EXPECT_LT(*score.deviationMax, 1e-3);
+    EXPECT_LE(*score.deviationMean, *score.deviationMax);
+    EXPECT_EQ(score.lineDeviations.at(0), score.deviationMax);
+    EXPECT_NEAR(*score.depthMean, 0.3, 2e-3);
+    EXPECT_EQ(*score.depthInBand, 1);
+    EXPECT_NEAR(*score.lengthUnder, 0, 1e-3);
+    EXPECT_NEAR(*score.lengthOver, 0, 1e-9);
+    EXPECT_FALSE(score.marginLeast || score.marginMean || score.taken || score.excisedVolume ||
+                 score.thicknessMean || score.thicknessInBand);
+    EXPECT_EQ(*body.score(taskOf(deep(lineOf(-0.5, 0.5), 0.25, 0.04))).depthInBand, 0);
+    EXPECT_FALSE(body.score(taskOf(lineOf(-0.5, 0.5))).depthMean) << "right through";
+}
+
+TEST(CutMeasure, AStraightCutBesideTheLineDeviatesByItsOffset) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3, kAt + 0.04));
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.3, 0.01)));
+    EXPECT_NEAR(*score.deviationMean, 0.04, 1e-3);
+    EXPECT_NEAR(*score.deviationMax, 0.04, 1e-3);
+    EXPECT_NEAR(*score.depthMean, 0.3, 2e-3);
+    EXPECT_NEAR(*score.lengthUnder, 0, 1e-9);
+}
+
+// As large as those of the tasks: what a perfect hand is found to deviate.
+TEST(CutMeasure, ACutOfAPadIsMeasuredToAFewHundredthsOfAMillimetre) {
+    PracticeBody body(test::box({0.12, 0.02, 0.08}, 24));
+    test::Stroke stroke;
+    for (int i = 0; i <= 150; ++i) {
+        const Vec3 at(-0.075 + 0.001 * i, 0.01, 0.0021);
+        stroke.push_back({at + Vec3(0, 0.02, 0), at - Vec3(0, 0.005, 0)});
+    }
+    body.cut(stroke);
+    TaskLine line;
+    line.points = {{-0.035, 0.01, 0.0006}, {0.035, 0.01, 0.0006}};
+    line.depth = 0.005;
+    line.band = 0.0002;
+    const CutScore score = body.score(taskOf(line));
+    EXPECT_NEAR(*score.deviationMean, 0.0015, 2e-5);
+    EXPECT_NEAR(*score.deviationMax, 0.0015, 5e-5);
+    EXPECT_NEAR(*score.depthMean, 0.005, 5e-5);
+    EXPECT_EQ(*score.depthInBand, 1);
+    EXPECT_NEAR(*score.lengthOver, 0.05 + 2 * 0.005, 5e-4);
+}
+
+TEST(CutMeasure, ASlantedCutDeviatesMoreAndMore) {
+    PracticeBody body = cube();
+    body.cut(drawn({-0.7, kTop, kAt - 0.07}, {0.7, kTop, kAt + 0.07}, 0.3));
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.3, 0.01)));
+    EXPECT_NEAR(*score.deviationMean, 0.02, 1e-3);
+    EXPECT_NEAR(*score.deviationMax, 0.04, 1e-3);
+}
+
+TEST(CutMeasure, ALeaningCutDeviatesByItsRimAlone) {
+    PracticeBody body = cube();
+    const Vec3 lean(0, 0.5, 0.1);
+    test::Stroke stroke;
+    for (int i = 0; i <= 80; ++i) {
+        const Vec3 at(-0.7 + 1.4 * i / 80, kTop, kAt);
+        stroke.push_back({at + 0.4 * lean, at - 0.6 * lean});
+    }
+    body.cut(stroke);
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.3, 0.01)));
+    EXPECT_LT(*score.deviationMax, 1e-3);
+    EXPECT_NEAR(*score.depthMean, 0.3, 2e-3);
+}
+
+TEST(CutMeasure, HalfTheLengthLeavesHalfOfTheLine) {
+    PracticeBody body = cube();
+    body.cut(drawn({-0.8, kTop, kAt}, {0, kTop, kAt}, 0.3));
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.3, 0.01)));
+    EXPECT_NEAR(*score.lengthUnder, 0.4, 0.01);
+    EXPECT_LT(*score.deviationMax, 1e-3);
+    EXPECT_NEAR(*score.depthMean, 0.3, 5e-3) << "only where it is cut";
+    EXPECT_NEAR(*score.lengthOver, 0.1 + 0.3, 0.03) << "to the border of the cube and down";
+}
+
+TEST(CutMeasure, RimsBeyondTheEndsAreOver) {
+    PracticeBody body = cube();
+    body.cut(test::straightStroke({0, kTop, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.6, 0.4, 24));
+    const CutScore longer = body.score(taskOf(lineOf(-0.2, 0.2)));
+    EXPECT_NEAR(*longer.lengthOver, 0.2, 0.01);
+    EXPECT_NEAR(*longer.lengthUnder, 0, 1e-9);
+    EXPECT_LT(*longer.deviationMax, 1e-3);
+    const CutScore shorter = body.score(taskOf(lineOf(-0.4, 0.4)));
+    EXPECT_NEAR(*shorter.lengthUnder, 0.2, 0.01);
+    EXPECT_NEAR(*shorter.lengthOver, 0, 1e-9);
+    TaskLine other = lineOf(-0.2, 0.2);
+    other.model = 1;
+    EXPECT_EQ(*body.score(taskOf(other)).lengthOver, 0) << "a model without a line";
+}
+
+TEST(CutMeasure, OfTwoSlitsTheFartherCountsAndOneBeyondReachIsOver) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3));
+    body.cut(downTo(0.3, kAt + 0.07));
+    const Task near = taskOf(lineOf(-0.5, 0.5));
+    EXPECT_NEAR(*body.score(near).deviationMax, 0.07, 1e-3);
+    EXPECT_NEAR(*body.score(near).deviationMean, 0.07, 2e-3);
+    EXPECT_NEAR(*body.score(near).lengthOver, 0, 1e-9);
+
+    TaskLine narrow = lineOf(-0.5, 0.5);
+    narrow.reach = 0.05;
+    const CutScore score = body.score(taskOf(narrow));
+    EXPECT_LT(*score.deviationMax, 1e-3);
+    EXPECT_NEAR(*score.lengthOver, 1 + 2 * 0.3, 5e-3) << "over the top and down both sides";
+}
+
+TEST(CutMeasure, ACutBelongsToTheNearerOfTwoLines) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3, 0.01));
+    body.cut(downTo(0.2, 0.08));
+    Task task;
+    task.lines = {deep(lineOf(-0.5, 0.5, 0), 0.3, 0.01), deep(lineOf(-0.5, 0.5, 0.1), 0.3, 0.01)};
+    const CutScore score = body.score(task);
+    EXPECT_NEAR(score.lineDeviations.at(0).value(), 0.01, 1e-3);
+    EXPECT_NEAR(score.lineDeviations.at(1).value(), 0.02, 1e-3);
+    EXPECT_NEAR(*score.deviationMax, 0.02, 1e-3);
+    EXPECT_NEAR(*score.deviationMean, 0.015, 1e-3);
+    EXPECT_NEAR(*score.depthMean, 0.25, 2e-3);
+    EXPECT_NEAR(*score.depthInBand, 0.5, 1e-2);
+    EXPECT_NEAR(*score.lengthOver, 0, 1e-9);
+}
+
+TEST(CutMeasure, NothingCutHasNoDeviationAndLeavesTheWholeLine) {
+    PracticeBody body = cube();
+    Task task = taskOf(deep(lineOf(-0.7, 0.2), 0.3, 0.01));
+    task.spareRegions = {{Ball{Vec3::Zero(), 0.1}, 0}};
+    task.slice = TaskSlice{0.1, 0.01};
+    const CutScore score = body.score(task);
+    EXPECT_FALSE(score.deviationMean || score.deviationMax || score.depthMean ||
+                 score.depthInBand || score.marginLeast || score.marginMean ||
+                 score.thicknessMean || score.thicknessInBand);
+    EXPECT_NEAR(*score.lengthUnder, 0.7, 1e-3) << "what hangs over is not of the line";
+    EXPECT_EQ(*score.lengthOver, 0);
+    EXPECT_FALSE(body.score(Task{}).lengthUnder) << "no line";
+}
+
+TEST(CutMeasure, ReadsTheRestShapeOnly) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3, kAt + 0.04));
+    Task task = taskOf(deep(lineOf(-0.4, 0.4), 0.3, 0.01));
+    task.spareRegions = {{Ball{Vec3::Zero(), 0.1}, 0}};
+    const CutScore before = body.score(task);
+    for (int v = 0; v < body.mesh().vertexCount(); ++v) {
+        body.mesh().setPosition(v, 2 * body.mesh().position(v) + Vec3::Ones());
+    }
+    const CutScore after = body.score(task);
+    EXPECT_EQ(before.deviationMean, after.deviationMean);
+    EXPECT_EQ(before.depthMean, after.depthMean);
+    EXPECT_EQ(before.lengthOver, after.lengthOver);
+    EXPECT_EQ(before.marginMean, after.marginMean);
+}
+
+TEST(CutMeasure, TearsAreNoCuts) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3));
+    body.mesh().noteTorn(body.mesh().vertexCount());
+    const Task task = taskOf(lineOf(-0.5, 0.5));
+    EXPECT_TRUE(body.score(task).deviationMax) << "none of its vertices is torn";
+    body.mesh().noteTorn(0);
+    EXPECT_FALSE(body.score(task).deviationMax);
+    EXPECT_NEAR(*body.score(task).lengthUnder, 1, 1e-9);
+    Task sparing = task;
+    sparing.spare = {{0, 0.1}};
+    EXPECT_EQ(body.score(sparing).harmed, std::vector{0}) << "but a tear does harm";
+}
+
+TEST(CutMeasure, MarginsToABallABoxAndAModel) {
+    PracticeBody body = cubeWithLump();
+    body.cut(downTo(1.5, 0.25));
+    Task task;
+    task.spareRegions = {{Ball{{0, 0, -0.1}, 0.1}, 0}};
+    EXPECT_NEAR(*body.score(task).marginLeast, 0.25, 5e-3);
+    EXPECT_GT(*body.score(task).marginMean, 0.3);
+    task.spareRegions = {{Bounds{{-1, -1, 0.3}, {1, 1, 1}}, 0}};
+    EXPECT_NEAR(*body.score(task).marginLeast, 0.05, 1e-3);
+    EXPECT_NEAR(*body.score(task).marginMean, 0.05, 1e-3) << "the same everywhere";
+    task.spareRegions = {{Bounds{{-1, -1, 0.1}, {1, 1, 0.26}}, 0}};
+    EXPECT_NEAR(*body.score(task).marginLeast, -0.01, 1e-3) << "inside";
+    task.spareRegions = {{Ball{{0, 0, 0.25}, 0.2}, 0}};
+    EXPECT_NEAR(*body.score(task).marginLeast, -0.2, 0.03) << "through its middle";
+
+    task.spareRegions.clear();
+    task.spare = {{1, 0}};
+    EXPECT_NEAR(*body.score(task).marginLeast, 0.25 - 0.08, 5e-3);
+    EXPECT_TRUE(body.score(task).harmed.empty());
+    task.spareRegions = {{Bounds{{-1, -1, 0.3}, {1, 1, 1}}, 0}};
+    const CutScore both = body.score(task);
+    EXPECT_NEAR(*both.marginLeast, 0.05, 1e-3) << "the least of both";
+    EXPECT_NEAR(both.partMargins.at(0).value(), 0.17, 5e-3);
+    EXPECT_NEAR(both.partMargins.at(1).value(), 0.05, 1e-3);
+}
+
+TEST(CutMeasure, ASparedModelThatIsCutHasNoMargin) {
+    PracticeBody body = cubeWithLump();
+    body.cut(downTo(1.5));
+    Task task;
+    task.spare = {{1, 0.02}};
+    task.take = 1;
+    const CutScore score = body.score(task);
+    EXPECT_EQ(score.harmed, std::vector{1});
+    EXPECT_EQ(*score.marginLeast, 0);
+    EXPECT_GT(*score.marginMean, 0.05) << "of the other model's walls";
+    EXPECT_FALSE(*score.taken);
+    EXPECT_FALSE(score.excisedVolume);
+}
+
+TEST(CutMeasure, ALumpInAPieceApartIsTaken) {
+    PracticeBody body = cubeWithLump();
+    Task task;
+    task.take = 1;
+    task.spare = {{1, 0.1}};
+    EXPECT_FALSE(*body.score(task).taken) << "nothing is cut";
+    body.cut(around(0.3));
+    const CutScore score = body.score(task);
+    EXPECT_TRUE(*score.taken);
+    const double cavity = meshRestVolume(test::icosphere(2, 0.105));
+    EXPECT_NEAR(*score.excisedVolume, std::numbers::pi * 0.3 * 0.3 - cavity, 3e-3);
+    EXPECT_NEAR(*score.marginLeast, 0.3 - 0.08, 5e-3);
+}
+
+TEST(CutMeasure, ALumpInTheRestOfTheBodyIsNotTaken) {
+    Task task;
+    task.take = 1;
+    PracticeBody beside = cubeWithLump();
+    beside.cut(downTo(1.5, 0.3));
+    EXPECT_FALSE(*beside.score(task).taken) << "the smaller piece is without it";
+    PracticeBody half = cubeWithLump();
+    half.cut(around(0.3, 0.5));
+    EXPECT_FALSE(*half.score(task).taken) << "half of the way around";
+    PracticeBody laidBare = cubeWithLump();
+    laidBare.cut(downTo(1.5, 0.095));
+    EXPECT_FALSE(*laidBare.score(task).taken) << "its cavity is open";
+}
+
+TEST(CutMeasure, ASliceIsAsThickAsItsFacesLieApart) {
+    PracticeBody body = cube();
+    Task task;
+    task.slice = TaskSlice{0.12, 0.01};
+    body.cut(downTo(1.5, 0.05));
+    EXPECT_FALSE(body.score(task).thicknessMean) << "one face";
+    body.cut(downTo(1.5, 0.17));
+    ASSERT_EQ(findPieces(body.mesh()).pieces.size(), 3U);
+    EXPECT_NEAR(*body.score(task).thicknessMean, 0.12, 1e-3);
+    EXPECT_EQ(*body.score(task).thicknessInBand, 1);
+    task.slice = TaskSlice{0.15, 0.01};
+    EXPECT_NEAR(*body.score(task).thicknessMean, 0.12, 1e-3);
+    EXPECT_EQ(*body.score(task).thicknessInBand, 0);
+    EXPECT_FALSE(body.score(Task{}).thicknessMean) << "not asked for";
+}
+
+TEST(CutMeasure, AWedgeIsInItsBandInPart) {
+    PracticeBody body = cube();
+    body.cut(downTo(1.5, 0.05));
+    body.cut(test::straightStroke({0.01, 0, 0.17}, Vec3(1, 0, 0.1).normalized(), -Vec3::UnitY(), 2,
+                                  1.5, 90));
+    Task task;
+    task.slice = TaskSlice{0.12, 0.025};
+    EXPECT_NEAR(*body.score(task).thicknessMean, 0.12, 2e-3);
+    EXPECT_NEAR(*body.score(task).thicknessInBand, 0.5, 0.1);
+}
+
+TEST(CutMeasure, TwoSlitsMakeNoSlice) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.5, 0.05));
+    body.cut(downTo(0.5, 0.17));
+    Task task;
+    task.slice = TaskSlice{0.12, 0.01};
+    EXPECT_FALSE(body.score(task).thicknessMean);
+}
+
+TEST(CutMeasure, WallsHaveTheirDeviationAsAColour) {
+    PracticeBody body = cube();
+    body.cut(downTo(0.3, kAt + 0.04));
+    const std::vector<float> values = body.deviations(taskOf(lineOf(-0.2, 0.2)));
+    ASSERT_EQ(values.size(), 2U * body.mesh().vertexCount());
+    int walls = 0;
+    for (const int t : livingTriangles(body.mesh())) {
+        for (const int v : body.mesh().triangle(t)) {
+            EXPECT_EQ(values[2 * v], -1) << "skin has none";
+            if (body.mesh().kind(t) == SurfaceKind::wall) {
+                const bool isBeyond = std::abs(body.mesh().restPosition(v).x()) > 0.2;
+                EXPECT_NEAR(values[2 * v + 1], isBeyond ? -1 : 0.04, 1e-3);
+                ++walls;
+            }
+        }
+    }
+    EXPECT_GT(walls, 100);
+}
+
+}  // namespace
+}  // namespace kerf::app
