@@ -1,0 +1,72 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/practice/cut_measure.h"
+#include "app/practice/hand_path.h"
+
+namespace kerf::app {
+
+/// The load on the blade during a step.
+struct ForceSample {
+    double begin = 0;  ///< of the step, in simulated time [s]
+    double end = 0;    ///< [s]
+    Vec3 force = Vec3::Zero();
+};
+
+/// Forces as means over short windows of simulated time; none without a load.
+struct ForceScore {
+    std::optional<double> largest;  ///< [N]
+    std::optional<double> mean;     ///< of the windows with a load [N]
+};
+
+/// How well a task was done.
+struct Score {
+    CutScore cut;
+    MotionScore motion;
+    ForceScore force;
+    std::vector<std::string> violations;  ///< a sentence for each limit that was not kept
+    bool passed() const { return violations.empty(); }
+};
+
+/// A try: what was cut, how the hand moved, and what must not happen.
+struct TaskRun {
+    TaskBody body;
+    std::span<const HandPose> hand;
+    std::span<const ForceSample> forces;  ///< in the order of time
+    int undos = 0;
+    int changes = 0;  ///< of parameters, after the start
+};
+
+/// Measures and judges a try. The same input gives the same bits.
+Score scoreOf(const TaskRun& run);
+
+/// What figures are for people.
+struct FigureUnit {
+    const char* name;
+    double factor;  ///< from SI
+    int digits;     ///< after the point
+    bool isFlag = false;
+};
+
+/// A figure of a score, as files, panels and pages have it.
+struct FigureRow {
+    const char* key;  ///< in files, where it has SI units
+    const char* label;
+    FigureUnit unit;
+    int better;  ///< 1: more is better; -1: less; 0: neither
+    std::optional<double> (*value)(const Score& score);
+    std::optional<double> (*limit)(const Task& task) = nullptr;  ///< null where tasks have none
+};
+std::span<const FigureRow> figureRows();
+
+/// A value for people, without its unit; "" for none.
+std::string formatFigure(const FigureUnit& unit, std::optional<double> value);
+/// `score` of summary.json (docs/session-format.md).
+nlohmann::ordered_json toJson(const Score& score, const Task& task);
+
+}  // namespace kerf::app

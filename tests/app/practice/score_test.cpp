@@ -1,0 +1,292 @@
+#include "app/practice/score.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/support/cut_strokes.h"
+#include "tests/support/shapes.h"
+
+namespace kerf::app {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A cube of 1 m that is cut 0.3 m deep along a line, by a hand that takes 2 s.
+class ScoreTest : public testing::Test {
+  protected:
+    ScoreTest() {
+        TaskLine line;
+        line.points = {{-0.5, 0.5, 0.013}, {0.5, 0.5, 0.013}};
+        line.reach = 0.1;
+        line.depth = 0.3;
+        line.band = 0.01;
+        task_.name = "Cube";
+        task_.lines = {line};
+        for (int i = 0; i <= 200; ++i) {
+            const double share = i / 200.0;
+            const double x = 0.07 * share * share * share * (10 - 15 * share + 6 * share * share);
+            hand_.push_back({3 + 2 * share, {{x, 1, 0}, {x, 0, 0}}, i == 0});
+        }
+    }
+
+    void cut(double depth = 0.3, double z = 0.013) {
+        const test::CutCheck check =
+            test::runStroke(cutter_, mesh_,
+                            test::straightStroke({0.01, 0.5 + (0.2 - depth) / 2, z}, Vec3::UnitX(),
+                                                 -Vec3::UnitY(), 2, 0.2 + depth, 30));
+        ASSERT_EQ(check.problem, "");
+        ASSERT_EQ(check.refused, 0);
+    }
+    void push(double seconds, double step, const Vec3& force) {
+        for (const double end = now_ + seconds; now_ < end - 1e-9; now_ += step) {
+            forces_.push_back({now_, now_ + step, force});
+        }
+    }
+    TaskRun run() {
+        members_.assign(mesh_.triangleSlots(), 0);
+        uncutMembers_.assign(uncut_.triangleSlots(), 0);
+        return {{task_, mesh_, uncut_, members_, uncutMembers_}, hand_, forces_};
+    }
+    Score score() { return scoreOf(run()); }
+
+    Task task_;
+    SurfaceMesh uncut_ = test::box(Vec3::Ones(), 6);
+    SurfaceMesh mesh_ = uncut_;
+    Cutter cutter_{mesh_, CutSettings{}};
+    std::vector<HandPose> hand_;
+    std::vector<ForceSample> forces_;
+    double now_ = 0;  ///< simulated time [s]
+
+  private:
+    std::vector<int> members_;
+    std::vector<int> uncutMembers_;
+};
+
+double valueOf(const Score& score, const std::string& key) {
+    const auto row = std::ranges::find(figureRows(), key, &FigureRow::key);
+    return row->value(score).value();
+}
+
+TEST_F(ScoreTest, EachFigureOfTheTableIsItsOwn) {
+    std::set<std::string> keys;
+    std::set<std::string> labels;
+    for (const FigureRow& row : figureRows()) {
+        EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+        EXPECT_TRUE(labels.insert(row.label).second) << row.label;
+    }
+    EXPECT_EQ(keys.size(), 20U);
+    // Each member has another value, so no row may show that of another.
+    Score all;
+    all.cut = {1, 2, 3, 4, 5, 6, 7, 8, true, 9, 10, 11, {}, {}, {}};
+    all.motion = {12, 13, 14, 15, 16, 17};
+    all.force = {18, 19};
+    std::multiset<double> values;
+    for (const FigureRow& row : figureRows()) {
+        values.insert(row.value(all).value());
+        EXPECT_FALSE(row.value(Score{})) << row.key;
+    }
+    EXPECT_EQ(values.count(1), 2U) << "and what is taken";
+    EXPECT_EQ(std::set(values.begin(), values.end()).size(), 19U);
+    EXPECT_EQ(valueOf(all, "thickness_in_band"), 11);
+    EXPECT_EQ(valueOf(all, "excised_volume"), 9);
+    EXPECT_EQ(valueOf(all, "force_mean"), 19);
+    EXPECT_EQ(valueOf(all, "idle_time"), 17);
+}
+
+TEST_F(ScoreTest, ACutWithinAllLimitsPasses) {
+    cut();
+    push(0.5, 0.005, {0, 2, 0});
+    task_.lines[0].deviation = 0.002;
+    task_.spareRegions = {{Ball{Vec3(0, 0, 0.3), 0.1}, 0.1}};
+    task_.seconds = 2.5;
+    task_.newtons = 2.1;
+    task_.idle = 0.5;
+    task_.economy = 0.9;
+    task_.path = 0.07;
+    task_.smoothness = -6;
+    task_.inBand = 0.9;
+    const Score score = this->score();
+    EXPECT_THAT(score.violations, IsEmpty());
+    EXPECT_TRUE(score.passed());
+    EXPECT_NEAR(valueOf(score, "depth_mean"), 0.3, 2e-3);
+    EXPECT_NEAR(valueOf(score, "time"), 2, 1e-9);
+}
+
+TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
+    cut(0.4, 0.033);
+    push(0.5, 0.005, {0, 2, 0});
+    task_.lines[0].deviation = 0.002;
+    task_.spareRegions = {{Ball{Vec3(0, 0.2, 0.3), 0.1}, 0.2}};
+    task_.take = 0;
+    task_.seconds = 1.5;
+    task_.newtons = 1.9;
+    task_.economy = 0.9;
+    task_.path = 0.035;
+    task_.smoothness = -2;
+    task_.inBand = 0.9;
+    TaskRun run = this->run();
+    run.undos = 1;
+    run.changes = 2;
+    const Score score = scoreOf(run);
+    EXPECT_FALSE(score.passed());
+    EXPECT_THAT(
+        score.violations,
+        ElementsAre("Largest deviation: 20.00 mm (at most 2.00 mm).",
+                    "Depth in its band: 0.0 % (at least 90.0 %).", HasSubstr("Least margin: 16"),
+                    "Taken out whole: no.", "Time: 2.00 s (at most 1.50 s).",
+                    "Economy of the path: 50.0 % (at least 90.0 %).", HasSubstr("Smoothness: -5."),
+                    "Largest force: 2.000 N (at most 1.900 N).", "1 change was undone.",
+                    "2 parameters were set after the start."));
+}
+
+TEST_F(ScoreTest, HalfACutAndNoCutDoNotPass) {
+    task_.lines[0].deviation = 0.002;
+    EXPECT_THAT(score().violations,
+                ElementsAre("Largest deviation: not measured (at most 2.00 mm).",
+                            "Not cut: 1000.00 mm (at most 4.00 mm)."));
+    test::runStroke(
+        cutter_, mesh_,
+        test::straightStroke({0, 0.5, 0.013}, Vec3::UnitX(), -Vec3::UnitY(), 0.5, 0.4, 24));
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Not cut: 5")));
+    task_.lines[0].points = {{-0.1, 0.5, 0.013}, {0.1, 0.5, 0.013}};
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Cut elsewhere: ")));
+    task_.lines[0].deviation.reset();
+    EXPECT_TRUE(score().passed()) << "no limit";
+}
+
+TEST_F(ScoreTest, WhatIsNotMeasuredDoesNotPass) {
+    cut();
+    task_.newtons = 2;
+    task_.economy = 0.5;
+    EXPECT_THAT(score().violations,
+                ElementsAre("Economy of the path: not measured (at least 50.0 %).",
+                            "Largest force: not measured (at most 2.000 N)."));
+}
+
+TEST_F(ScoreTest, LinesAndPartsWithLimitsOfTheirOwnAreJudgedAlone) {
+    cut(0.3, 0.01);
+    cut(0.3, 0.12);
+    task_.lines[0].reach = 0.04;
+    task_.lines.push_back(task_.lines[0]);
+    task_.lines[0].points = {{-0.5, 0.5, 0}, {0.5, 0.5, 0}};
+    task_.lines[1].points = {{-0.5, 0.5, 0.1}, {0.5, 0.5, 0.1}};
+    task_.lines[0].deviation = 0.015;
+    task_.lines[1].deviation = 0.025;
+    EXPECT_TRUE(score().passed()) << "10 and 20 mm beside";
+    task_.lines[1].deviation = 0.015;
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Largest deviation: 20.0")));
+    task_.lines[0].deviation = 0.005;
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Largest deviation of line 0: 10.0"),
+                                                HasSubstr("Largest deviation of line 1: 20.0")));
+    task_.lines[0].deviation.reset();
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Largest deviation of line 1: 20.0")));
+    task_.lines[1].deviation.reset();
+    const Bounds far{{-1, -1, 0.22}, {1, 1, 1}};
+    task_.spareRegions = {{far, 0.05}, {far, 0.15}};
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("mm (at least 150.00 mm).")));
+}
+
+TEST_F(ScoreTest, AModelToBeSparedMustNotBeCut) {
+    task_.spare = {{0, 0}};
+    EXPECT_THAT(score().violations, Contains("Least margin: not measured (at least 0.00 mm)."));
+    cut();
+    EXPECT_THAT(score().violations, ElementsAre("Model 0 was to be spared, and was cut."));
+}
+
+TEST_F(ScoreTest, ForceIsTheMeanOverWindowsOfTime) {
+    EXPECT_FALSE(score().force.largest || score().force.mean);
+    push(0.2, 0.005, Vec3::Zero());
+    EXPECT_FALSE(score().force.largest) << "no load";
+    push(0.1, 0.005, {0, 3, 4});
+    push(0.2, 0.005, Vec3::Zero());
+    push(0.05, 0.005, {1, 0, 0});
+    EXPECT_NEAR(*score().force.largest, 5, 1e-9);
+    EXPECT_NEAR(*score().force.mean, (5 + 5 + 1) / 3.0, 1e-9) << "of windows with a load";
+    forces_.push_back({now_, now_ + 0.005, {0, 0, 100}});
+    EXPECT_NEAR(*score().force.largest, 10, 1e-9) << "a jolt of a tenth of a window";
+}
+
+TEST_F(ScoreTest, ForceDoesNotDependOnTheTimeStep) {
+    for (const double step : {0.0005, 0.002, 0.005, 0.0125, 0.02, 0.1, 0.5}) {
+        forces_.clear();
+        now_ = 0;
+        push(0.5, step, {0, 2, 0});
+        push(0.5, step, {0, -1, 0});
+        EXPECT_NEAR(*score().force.largest, 2, 1e-6) << step;
+        EXPECT_NEAR(*score().force.mean, 1.5, 1e-6) << step;
+    }
+    forces_.clear();
+    for (int i = 0; i < 40; ++i) {
+        forces_.push_back({0.005 * i, 0.005 * (i + 1), {i % 2 == 0 ? 7.0 : -7.0, 0, 0}});
+    }
+    EXPECT_NEAR(*score().force.largest, 0, 1e-9) << "chatter is no force";
+}
+
+TEST_F(ScoreTest, WithoutALineTheMiddleOfTheBodyIsThePivot) {
+    task_.lines.clear();
+    hand_.clear();
+    for (int i = 0; i <= 100; ++i) {  // turns about the origin
+        const Vec3 way(std::cos(0.02 * i), std::sin(0.02 * i), 0);
+        hand_.push_back({0.01 * i, {-way, way}, i == 0});
+    }
+    EXPECT_NEAR(*score().motion.path, 0, 1e-9);
+}
+
+TEST_F(ScoreTest, PeopleReadMillimetresAndPercent) {
+    const auto unitOf = [](const std::string& key) {
+        return std::ranges::find(figureRows(), key, &FigureRow::key)->unit;
+    };
+    EXPECT_EQ(formatFigure(unitOf("deviation_max"), 0.0024149), "2.41");
+    EXPECT_EQ(formatFigure(unitOf("depth_in_band"), 0.8766), "87.7");
+    EXPECT_EQ(formatFigure(unitOf("excised_volume"), 1.2345e-6), "1.234");
+    EXPECT_EQ(formatFigure(unitOf("force_max"), 0.25), "0.250");
+    EXPECT_EQ(formatFigure(unitOf("smoothness"), -5.32), "-5.3");
+    EXPECT_EQ(formatFigure(unitOf("taken"), 1), "yes");
+    EXPECT_EQ(formatFigure(unitOf("taken"), 0), "no");
+    EXPECT_EQ(formatFigure(unitOf("taken"), std::nullopt), "");
+}
+
+TEST_F(ScoreTest, FilesHaveAllFiguresInSIUnits) {
+    cut();
+    task_.person = "A. Learner";
+    task_.date = "2026-11-28T10:15:00Z";
+    task_.seconds = 1;
+    const Score score = this->score();
+    const auto json = toJson(score, task_);
+    for (const FigureRow& row : figureRows()) {
+        ASSERT_TRUE(json.contains(row.key)) << row.key;
+    }
+    EXPECT_EQ(json.size(), figureRows().size() + 5);
+    EXPECT_EQ(json["task"], "Cube");
+    EXPECT_EQ(json["person"], "A. Learner");
+    EXPECT_EQ(json["date"], "2026-11-28T10:15:00Z");
+    EXPECT_EQ(json["depth_mean"].get<double>(), *score.cut.depthMean) << "not rounded";
+    EXPECT_TRUE(json["taken"].is_null());
+    EXPECT_TRUE(json["force_max"].is_null());
+    EXPECT_EQ(json["violations"].size(), 1U);
+    EXPECT_EQ(json["passed"], false);
+    Score taken;
+    taken.cut.taken = false;
+    EXPECT_EQ(toJson(taken, task_)["taken"], false);
+    EXPECT_EQ(toJson(taken, task_)["passed"], true);
+}
+
+TEST_F(ScoreTest, TheSameRunHasTheSameScoreToTheBit) {
+    cut();
+    push(0.5, 0.005, {0, 2, 0.1});
+    task_.spareRegions = {{Ball{Vec3(0, 0, 0.3), 0.1}, 0.1}};
+    const auto json = toJson(score(), task_);
+    EXPECT_EQ(toJson(score(), task_).dump(), json.dump());
+    std::ranges::for_each(hand_, [](HandPose& pose) { pose.time += 1; });
+    EXPECT_EQ(toJson(score(), task_)["force_mean"], json["force_mean"]);
+}
+
+}  // namespace
+}  // namespace kerf::app
