@@ -1,5 +1,3 @@
-#include "app/practice/cut_measure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,6 +5,7 @@
 #include <memory>
 #include <variant>
 
+#include "app/practice/cut_measure.h"
 #include "app/practice/mean.h"
 #include "app/practice/task_line.h"
 #include "sim/mesh/cavities.h"
@@ -38,6 +37,7 @@ Vec3 middleOf(const Corners& corners) {
 }
 
 using DistanceTo = std::function<double(const Vec3& p)>;
+using WallsByStroke = std::map<int, std::vector<int>>;
 
 /// The distance from the nearest of some triangles at rest [m].
 DistanceTo distanceToSome(const SurfaceMesh& mesh, const std::vector<int>& triangles) {
@@ -224,8 +224,8 @@ void measureMargins(const TaskBody& body, const std::vector<int>& walls, CutScor
     for (const int t : walls) {
         const Corners at = restCornersOf(body.mesh, t);
         std::optional<double> ofMiddle;
-        for (std::size_t i = 0; i < distances.size() && !isSpared(body.task, body.members[t]);
-             ++i) {
+        const std::size_t parts = isSpared(body.task, body.members[t]) ? 0 : distances.size();
+        for (std::size_t i = 0; i < parts; ++i) {
             lower(ofMiddle, distances[i](middleOf(at)));
             for (const Vec3& point : {at[0], at[1], at[2], middleOf(at)}) {
                 lower(score.partMargins[i], distances[i](point));
@@ -256,7 +256,8 @@ class ModelPieces {
     }
 
     int count() const { return static_cast<int>(models_.size()); }
-    int pieceOf(int t) const { return map_.ofVertex[body_.mesh.triangle(t)[0]]; }
+    int ofVertex(int v) const { return map_.ofVertex[v]; }
+    int pieceOf(int t) const { return ofVertex(body_.mesh.triangle(t)[0]); }
     double volume(int piece) const { return map_.pieces[piece].restVolume; }
     /// The volume of a piece as a share of that of the largest of its model, which has 1.
     double share(int piece) const {
@@ -266,17 +267,6 @@ class ModelPieces {
         }
         return volume(piece) / largest;
     }
-    /// The smallest piece for which `isSought` holds, -1 for none.
-    template <class Predicate>
-    int smallest(Predicate&& isSought) const {
-        int found = -1;
-        for (int piece = 0; piece < count(); ++piece) {
-            if (isSought(piece) && (found < 0 || volume(piece) < volume(found))) {
-                found = piece;
-            }
-        }
-        return found;
-    }
 
   private:
     const TaskBody& body_;
@@ -284,30 +274,21 @@ class ModelPieces {
     std::vector<int> models_;
 };
 
-/// The smallest piece of `host` with a shell around a point, -1 for none. A cavity that is open
-/// encloses nothing.
+/// The piece of `host` with a shell around a point, -1 for none. An open cavity encloses nothing.
 int pieceAround(const TaskBody& body, const ModelPieces& pieces, int host, const Vec3& point) {
     UnionFind shells = shellsOf(body.mesh);
-    std::vector<int> windings(body.mesh.vertexCount(), 0);
-    std::vector<bool> isAround(pieces.count(), false);
-    const std::vector<int> triangles = trianglesOfModel(host, body.mesh, body.members);
-    for (const int t : triangles) {
+    std::map<int, int> windings;  // by the lowest vertex of a shell
+    for (const int t : trianglesOfModel(host, body.mesh, body.members)) {
         windings[shells.root(body.mesh.triangle(t)[0])] +=
             rayCrossing(restCornersOf(body.mesh, t), point);
     }
-    for (const int t : triangles) {
-        if (windings[shells.root(body.mesh.triangle(t)[0])] > 0) {
-            isAround[pieces.pieceOf(t)] = true;
-        }
-    }
-    return pieces.smallest([&](int piece) { return isAround[piece]; });
+    const auto around =
+        std::ranges::find_if(windings, [](const auto& of) { return of.second > 0; });
+    return around == windings.end() ? -1 : pieces.ofVertex(around->first);
 }
 
 void measureTaking(const TaskBody& body, const ModelPieces& pieces, CutScore& score) {
     const Task& task = body.task;
-    if (!task.take) {
-        return;
-    }
     const int host = task.lines.empty() ? 0 : task.lines.front().model;
     const int lump = trianglesOfModel(*task.take, body.uncut, body.uncutMembers).front();
     const Vec3 middle = figuresOfPiece(body.uncut, PieceShells(body.uncut), lump).centroid;
@@ -319,29 +300,30 @@ void measureTaking(const TaskBody& body, const ModelPieces& pieces, CutScore& sc
 }
 
 /// The walls of the slice, by stroke: of the smallest piece apart that has walls of two.
-std::map<int, std::vector<int>> wallsOfSlice(const SurfaceMesh& mesh, const ModelPieces& pieces,
-                                             const std::vector<int>& walls) {
-    std::vector<std::map<int, std::vector<int>>> all(pieces.count());
+WallsByStroke wallsOfSlice(const SurfaceMesh& mesh, const ModelPieces& pieces,
+                           const std::vector<int>& walls) {
+    std::vector<WallsByStroke> all(pieces.count());
     for (const int t : walls) {
         all[pieces.pieceOf(t)][mesh.wallLabel(t) / 2].push_back(t);
     }
-    const int slice = pieces.smallest([&](int piece) {
-        return all[piece].size() >= 2 && pieces.share(piece) < 1 && pieces.share(piece) > kCrumb;
-    });
-    return slice < 0 ? std::map<int, std::vector<int>>() : all[slice];
+    int slice = -1;
+    for (int piece = 0; piece < pieces.count(); ++piece) {
+        const double share = pieces.share(piece);
+        const bool isSlice = all[piece].size() >= 2 && share > kCrumb && share < 1;
+        if (isSlice && (slice < 0 || pieces.volume(piece) < pieces.volume(slice))) {
+            slice = piece;
+        }
+    }
+    return slice < 0 ? WallsByStroke() : all[slice];
 }
 
-void measureSlice(const TaskBody& body, const ModelPieces& pieces, const std::vector<int>& walls,
-                  CutScore& score) {
-    if (!body.task.slice) {
-        return;
-    }
-    const auto ofSlice = wallsOfSlice(body.mesh, pieces, walls);
+void measureSlice(const TaskBody& body, const WallsByStroke& slice, CutScore& score) {
+    const TaskSlice& asked = *body.task.slice;
     Mean thickness;
     Mean inBand;
-    for (const auto& [stroke, own] : ofSlice) {
+    for (const auto& [stroke, own] : slice) {
         std::vector<int> others;
-        for (const auto& [other, theirs] : ofSlice) {
+        for (const auto& [other, theirs] : slice) {
             others.insert(others.end(), theirs.begin(),
                           other == stroke ? theirs.begin() : theirs.end());
         }
@@ -349,10 +331,8 @@ void measureSlice(const TaskBody& body, const ModelPieces& pieces, const std::ve
         for (const int t : own) {
             const Corners at = restCornersOf(body.mesh, t);
             const double across = distance(middleOf(at));
-            const bool fits =
-                std::abs(across - body.task.slice->thickness) <= body.task.slice->band;
             thickness.add(across, triangleArea(at));
-            inBand.add(fits ? 1 : 0, triangleArea(at));
+            inBand.add(std::abs(across - asked.thickness) <= asked.band ? 1 : 0, triangleArea(at));
         }
     }
     score.thicknessMean = thickness.value();
@@ -367,8 +347,12 @@ CutScore measureCut(const TaskBody& body) {
     CutScore score;
     LineMeasure(body, walls).addTo(score);
     measureMargins(body, walls, score);
-    measureTaking(body, pieces, score);
-    measureSlice(body, pieces, walls, score);
+    if (body.task.take) {
+        measureTaking(body, pieces, score);
+    }
+    if (body.task.slice) {
+        measureSlice(body, wallsOfSlice(body.mesh, pieces, walls), score);
+    }
     return score;
 }
 

@@ -190,6 +190,22 @@ TEST(CutMeasure, ALeaningCutDeviatesByItsRimAlone) {
     EXPECT_NEAR(*score.depthMean, 0.3, 2e-3);
 }
 
+TEST(CutMeasure, DepthIsNotMeasuredWhereABladeSwingsIn) {
+    PracticeBody body = cube();
+    test::Stroke stroke;
+    for (int i = 0; i <= 84; ++i) {
+        const double x = -0.7 + 1.4 * i / 84;
+        const double depth = std::clamp(0.4 - std::abs(x), -0.1, 0.2);
+        stroke.push_back({{x, kTop + 0.2, kAt}, {x, kTop - depth, kAt}});
+    }
+    body.cut(stroke);
+    const CutScore score = body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.2, 0.01)));
+    EXPECT_NEAR(*score.depthMean, 0.2, 3e-3);
+    EXPECT_GT(*score.depthInBand, 0.95);
+    EXPECT_NEAR(*score.lengthUnder, 0, 0.02);
+    EXPECT_LT(*body.score(taskOf(deep(lineOf(-0.4, 0.4), 0.02, 0.01))).depthMean, 0.17);
+}
+
 TEST(CutMeasure, HalfTheLengthLeavesHalfOfTheLine) {
     PracticeBody body = cube();
     body.cut(drawn({-0.8, kTop, kAt}, {0, kTop, kAt}, 0.3));
@@ -357,6 +373,15 @@ TEST(CutMeasure, ALumpInTheRestOfTheBodyIsNotTaken) {
     PracticeBody laidBare = cubeWithLump();
     laidBare.cut(downTo(1.5, 0.095));
     EXPECT_FALSE(*laidBare.score(task).taken) << "its cavity is open";
+}
+
+TEST(CutMeasure, ALumpThatIsCutIsNotTakenWhole) {
+    PracticeBody body = cubeWithLump();
+    body.cut(test::straightStroke({0, 0.045, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.05, 0.1, 40));
+    body.cut(around(0.3));
+    Task task;
+    task.take = 1;
+    EXPECT_FALSE(*body.score(task).taken) << "though its cavity is closed";
 }
 
 TEST(CutMeasure, ASliceIsAsThickAsItsFacesLieApart) {
