@@ -1,3 +1,5 @@
+#include "app/practice/cut_measure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -5,7 +7,6 @@
 #include <memory>
 #include <variant>
 
-#include "app/practice/cut_measure.h"
 #include "app/practice/mean.h"
 #include "app/practice/task_line.h"
 #include "sim/mesh/cavities.h"

@@ -151,6 +151,18 @@ TEST(HandPath, ARestIsIdleOnlyWithinTheMotion) {
     EXPECT_EQ(*measureStroke(3, 100, [](double) { return bladeAt(0); }).idleTime, 0);
 }
 
+TEST(HandPath, SlowerThanTwoMillimetresASecondIsARest) {
+    const auto slowing = [](double speed) {  // for 2 s, between 2 s at 10 mm/s each
+        return [speed](double share) {
+            const double t = 6 * share;
+            return bladeAt(0.01 * std::min(t, 2.0) + speed * std::clamp(t - 2, 0.0, 2.0) +
+                           0.01 * std::max(t - 4, 0.0));
+        };
+    };
+    EXPECT_NEAR(*measureStroke(6, 100, slowing(0.0015)).idleTime, 2, 0.3);
+    EXPECT_EQ(*measureStroke(6, 100, slowing(0.0025)).idleTime, 0);
+}
+
 TEST(HandPath, TheHandIsWhereTheBladeIsNearestToTheTask) {
     const Vec3 pivot(0.02, 0.01, 0);
     const auto turning = [&](double share) {
