@@ -24,15 +24,19 @@ bool hasWall(const SurfaceMesh& mesh, int v, int label) {
 }  // namespace
 
 TearLaw tearLaw(const Params& params, double edge) {
-    const auto resolved = [&](double modulus, double toughness, double strength) {
-        return std::min(strength,
-                        std::sqrt(kZoneLength * modulus * toughness / (kEdgesInZone * edge)));
+    const auto zone = [&](double modulus, double toughness, double strength) {
+        return kZoneLength * modulus * toughness / (strength * strength * edge);
     };
-    return {params.toughness,
-            resolved(params.youngsModulus, params.toughness, params.tensileStrength),
-            params.skinThickness * params.skinToughness,
+    const auto resolved = [&](double modulus, double toughness, double strength) {
+        return strength *
+               std::sqrt(std::min(1.0, zone(modulus, toughness, strength) / kEdgesInZone));
+    };
+    const double strength =
+        resolved(params.youngsModulus, params.toughness, params.tensileStrength);
+    return {params.toughness, strength, params.skinThickness * params.skinToughness,
             params.skinThickness *
-                resolved(params.skinModulus, params.skinToughness, params.skinStrength)};
+                resolved(params.skinModulus, params.skinToughness, params.skinStrength),
+            zone(params.youngsModulus, params.toughness, strength)};
 }
 
 int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel) {
@@ -65,23 +69,26 @@ void CohesiveZone::bond(const SurfaceMesh& mesh, const CutDelta& delta, int stro
 }
 
 void CohesiveZone::follow(const SurfaceMesh& mesh) {
+    std::erase_if(bonds_, [&](const Bond& bond) {
+        const bool isGone = mesh.outgoing(bond.plus) < 0 || mesh.outgoing(bond.minus) < 0;
+        spent_ += isGone ? bond.taken() : 0;
+        return isGone;
+    });
     for (Bond& bond : bonds_) {
-        if (mesh.outgoing(bond.plus) < 0 || mesh.outgoing(bond.minus) < 0) {
-            spent_ += bond.taken();
-            bond.plus = -1;
-        } else {
-            weigh(mesh, bond);
-        }
+        weigh(mesh, bond);
     }
-    std::erase_if(bonds_, [](const Bond& bond) { return bond.plus < 0; });
 }
 
 void CohesiveZone::weigh(const SurfaceMesh& mesh, Bond& bond) const {
     double area = 0;
     double rim = 0;
+    // A blade has made the wall of the same stroke where the tear began.
+    const auto isTorn = [&](int v) {
+        return find(v) != nullptr || facingVertex(mesh, v, bond.label + 1) < 0;
+    };
     mesh.forEachOutgoing(bond.plus, [&](int h) {
         const int t = SurfaceMesh::triangleOf(h);
-        if (mesh.wallLabel(t) != bond.label) {
+        if (mesh.wallLabel(t) != bond.label || !std::ranges::all_of(mesh.triangle(t), isTorn)) {
             return;
         }
         area += triangleArea(restCornersOf(mesh, t)) / 3;

@@ -20,6 +20,7 @@ struct TearLaw {
     double strength = 0;       ///< largest traction, as low as the mesh resolves [Pa]
     double skinToughness = 0;  ///< of the skin layer, times its thickness: energy per length [J/m]
     double skinStrength = 0;   ///< the same of its strength: force per length [N/m]
+    double zone = 0;           ///< length of the cohesive zone in the flesh, in edges of walls
 
     /// The opening at which the flesh has parted [m].
     double reach() const { return 2 * toughness / strength; }

@@ -7,28 +7,27 @@ namespace kerf {
 
 namespace {
 
-// Openings one edge behind an end at which it advances, of the law's reach: where walls are bonded,
-// and where they are free, as linear elasticity has it at a quarter of the toughness; there a reach
-// of more edges than kLongestReach counts as so many, as soft bodies blunt the end.
-constexpr double kBondedOpening = 0.15;
+// Opening one edge behind an end at which it advances where walls are free, of the law's reach were
+// the cohesive zone as short as can be: linear elasticity at a quarter of the toughness. There a
+// reach of more edges than kLongestReach counts as so many, as soft bodies blunt the end.
 constexpr double kFreeOpening = 0.4;
 constexpr double kLongestReach = 0.6;
 constexpr double kLeastOfReach = 0.05;
 constexpr double kOneFront = 3;  // edges: an end up to so long advances evenly
 
 /// The reach of the law where walls are free [m].
-double freeReach(const CohesiveZone& cohesion, double edge) {
-    const double reach = cohesion.law().reach();
+double freeReach(const TearLaw& law, double edge) {
+    const double reach = law.reach() * std::sqrt(kEdgesInZone / law.zone);
     return std::min(reach, std::max(kLongestReach * edge, kLeastOfReach * reach));
 }
 
-/// The opening of a point of W+ at which the end of its slit advances, `behind` from it [m].
+/// The opening of a point of W+ at which the end of its slit advances, `behind` from it [m]: where
+/// walls are bonded, the law's reach at the other end of the zone.
 double neededAt(const CohesiveZone& cohesion, double edge, int plus, double behind) {
     const CohesiveZone::Bond* bond = cohesion.find(plus);
-    const double edges = behind / edge;
     return bond != nullptr && !bond->isBroken()
-               ? kBondedOpening * bond->reach() * edges * std::sqrt(edges)
-               : kFreeOpening * freeReach(cohesion, edge) * std::sqrt(edges);
+               ? bond->reach() * std::pow(behind / (cohesion.law().zone * edge), 1.5)
+               : kFreeOpening * freeReach(cohesion.law(), edge) * std::sqrt(behind / edge);
 }
 
 }  // namespace

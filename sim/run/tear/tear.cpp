@@ -16,7 +16,6 @@ namespace {
 // Edges of walls.
 constexpr double kNotchDepth = 0.8;
 constexpr double kNotchAbove = 0.3;
-constexpr double kLeastEnd = 0.5;    // of a length that advances
 constexpr double kNearEnds = 3;      // no place near an end is a weak spot
 constexpr int kPause = 10;           // steps without an advance until another slit may tear
 constexpr double kNearlyOpen = 0.7;  // of what makes an end advance: the skin bears no more
@@ -127,8 +126,7 @@ bool Tear::beginElsewhere() {
 
 bool Tear::mayBegin(const SlitEnd& end) const {
     const TearStroke& tear = body_.memory.tear;
-    return restLength(body_.mesh(), end) >= kLeastEnd * body_.wallEdge &&
-           std::ranges::find(tear.stuck, end.vertices.front()) == tear.stuck.end() &&
+    return std::ranges::find(tear.stuck, end.vertices.front()) == tear.stuck.end() &&
            !(tear.goesOn && shareVertices(end, body_.cutter->rung()));
 }
 
