@@ -74,8 +74,8 @@ std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
         const int v = end.vertices[i + 1];
         const int h = mesh.findHalfEdge(u, v);
         if (h >= 0) {
-            const Vec3 p = at[mesh.apex(h)];
-            const Vec3 q = at[mesh.apex(mesh.twin(h))];
+            const Vec3& p = at[mesh.apex(h)];
+            const Vec3& q = at[mesh.apex(mesh.twin(h))];
             side -= unitNormal<Vec3>(at[u], at[v], p) + unitNormal<Vec3>(at[u], at[v], q);
             behind += p + q - at[u] - at[v];
         }

@@ -183,7 +183,7 @@ bool Tear::notch(const WeakSpot& spot) {
 
 /// Notes the largest, too.
 EndOpening Tear::openingAt(const SlitEnd& end) {
-    const EndOpening opening = openingOf(body_.mesh(), body_.memory.cohesion, body_.wallEdge, end);
+    EndOpening opening = openingOf(body_.mesh(), body_.memory.cohesion, body_.wallEdge, end);
     double& most = output_.report.tear->opening;
     most = std::max(most, opening.most());
     return opening;

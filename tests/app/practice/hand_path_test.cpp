@@ -173,8 +173,8 @@ TEST(HandPath, TheHandIsWhereTheBladeIsNearestToTheTask) {
     addStroke(hand, 0, 2, 100, turning);
     EXPECT_NEAR(*measureMotion(hand, pivot, {}).path, 0, 1e-12);
     EXPECT_GT(*measureMotion(hand, pivot + Vec3(0.05, 0, 0), {}).path, 0.05);
-    const Blade point{Vec3::Ones(), Vec3::Ones()};
-    EXPECT_EQ(*measureStroke(1, 100, [&](double) { return point; }).path, 0);
+    const auto point = [](double) { return Blade{Vec3::Ones(), Vec3::Ones()}; };
+    EXPECT_EQ(*measureStroke(1, 100, point).path, 0);
 }
 
 TEST(HandPath, NothingIsMeasuredWhereThereIsNothing) {

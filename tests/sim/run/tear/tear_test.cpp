@@ -182,6 +182,17 @@ TEST_F(TearTest, NothingTearsThatIsToughEnoughOrNotToTear) {
     }
 }
 
+TEST_F(TearTest, ALowerStrengthTearsNoLess) {
+    for (const double strength : {1e9, 0.02 * kModulus, 1.0}) {
+        Params params = tearing(1);
+        params.tensileStrength = strength;
+        make(params);
+        pull(0.04);
+        tear(200);
+        EXPECT_GE(simulation->report().pieces, 2) << strength;
+    }
+}
+
 TEST_F(TearTest, BondsPartWhenNothingIsToTearOn) {
     make(tearing(0.5));
     pull(0.04);
