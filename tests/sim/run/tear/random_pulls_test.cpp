@@ -8,7 +8,10 @@
 #include <random>
 #include <string>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_quality.h"
 #include "tests/support/folds.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/nightly.h"
@@ -25,7 +28,7 @@ constexpr int kStepsTorn = 40;  // until the hand lets go
 constexpr int kStepsOfRest = 200;
 constexpr double kOpening = 0.02;  // edges
 
-/// What a pull does, in diagonals of the body.
+/// What a pull does.
 struct RandomPull {
     std::string model;
     Params params;
@@ -57,14 +60,11 @@ std::ostream& operator<<(std::ostream& out, const PullFigures& f) {
 }
 
 double meanEdge(const SurfaceMesh& mesh) {
-    double sum = 0;
-    int count = 0;
+    TriangleFigures figures;
     for (const int t : livingTriangles(mesh)) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h, ++count) {
-            sum += (mesh.restPosition(mesh.target(h)) - mesh.restPosition(mesh.origin(h))).norm();
-        }
+        figures.add(restCornersOf(mesh, t));
     }
-    return sum / count;
+    return figures.meanEdge();
 }
 
 class RandomPulls : public test::SimulationTest {
@@ -91,12 +91,9 @@ RandomPull RandomPulls::draw(std::uint32_t seed) {
     RandomPull drawn;
     drawn.model = kModels[seed % kModels.size()];
     const SurfaceMesh mesh = test::builtin(drawn.model);
-    Bounds bounds;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        bounds.add(mesh.restPosition(v));
-    }
+    const Bounds bounds = boxOf(mesh.restPositions());
     const double size = bounds.diagonal();
-    const Vec3 middle = 0.5 * (bounds.low + bounds.high);
+    const Vec3 middle = bounds.center();
 
     Params& params = drawn.params = test::weightless();
     params.iterations = 20;
