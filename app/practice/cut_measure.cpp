@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <memory>
-#include <variant>
 
-#include "app/practice/mean.h"
-#include "app/practice/task_line.h"
+#include "app/practice/series.h"
 #include "sim/mesh/cavities.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
@@ -20,34 +16,127 @@ namespace kerf::app {
 
 namespace {
 
-constexpr int kParts = 16;       // of an edge, each of which belongs to a line or not
-constexpr double kCrumb = 1e-3;  // of the largest piece: less is no slice
+constexpr int kParts = 400;     // of a line
+constexpr double kAtEnd = 0.6;  // of the last part: so near to its middle is not beyond its end
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// The living walls that a blade made, on both sides.
-std::vector<int> bladeWalls(const SurfaceMesh& mesh) {
-    const auto isTorn = [&](int v) { return mesh.isTorn(v); };
-    std::vector<int> walls = livingTriangles(mesh);
-    std::erase_if(walls, [&](int t) {
-        return mesh.kind(t) != SurfaceKind::wall || std::ranges::any_of(mesh.triangle(t), isTorn);
-    });
-    return walls;
+std::vector<int> trianglesOf(int model, const SurfaceMesh& mesh, std::span<const int> members) {
+    std::vector<int> triangles = livingTriangles(mesh);
+    std::erase_if(triangles, [&](int t) { return members[t] != model; });
+    return triangles;
 }
 
-Vec3 middleOf(const Corners& corners) {
-    return (corners[0] + corners[1] + corners[2]) / 3;
+bool isBladeWall(const SurfaceMesh& mesh, int t) {
+    return mesh.kind(t) == SurfaceKind::wall &&
+           std::ranges::none_of(mesh.triangle(t), [&](int v) { return mesh.isTorn(v); });
 }
 
-using DistanceTo = std::function<double(const Vec3& p)>;
-using WallsByStroke = std::map<int, std::vector<int>>;
+/// Whether a blade or a tear left a wall on a model.
+bool isHarmed(const TaskBody& body, int model) {
+    return std::ranges::any_of(trianglesOf(model, body.mesh, body.members),
+                               [&](int t) { return body.mesh.kind(t) == SurfaceKind::wall; });
+}
 
-/// The distance from the nearest of some triangles at rest [m].
-DistanceTo distanceToSome(const SurfaceMesh& mesh, const std::vector<int>& triangles) {
-    const auto corners = [&mesh](int t) { return restCornersOf(mesh, t); };
-    return [corners, tree = std::make_shared<NearestTriangle>(triangles, corners)](const Vec3& p) {
-        const auto [a, b, c] = corners(tree->find(p));
-        const Vec3 w = closestWeights(p, a, b, c);
-        return (w[0] * a + w[1] * b + w[2] * c - p).norm();
-    };
+/// A short part of a line as it is seen along `into`, and what was cut there.
+struct LinePart {
+    Vec3 middle;
+    Vec3 way;
+    double toEnd;               ///< of the line, the nearer one; infinite where it is closed [m]
+    Statistics deviation = {};  ///< of rims [m]
+    Statistics height = {};     ///< of walls, along `into` [m]
+};
+
+/// The lines of a task as they are seen along `into`.
+struct TaskLines {
+    explicit TaskLines(const Task& task) : into(task.into.stableNormalized()), reach(task.reach) {
+        for (const TaskLine& line : task.lines) {
+            Curve curve;  // by its length
+            for (std::size_t i = 0; i < line.points.size() + (line.closed ? 1 : 0); ++i) {
+                const Vec3 x = flat(line.points[i % line.points.size()]);
+                curve.add(i == 0 ? 0 : curve.at.back() + (x - curve.points.back()).norm(), x);
+            }
+            const double length = curve.span() / kParts;
+            for (double at = length / 2; at < curve.span(); at += length) {
+                parts.push_back({curve(at), curve(at + length / 2) - curve(at - length / 2),
+                                 line.closed ? kInfinite : std::min(at, curve.span() - at)});
+            }
+            step = std::min(step, length / 2);
+        }
+    }
+
+    Vec3 flat(const Vec3& x) const { return x - x.dot(into) * into; }
+    /// The distance from the nearest part [m]; none beyond an end of a line, or out of reach.
+    std::optional<double> deviation(const Vec3& point, const LinePart& part) const {
+        const Vec3 x = flat(point) - part.middle;
+        const double beyond = std::abs(x.dot(part.way)) - kAtEnd * part.way.squaredNorm();
+        const double distance = distanceToSegment(x, -part.way / 2, part.way / 2);
+        const bool isOf = distance <= reach && (beyond <= 0 || part.toEnd > part.way.norm());
+        return isOf ? std::optional(distance) : std::nullopt;
+    }
+    LinePart& nearest(const Vec3& point) {
+        return *std::ranges::min_element(parts, {}, [x = flat(point)](const LinePart& part) {
+            return (x - part.middle).squaredNorm();
+        });
+    }
+
+    Vec3 into;  ///< unit
+    double reach;
+    double step = kInfinite;  ///< shorter than any part [m]
+    std::vector<LinePart> parts;
+};
+
+/// Compares an edge of a wall with the lines, in short steps. Returns what of a rim is elsewhere.
+double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
+    const Vec3 from = mesh.restPosition(mesh.origin(h));
+    const Vec3 way = mesh.restPosition(mesh.target(h)) - from;
+    const bool isRim = mesh.kind(SurfaceMesh::triangleOf(mesh.twin(h))) == SurfaceKind::skin;
+    const double steps = std::ceil(way.norm() / lines.step);
+    double over = 0;
+    for (double k = 0.5; k < steps; ++k) {
+        const Vec3 x = from + k / steps * way;
+        LinePart& part = lines.nearest(x);
+        const std::optional<double> deviation = lines.deviation(x, part);
+        if (deviation) {
+            part.height.add(x.dot(lines.into));
+        }
+        if (deviation && isRim) {
+            part.deviation.add(*deviation);
+        }
+        over += !deviation && isRim ? way.norm() / steps : 0;
+    }
+    return over;
+}
+
+void measureLines(const TaskBody& body, CutScore& score) {
+    const Task& task = body.task;
+    TaskLines lines(task);
+    score.lengthOver = score.lengthUnder = 0;
+    for (const int t : trianglesOf(task.model, body.mesh, body.members)) {
+        const bool isMeant = isBladeWall(body.mesh, t) && body.mesh.wallLabel(t) % 2 == 0;
+        for (int h = 3 * t; isMeant && h < 3 * t + 3; ++h) {  // of W+: W- has the same edges
+            *score.lengthOver += addEdge(body.mesh, h, lines);
+        }
+    }
+    Statistics deviation;
+    Statistics depth;
+    Statistics inBand;
+    for (const LinePart& part : lines.parts) {
+        const double length = part.way.norm();
+        if (!part.deviation.most) {
+            *score.lengthUnder += length;
+            continue;
+        }
+        deviation.add(*part.deviation.most, length);
+        if (task.depth && part.toEnd >= *task.depth) {  // nearer to an end a blade swings in
+            const double below = *part.height.most - *part.height.least;
+            depth.add(below, length);
+            inBand.add(std::abs(below - *task.depth) <= task.band ? 1 : 0, length);
+        }
+    }
+    score.deviationMean = deviation.mean;
+    score.deviationMax = deviation.most;
+    score.depthMean = depth.mean;
+    score.depthInBand = inBand.mean;
 }
 
 /// The distance from a region [m], negative inside.
@@ -60,309 +149,87 @@ double distanceTo(const Region& region, const Vec3& p) {
     return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
 }
 
-/// An edge of a wall at rest.
-struct WallEdge {
-    Vec3 from;
-    Vec3 to;
-    int model;
-    bool isRim;  ///< skin lies across
-};
-
-/// The edges of walls, of the side W+: the other has the same.
-std::vector<WallEdge> edgesOf(const TaskBody& body, const std::vector<int>& walls) {
-    const SurfaceMesh& mesh = body.mesh;
-    std::vector<WallEdge> edges;
-    for (const int t : walls) {
-        for (int h = 3 * t; mesh.wallLabel(t) % 2 == 0 && h < 3 * t + 3; ++h) {
-            const int across = SurfaceMesh::triangleOf(mesh.twin(h));
-            edges.push_back({mesh.restPosition(mesh.origin(h)), mesh.restPosition(mesh.target(h)),
-                             body.members[t], mesh.kind(across) == SurfaceKind::skin});
+/// From the corners of walls of what is not spared, and from their middles.
+void measureMargins(const TaskBody& body, CutScore& score) {
+    const auto& spare = body.task.spare;
+    std::vector<Vec3> points;
+    for (const int t : livingTriangles(body.mesh)) {
+        if (isBladeWall(body.mesh, t) && std::ranges::count(spare, body.members[t]) == 0) {
+            const auto [a, b, c] = restCornersOf(body.mesh, t);
+            points.insert(points.end(), {a, b, c, (a + b + c) / 3});
         }
     }
-    return edges;
+    Statistics margin;
+    score.sparedCut = 0;
+    for (const int model : spare) {
+        const auto corners = [&](int t) { return restCornersOf(body.uncut, t); };
+        NearestTriangle surface(trianglesOf(model, body.uncut, body.uncutMembers), corners);
+        for (const Vec3& p : points) {
+            const auto [a, b, c] = corners(surface.find(p));
+            const Vec3 weights = closestWeights(p, a, b, c);
+            margin.add((weights[0] * a + weights[1] * b + weights[2] * c - p).norm());
+        }
+        if (isHarmed(body, model)) {
+            margin.add(0);
+            ++*score.sparedCut;
+        }
+    }
+    for (const Region& region : body.task.spareRegions) {
+        for (const Vec3& p : points) {
+            margin.add(distanceTo(region, p));
+        }
+    }
+    score.marginLeast = margin.least;
 }
 
-std::vector<LineCurve> curvesOf(const Task& task) {
-    return {task.lines.begin(), task.lines.end()};
-}
-
-/// The line on a model that is nearest to a point; null where it has none.
-const LineCurve* nearestCurve(const std::vector<LineCurve>& curves, const Vec3& x, int model) {
-    const LineCurve* found = nullptr;
-    for (const LineCurve& curve : curves) {
-        if (curve.line().model == model &&
-            (found == nullptr || curve.nearest(x).distance < found->nearest(x).distance)) {
-            found = &curve;
-        }
-    }
-    return found;
-}
-
-/// The distance of a point from the line that it belongs to [m]; none if it belongs to none.
-std::optional<double> deviationOf(const std::vector<LineCurve>& curves, const Vec3& x, int model) {
-    const LineCurve* curve = nearestCurve(curves, x, model);
-    const PlaceAtLine place = curve != nullptr ? curve->nearest(x) : PlaceAtLine{0, true};
-    return !place.isBeyond && place.distance <= curve->line().reach ? std::optional(place.distance)
-                                                                    : std::nullopt;
-}
-
-/// The cut in a section of a line: none where there is none.
-struct SectionCut {
-    std::optional<double> deviation;  ///< the largest of rims [m]
-    std::optional<double> depth;      ///< the largest [m]
-};
-
-/// Compares the edges of walls with the lines.
-class LineMeasure {
-  public:
-    LineMeasure(const TaskBody& body, const std::vector<int>& walls)
-        : body_(body), edges_(edgesOf(body, walls)), curves_(curvesOf(body.task)) {}
-
-    void addTo(CutScore& score) {
-        for (const LineCurve& curve : curves_) {
-            largest_ = std::nullopt;
-            for (const LineSection& section : curve.sections(body_.uncut, body_.uncutMembers)) {
-                add(curve, section);
-            }
-            score.lineDeviations.push_back(largest_);
-            raise(score.deviationMax, largest_);
-        }
-        score.deviationMean = deviation_.value();
-        score.depthMean = depth_.value();
-        score.depthInBand = inBand_.value();
-        if (!curves_.empty()) {
-            score.lengthUnder = under_;
-            score.lengthOver = lengthOver();
-        }
-    }
-
-  private:
-    void add(const LineCurve& curve, const LineSection& section) {
-        const double step = curve.sectionStep();
-        const SectionCut cut = cutIn(curve, section);
-        if (!cut.deviation) {
-            under_ += step;
-            return;
-        }
-        deviation_.add(*cut.deviation, step);
-        raise(largest_, cut.deviation);
-        const TaskLine& line = curve.line();
-        if (line.depth && section.toEnd >= *line.depth) {
-            depth_.add(*cut.depth, step);
-            inBand_.add(std::abs(*cut.depth - *line.depth) <= line.band.value_or(0) ? 1 : 0, step);
-        }
-    }
-
-    SectionCut cutIn(const LineCurve& curve, const LineSection& section) const {
-        SectionCut cut;
-        for (const WallEdge& edge : edges_) {
-            const double from = (edge.from - section.top).dot(section.along);
-            const double to = (edge.to - section.top).dot(section.along);
-            if (edge.model != curve.line().model || (from < 0) == (to < 0)) {
-                continue;
-            }
-            const Vec3 x = edge.from + from / (from - to) * (edge.to - edge.from);
-            const double aside = std::abs((x - section.top).dot(section.aside));
-            if (aside <= curve.line().reach && nearestCurve(curves_, x, edge.model) == &curve) {
-                raise(cut.deviation, edge.isRim ? std::optional(aside) : std::nullopt);
-                raise(cut.depth, curve.depthOf(x, section.top));
-            }
-        }
-        return cut;
-    }
-
-    double lengthOver() const {
-        double over = 0;
-        for (const WallEdge& edge : edges_) {
-            for (int part = 0; edge.isRim && part < kParts; ++part) {
-                const Vec3 x = edge.from + (part + 0.5) / kParts * (edge.to - edge.from);
-                if (nearestCurve(curves_, x, edge.model) != nullptr &&
-                    !deviationOf(curves_, x, edge.model)) {
-                    over += (edge.to - edge.from).norm() / kParts;
-                }
-            }
-        }
-        return over;
-    }
-
-    const TaskBody& body_;
-    std::vector<WallEdge> edges_;
-    std::vector<LineCurve> curves_;
-    Mean deviation_;
-    Mean depth_;
-    Mean inBand_;
-    double under_ = 0;
-    std::optional<double> largest_;  ///< deviation from the line in question
-};
-
-bool isSpared(const Task& task, int model) {
-    return std::ranges::find(task.spare, model, &SparedModel::model) != task.spare.end();
-}
-
-/// Whether a blade or a tear left a wall on a model.
-bool isHarmed(const TaskBody& body, int model) {
-    return std::ranges::any_of(livingTriangles(body.mesh), [&](int t) {
-        return body.members[t] == model && body.mesh.kind(t) == SurfaceKind::wall;
-    });
-}
-
-std::vector<DistanceTo> distancesToSpared(const TaskBody& body) {
-    std::vector<DistanceTo> distances;
-    for (const SparedModel& spared : body.task.spare) {
-        distances.push_back(distanceToSome(
-            body.uncut, trianglesOfModel(spared.model, body.uncut, body.uncutMembers)));
-    }
-    for (const SparedRegion& spared : body.task.spareRegions) {
-        distances.emplace_back([&](const Vec3& p) { return distanceTo(spared.region, p); });
-    }
-    return distances;
-}
-
-void measureMargins(const TaskBody& body, const std::vector<int>& walls, CutScore& score) {
-    const std::vector<DistanceTo> distances = distancesToSpared(body);
-    score.partMargins.resize(distances.size());
-    Mean mean;
-    for (const int t : walls) {
-        const Corners at = restCornersOf(body.mesh, t);
-        std::optional<double> ofMiddle;
-        const std::size_t parts = isSpared(body.task, body.members[t]) ? 0 : distances.size();
-        for (std::size_t i = 0; i < parts; ++i) {
-            lower(ofMiddle, distances[i](middleOf(at)));
-            for (const Vec3& point : {at[0], at[1], at[2], middleOf(at)}) {
-                lower(score.partMargins[i], distances[i](point));
-            }
-        }
-        mean.add(ofMiddle.value_or(0), ofMiddle ? triangleArea(at) : 0);
-    }
-    for (std::size_t i = 0; i < body.task.spare.size(); ++i) {
-        if (isHarmed(body, body.task.spare[i].model)) {
-            score.harmed.push_back(body.task.spare[i].model);
-            lower(score.partMargins[i], 0);
-        }
-    }
-    for (const std::optional<double>& margin : score.partMargins) {
-        lower(score.marginLeast, margin);
-    }
-    score.marginMean = mean.value();
-}
-
-/// The pieces of a body.
-class ModelPieces {
-  public:
-    explicit ModelPieces(const TaskBody& body)
-        : body_(body), map_(findPieces(body.mesh)), models_(map_.pieces.size(), -1) {
-        for (const int t : livingTriangles(body.mesh)) {
-            models_[pieceOf(t)] = body.members[t];
-        }
-    }
-
-    int count() const { return static_cast<int>(models_.size()); }
-    int ofVertex(int v) const { return map_.ofVertex[v]; }
-    int pieceOf(int t) const { return ofVertex(body_.mesh.triangle(t)[0]); }
-    double volume(int piece) const { return map_.pieces[piece].restVolume; }
-    /// The volume of a piece as a share of that of the largest of its model, which has 1.
-    double share(int piece) const {
-        double largest = 0;
-        for (int other = 0; other < count(); ++other) {
-            largest = models_[other] == models_[piece] ? std::max(largest, volume(other)) : largest;
-        }
-        return volume(piece) / largest;
-    }
-
-  private:
-    const TaskBody& body_;
-    PieceMap map_;
-    std::vector<int> models_;
-};
-
-/// The piece of `host` with a shell around a point, -1 for none. An open cavity encloses nothing.
-int pieceAround(const TaskBody& body, const ModelPieces& pieces, int host, const Vec3& point) {
+/// A model is taken if it is whole, and inside a shell of another piece than the largest of the
+/// body to cut. An open cavity encloses nothing.
+void measureTaking(const TaskBody& body, int model, CutScore& score) {
+    const int inside = trianglesOf(model, body.uncut, body.uncutMembers).front();
+    const Vec3 middle = figuresOfPiece(body.uncut, PieceShells(body.uncut), inside).centroid;
+    const PieceMap pieces = findPieces(body.mesh);
     UnionFind shells = shellsOf(body.mesh);
-    std::map<int, int> windings;  // by the lowest vertex of a shell
-    for (const int t : trianglesOfModel(host, body.mesh, body.members)) {
+    std::map<int, int> windings;  // about the middle, by a vertex of each shell
+    for (const int t : trianglesOf(body.task.model, body.mesh, body.members)) {
         windings[shells.root(body.mesh.triangle(t)[0])] +=
-            rayCrossing(restCornersOf(body.mesh, t), point);
+            rayCrossing(restCornersOf(body.mesh, t), middle);
     }
-    const auto around =
-        std::ranges::find_if(windings, [](const auto& of) { return of.second > 0; });
-    return around == windings.end() ? -1 : pieces.ofVertex(around->first);
-}
-
-void measureTaking(const TaskBody& body, const ModelPieces& pieces, CutScore& score) {
-    const Task& task = body.task;
-    const int host = task.lines.empty() ? 0 : task.lines.front().model;
-    const int lump = trianglesOfModel(*task.take, body.uncut, body.uncutMembers).front();
-    const Vec3 middle = figuresOfPiece(body.uncut, PieceShells(body.uncut), lump).centroid;
-    const int around = pieceAround(body, pieces, host, middle);
-    score.taken = around >= 0 && pieces.share(around) < 1 && !isHarmed(body, *task.take);
-    if (*score.taken) {
-        score.excisedVolume = pieces.volume(around);
+    double around = kInfinite;  // its volume [m^3]
+    double largest = 0;
+    for (const auto& [vertex, winding] : windings) {
+        const double volume = pieces.pieces[pieces.ofVertex[vertex]].restVolume;
+        largest = std::max(largest, volume);
+        around = winding > 0 ? volume : around;
     }
-}
-
-/// The walls of the slice, by stroke: of the smallest piece apart that has walls of two.
-WallsByStroke wallsOfSlice(const SurfaceMesh& mesh, const ModelPieces& pieces,
-                           const std::vector<int>& walls) {
-    std::vector<WallsByStroke> all(pieces.count());
-    for (const int t : walls) {
-        all[pieces.pieceOf(t)][mesh.wallLabel(t) / 2].push_back(t);
+    score.taken = around < largest && !isHarmed(body, model) ? 1 : 0;
+    if (*score.taken > 0) {
+        score.excisedVolume = around;
     }
-    int slice = -1;
-    for (int piece = 0; piece < pieces.count(); ++piece) {
-        const double share = pieces.share(piece);
-        const bool isSlice = all[piece].size() >= 2 && share > kCrumb && share < 1;
-        if (isSlice && (slice < 0 || pieces.volume(piece) < pieces.volume(slice))) {
-            slice = piece;
-        }
-    }
-    return slice < 0 ? WallsByStroke() : all[slice];
-}
-
-void measureSlice(const TaskBody& body, const WallsByStroke& slice, CutScore& score) {
-    const TaskSlice& asked = *body.task.slice;
-    Mean thickness;
-    Mean inBand;
-    for (const auto& [stroke, own] : slice) {
-        std::vector<int> others;
-        for (const auto& [other, theirs] : slice) {
-            others.insert(others.end(), theirs.begin(),
-                          other == stroke ? theirs.begin() : theirs.end());
-        }
-        const DistanceTo distance = distanceToSome(body.mesh, others);
-        for (const int t : own) {
-            const Corners at = restCornersOf(body.mesh, t);
-            const double across = distance(middleOf(at));
-            thickness.add(across, triangleArea(at));
-            inBand.add(std::abs(across - asked.thickness) <= asked.band ? 1 : 0, triangleArea(at));
-        }
-    }
-    score.thicknessMean = thickness.value();
-    score.thicknessInBand = inBand.value();
 }
 
 }  // namespace
 
 CutScore measureCut(const TaskBody& body) {
-    const std::vector<int> walls = bladeWalls(body.mesh);
-    const ModelPieces pieces(body);
     CutScore score;
-    LineMeasure(body, walls).addTo(score);
-    measureMargins(body, walls, score);
-    if (body.task.take) {
-        measureTaking(body, pieces, score);
+    if (!body.task.lines.empty()) {
+        measureLines(body, score);
     }
-    if (body.task.slice) {
-        measureSlice(body, wallsOfSlice(body.mesh, pieces, walls), score);
+    measureMargins(body, score);
+    if (body.task.take) {
+        measureTaking(body, *body.task.take, score);
     }
     return score;
 }
 
 std::vector<float> deviationAtWalls(const TaskBody& body) {
     std::vector<float> values(2 * static_cast<std::size_t>(body.mesh.vertexCount()), -1);
-    const std::vector<LineCurve> curves = curvesOf(body.task);
-    for (const int t : bladeWalls(body.mesh)) {
-        for (const int v : body.mesh.triangle(t)) {
-            const auto deviation = deviationOf(curves, body.mesh.restPosition(v), body.members[t]);
+    TaskLines lines(body.task);
+    for (const int t : trianglesOf(body.task.model, body.mesh, body.members)) {
+        const bool isMeant = isBladeWall(body.mesh, t) && !lines.parts.empty();
+        for (int h = 3 * t; isMeant && h < 3 * t + 3; ++h) {
+            const int v = body.mesh.origin(h);
+            const Vec3& x = body.mesh.restPosition(v);
+            const auto deviation = lines.deviation(x, lines.nearest(x));
             values[2 * v + 1] = static_cast<float>(deviation.value_or(-1));
         }
     }

@@ -20,24 +20,19 @@ struct TaskBody {
 
 /// What was cut, measured at rest. A figure is none where there is nothing to measure.
 struct CutScore {
-    std::optional<double> deviationMean;                ///< of the rim from the line [m]
-    std::optional<double> deviationMax;                 ///< [m]
-    std::optional<double> depthMean;                    ///< [m]
-    std::optional<double> depthInBand;                  ///< share of the cut
-    std::optional<double> lengthUnder;                  ///< of the lines, uncut [m]
-    std::optional<double> lengthOver;                   ///< of rims that belong to no line [m]
-    std::optional<double> marginLeast;                  ///< between cuts and what is spared [m]
-    std::optional<double> marginMean;                   ///< [m]
-    std::optional<bool> taken;                          ///< whole, in a piece apart
-    std::optional<double> excisedVolume;                ///< of that piece [m^3]
-    std::optional<double> thicknessMean;                ///< of the slice [m]
-    std::optional<double> thicknessInBand;              ///< share of its faces
-    std::vector<std::optional<double>> lineDeviations;  ///< the largest, of each line [m]
-    std::vector<std::optional<double>> partMargins;     ///< the least, of models, then regions [m]
-    std::vector<int> harmed;  ///< models to be spared that were cut or torn
+    std::optional<double> deviationMean;  ///< of the rim from the line [m]
+    std::optional<double> deviationMax;   ///< [m]
+    std::optional<double> depthMean;      ///< [m]
+    std::optional<double> depthInBand;    ///< share of the cut
+    std::optional<double> lengthUnder;    ///< of the lines, uncut [m]
+    std::optional<double> lengthOver;     ///< of rims that belong to no line [m]
+    std::optional<double> marginLeast;    ///< between cuts and what is spared [m]
+    std::optional<double> sparedCut;      ///< models to be spared that were cut or torn
+    std::optional<double> taken;          ///< 1 for a model that is whole in a piece apart, else 0
+    std::optional<double> excisedVolume;  ///< of that piece [m^3]
 };
 
-/// Measures a cut. Reads only the rest shape. Walls of tears are left out.
+/// Measures a cut. Reads only the rest shape. Walls of tears are left out, but in `sparedCut`.
 CutScore measureCut(const TaskBody& body);
 
 /// The deviation of walls from the lines, at 2 * vertex + 1 as render::FieldValues have it [m];

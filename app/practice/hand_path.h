@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "sim/cut/blade.h"
 
@@ -28,17 +27,5 @@ struct MotionScore {
 /// Measures a hand by the point of its blade nearest to `pivot`. `expertPath` [m]: none if unknown.
 MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
                           std::optional<double> expertPath);
-
-/// Points of a hand at equal steps of time.
-struct HandPath {
-    double step = 0;  ///< above 0 [s]
-    std::vector<Vec3> points;
-};
-/// The path after a Gaussian of `sigma` [s], cut off at three. Before and after it the hand rests
-/// at its ends, and comes in sight for these three.
-HandPath filtered(const HandPath& path, double sigma);
-/// The negative logarithm of the dimensionless jerk of a motion that takes so long [s] (Hogan and
-/// Sternad 2009); none without motion.
-std::optional<double> smoothnessOf(const HandPath& path, double seconds);
 
 }  // namespace kerf::app

@@ -4,208 +4,95 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
-#include "app/practice/mean.h"
+#include "app/practice/series.h"
 #include "sim/base/boxes.h"
-#include "sim/base/text.h"
 
 namespace kerf::app {
 
 namespace {
 
-constexpr double kWindow = 0.05;  // of forces, in simulated time [s]
-constexpr double kHair = 1e-9;    // [s]: so little of a step is none
+using Json = nlohmann::ordered_json;
 
-using Figure = std::optional<double>;
-using Figures = std::vector<Figure>;
+constexpr double kWindow = 0.05;      // of forces, in simulated time [s]
+constexpr double kLeastForce = 1e-9;  // [N]: less is rounding
 
-template <auto Member>
-Figure ofCut(const Score& score) {
-    return score.cut.*Member;
-}
-template <auto Member>
-Figure ofMotion(const Score& score) {
-    return score.motion.*Member;
-}
-template <auto Member>
-Figure ofForce(const Score& score) {
-    return score.force.*Member;
-}
-template <auto Member>
-Figure given(const Task& task) {
-    return task.*Member;
-}
-
-Figures deviationLimits(const Task& task) {
-    Figures limits;
-    for (const TaskLine& line : task.lines) {
-        limits.push_back(line.deviation);
-    }
-    return limits;
-}
-
-Figures marginLimits(const Task& task) {
-    Figures limits;
-    for (const SparedModel& spared : task.spare) {
-        limits.emplace_back(spared.margin);
-    }
-    for (const SparedRegion& spared : task.spareRegions) {
-        limits.emplace_back(spared.margin);
-    }
-    return limits;
-}
-
-/// The limit of all; none where they differ, and each is judged alone.
-Figure sharedOf(const Figures& limits) {
-    const bool alike = std::ranges::adjacent_find(limits, std::not_equal_to()) == limits.end();
-    return alike && !limits.empty() ? limits.front() : std::nullopt;
-}
-template <auto Limits>
-Figure shared(const Task& task) {
-    return sharedOf(Limits(task));
-}
-
-/// What may be cut too far or too short: the deviation that is allowed aside, at both ends.
-Figure atEnds(const Task& task) {
-    Figure sum;
-    for (const TaskLine& line : task.lines) {
-        sum = line.deviation ? sum.value_or(0) + 2 * *line.deviation : sum;
-    }
-    return sum;
-}
-
-Figure inDepthBand(const Task& task) {
-    return std::ranges::any_of(task.lines,
-                               [](const TaskLine& line) { return line.depth.has_value(); })
-               ? task.inBand
-               : std::nullopt;
-}
-Figure inSliceBand(const Task& task) {
-    return task.slice ? task.inBand : std::nullopt;
-}
-
-Figure toBeTaken(const Task& task) {
-    return task.take ? Figure(1) : std::nullopt;
-}
+// Whether a task asks for a figure.
+constexpr auto kForAll = [](const Task&) { return true; };
+constexpr auto kForLines = [](const Task& task) { return !task.lines.empty(); };
+constexpr auto kForDepth = [](const Task& task) { return kForLines(task) && task.depth; };
+constexpr auto kForTaking = [](const Task& task) { return task.take.has_value(); };
+constexpr auto kForMargin = [](const Task& task) {
+    return !task.spare.empty() || !task.spareRegions.empty();
+};
 
 constexpr FigureUnit kLength{"mm", 1e3, 2};
 constexpr FigureUnit kShare{"%", 100, 1};
 constexpr FigureUnit kTime{"s", 1, 2};
 constexpr FigureUnit kForce{"N", 1, 3};
+constexpr FigureUnit kCount{"", 1, 0};
+constexpr FigureUnit kFlag{"", 1, 0, true};
+constexpr FigureUnit kVolume{"cm³", 1e6, 3};
+constexpr FigureUnit kLogarithm{"", 1, 1};
 
+using Limits = TaskLimits;
 constexpr FigureRow kRows[] = {
-    {"deviation_mean", "Mean deviation", kLength, -1, ofCut<&CutScore::deviationMean>},
-    {"deviation_max", "Largest deviation", kLength, -1, ofCut<&CutScore::deviationMax>,
-     shared<deviationLimits>},
-    {"depth_mean", "Mean depth", kLength, 0, ofCut<&CutScore::depthMean>},
-    {"depth_in_band", "Depth in its band", kShare, 1, ofCut<&CutScore::depthInBand>, inDepthBand},
-    {"length_under", "Not cut", kLength, -1, ofCut<&CutScore::lengthUnder>, atEnds},
-    {"length_over", "Cut elsewhere", kLength, -1, ofCut<&CutScore::lengthOver>, atEnds},
-    {"margin_least", "Least margin", kLength, 1, ofCut<&CutScore::marginLeast>,
-     shared<marginLimits>},
-    {"margin_mean", "Mean margin", kLength, 0, ofCut<&CutScore::marginMean>},
-    {"taken", "Taken out whole", {"", 1, 0, true}, 1, ofCut<&CutScore::taken>, toBeTaken},
-    {"excised_volume", "Volume taken out", {"cm³", 1e6, 3}, -1, ofCut<&CutScore::excisedVolume>},
-    {"thickness_mean", "Mean thickness", kLength, 0, ofCut<&CutScore::thicknessMean>},
-    {"thickness_in_band", "Thickness in its band", kShare, 1, ofCut<&CutScore::thicknessInBand>,
-     inSliceBand},
-    {"time", "Time", kTime, -1, ofMotion<&MotionScore::time>, given<&Task::seconds>},
-    {"path", "Path of the hand", kLength, -1, ofMotion<&MotionScore::path>},
-    {"economy", "Economy of the path", kShare, 1, ofMotion<&MotionScore::economy>,
-     given<&Task::economy>},
-    {"smoothness",
-     "Smoothness",
-     {"", 1, 1},
-     1,
-     ofMotion<&MotionScore::smoothness>,
-     given<&Task::smoothness>},
-    {"tremor", "Tremor", kLength, -1, ofMotion<&MotionScore::tremor>},
-    {"idle_time", "Idle time", kTime, -1, ofMotion<&MotionScore::idleTime>, given<&Task::idle>},
-    {"force_max", "Largest force", kForce, -1, ofForce<&ForceScore::largest>,
-     given<&Task::newtons>},
-    {"force_mean", "Mean force", kForce, -1, ofForce<&ForceScore::mean>},
+    {"deviation_mean", "Mean deviation", kLength, -1, &Score::deviationMean},
+    {"deviation_max", "Largest deviation", kLength, -1, &Score::deviationMax, &Limits::deviation,
+     kForLines},
+    {"depth_mean", "Mean depth", kLength, 0, &Score::depthMean},
+    {"depth_in_band", "Depth in its band", kShare, 1, &Score::depthInBand, &Limits::inBand,
+     kForDepth},
+    {"length_under", "Not cut", kLength, -1, &Score::lengthUnder, &Limits::ends, kForLines},
+    {"length_over", "Cut elsewhere", kLength, -1, &Score::lengthOver, &Limits::ends, kForLines},
+    {"margin_least", "Least margin", kLength, 1, &Score::marginLeast, &Limits::margin, kForMargin},
+    {"spared_cut", "Spared models cut", kCount, -1, &Score::sparedCut, nullptr, kForAll, 0},
+    {"taken", "Taken out whole", kFlag, 1, &Score::taken, nullptr, kForTaking, 1},
+    {"excised_volume", "Volume taken out", kVolume, -1, &Score::excisedVolume},
+    {"time", "Time", kTime, -1, &Score::time, &Limits::seconds},
+    {"path", "Path of the hand", kLength, -1, &Score::path},
+    {"economy", "Economy of the path", kShare, 1, &Score::economy, &Limits::economy},
+    {"smoothness", "Smoothness", kLogarithm, 1, &Score::smoothness, &Limits::smoothness},
+    {"tremor", "Tremor", kLength, -1, &Score::tremor},
+    {"idle_time", "Idle time", kTime, -1, &Score::idleTime, &Limits::idle},
+    {"force_max", "Largest force", kForce, -1, &Score::forceMax, &Limits::newtons},
+    {"force_mean", "Mean force", kForce, -1, &Score::forceMean},
+    {"undos", "Undone changes", kCount, -1, &Score::undos, nullptr, kForAll, 0},
+    {"changes", "Parameters changed", kCount, -1, &Score::changes, nullptr, kForAll, 0},
 };
 
 /// The middle of what is to be cut.
 Vec3 pivotOf(const TaskBody& body) {
-    Vec3 sum = Vec3::Zero();
-    double count = 0;
+    Bounds lines;
     for (const TaskLine& line : body.task.lines) {
-        sum = std::accumulate(line.points.begin(), line.points.end(), sum);
-        count += static_cast<double>(line.points.size());
+        lines.add(boxOf(line.points));
     }
-    return count > 0 ? Vec3(sum / count) : boxOf(body.uncut.restPositions()).center();
+    return (lines.empty() ? boxOf(body.uncut.restPositions()) : lines).center();
 }
 
 ForceScore measureForce(std::span<const ForceSample> samples) {
-    std::map<double, Vec3> impulses;  // by the number of the window [N s]
+    Curve impulse;  // over time [N s]
+    Vec3 sum = Vec3::Zero();
     for (const ForceSample& sample : samples) {
-        const double first = std::floor((sample.begin + kHair) / kWindow);
-        for (double k = first; k * kWindow < sample.end - kHair; ++k) {
-            impulses.try_emplace(k, Vec3::Zero()).first->second +=
-                sample.force *
-                (std::min(sample.end, (k + 1) * kWindow) - std::max(sample.begin, k * kWindow));
+        impulse.add(sample.begin, sum);
+        sum += sample.force * (sample.end - sample.begin);
+        impulse.add(sample.end, sum);
+    }
+    Statistics force;
+    const double end = samples.empty() ? 0 : samples.back().end;
+    for (double k = 0; k * kWindow < end; ++k) {
+        const Vec3 gain = impulse((k + 1) * kWindow) - impulse(k * kWindow);
+        if (gain.norm() / kWindow > kLeastForce) {
+            force.add(gain.norm() / kWindow);
         }
     }
-    ForceScore score;
-    Mean mean;
-    for (const auto& [k, impulse] : impulses) {
-        if (!impulse.isZero(0)) {
-            raise(score.largest, impulse.norm() / kWindow);
-            mean.add(impulse.norm() / kWindow, 1);
-        }
-    }
-    score.mean = mean.value();
-    return score;
+    return {force.most, force.mean};
 }
 
-/// Notes the limit of a figure if it was not kept, or if nothing shows that it was.
-void judge(const FigureRow& row, Figure value, Figure limit, std::string_view where, Score& score) {
-    if (!limit || (value && (row.better > 0 ? *value >= *limit : *value <= *limit))) {
-        return;
-    }
-    const auto text = [&](Figure figure) {
-        return formatFigure(row.unit, figure).append(*row.unit.name != 0 ? " " : "") +
-               row.unit.name;
-    };
-    const std::string asked =
-        fmt::format(" ({} {})", row.better > 0 ? "at least" : "at most", text(limit));
-    score.violations.push_back(fmt::format("{}{}: {}{}.", row.label, where,
-                                           value ? text(value) : "not measured",
-                                           row.unit.isFlag ? "" : asked));
-}
-
-/// Judges lines, or what is spared, each by its own limit where these differ.
-void judgeEach(std::string_view key, const Figures& values, const Figures& limits,
-               std::string_view what, Score& score) {
-    const auto row = std::ranges::find(kRows, key, &FigureRow::key);
-    for (std::size_t i = 0; i < limits.size() && !sharedOf(limits); ++i) {
-        judge(*row, values[i], limits[i], fmt::format(" of {} {}", what, i), score);
-    }
-}
-
-void judgeAll(const TaskRun& run, Score& score) {
-    const Task& task = run.body.task;
-    for (const FigureRow& row : kRows) {
-        judge(row, row.value(score), row.limit != nullptr ? row.limit(task) : std::nullopt, "",
-              score);
-    }
-    judgeEach("deviation_max", score.cut.lineDeviations, deviationLimits(task), "line", score);
-    judgeEach("margin_least", score.cut.partMargins, marginLimits(task), "spared part", score);
-    for (const int model : score.cut.harmed) {
-        score.violations.push_back(fmt::format("Model {} was to be spared, and was cut.", model));
-    }
-    if (run.undos > 0) {
-        score.violations.push_back(
-            fmt::format("{} undone.", counted(run.undos, "change was", "changes were")));
-    }
-    if (run.changes > 0) {
-        score.violations.push_back(fmt::format(
-            "{} set after the start.", counted(run.changes, "parameter was", "parameters were")));
-    }
+/// "2.41 mm".
+std::string withUnit(const FigureUnit& unit, double value) {
+    return formatFigure(unit, value) + (*unit.name != 0 ? " " : "") + unit.name;
 }
 
 }  // namespace
@@ -214,12 +101,33 @@ std::span<const FigureRow> figureRows() {
     return kRows;
 }
 
+std::optional<double> valueOf(const FigureRow& row, const Score& score) {
+    return score.*row.value;
+}
+
+std::optional<double> limitOf(const FigureRow& row, const Task& task) {
+    const auto limit = row.limit != nullptr ? task.limits.*row.limit : row.fixedLimit;
+    return row.isAsked(task) ? limit : std::nullopt;
+}
+
 Score scoreOf(const TaskRun& run) {
-    Score score;
-    score.cut = measureCut(run.body);
-    score.motion = measureMotion(run.hand, pivotOf(run.body), run.body.task.path);
-    score.force = measureForce(run.forces);
-    judgeAll(run, score);
+    const Task& task = run.body.task;
+    const MotionScore motion = measureMotion(run.hand, pivotOf(run.body), task.path);
+    Score score{measureCut(run.body), motion, measureForce(run.forces), run.undos, run.changes, {}};
+    for (const FigureRow& row : kRows) {
+        const std::optional<double> limit = limitOf(row, task);
+        const std::optional<double> value = valueOf(row, score);
+        const bool isKept =
+            !limit || (value && (row.better > 0 ? *value >= *limit : *value <= *limit));
+        if (!isKept) {
+            score.violations.push_back(fmt::format(
+                "{}: {} ({} {}).", row.label, value ? withUnit(row.unit, *value) : "not measured",
+                row.unit.isFlag  ? "must be"
+                : row.better > 0 ? "at least"
+                                 : "at most",
+                withUnit(row.unit, *limit)));
+        }
+    }
     return score;
 }
 
@@ -231,14 +139,16 @@ std::string formatFigure(const FigureUnit& unit, std::optional<double> value) {
 }
 
 nlohmann::ordered_json toJson(const Score& score, const Task& task) {
-    nlohmann::ordered_json json{{"task", task.name}, {"person", task.person}, {"date", task.date}};
+    Json json{{"task", task.name}, {"person", task.person}, {"date", task.date}};
+    Json limits = Json::object();
     for (const FigureRow& row : kRows) {
-        const Figure value = row.value(score);
-        json[row.key] = value ? nlohmann::ordered_json(*value) : nullptr;
-        if (value && row.unit.isFlag) {
-            json[row.key] = *value > 0;
+        const std::optional<double> value = valueOf(row, score);
+        if (const auto limit = limitOf(row, task)) {
+            limits[row.key] = *limit;
         }
+        json[row.key] = !value ? Json() : row.unit.isFlag ? Json(*value > 0) : Json(*value);
     }
+    json["limits"] = limits;
     json["violations"] = score.violations;
     json["passed"] = score.passed();
     return json;

@@ -20,16 +20,16 @@ struct ForceSample {
 
 /// Forces as means over short windows of simulated time; none without a load.
 struct ForceScore {
-    std::optional<double> largest;  ///< [N]
-    std::optional<double> mean;     ///< of the windows with a load [N]
+    std::optional<double> forceMax;   ///< [N]
+    std::optional<double> forceMean;  ///< of the windows with a load [N]
 };
 
 /// How well a task was done.
-struct Score {
-    CutScore cut;
-    MotionScore motion;
-    ForceScore force;
+struct Score : CutScore, MotionScore, ForceScore {
+    std::optional<double> undos;
+    std::optional<double> changes;        ///< of parameters, after the start
     std::vector<std::string> violations;  ///< a sentence for each limit that was not kept
+
     bool passed() const { return violations.empty(); }
 };
 
@@ -59,10 +59,15 @@ struct FigureRow {
     const char* label;
     FigureUnit unit;
     int better;  ///< 1: more is better; -1: less; 0: neither
-    std::optional<double> (*value)(const Score& score);
-    std::optional<double> (*limit)(const Task& task) = nullptr;  ///< null where tasks have none
+    std::optional<double> Score::*value;
+    std::optional<double> TaskLimits::*limit = nullptr;
+    bool (*isAsked)(const Task& task) = [](const Task&) { return true; };
+    std::optional<double> fixedLimit = std::nullopt;  ///< where tasks have none of their own
 };
 std::span<const FigureRow> figureRows();
+std::optional<double> valueOf(const FigureRow& row, const Score& score);
+/// None where the task has no limit, or does not ask for the figure.
+std::optional<double> limitOf(const FigureRow& row, const Task& task);
 
 /// A value for people, without its unit; "" for none.
 std::string formatFigure(const FigureUnit& unit, std::optional<double> value);

@@ -45,18 +45,6 @@ MotionScore measureStroke(double seconds, double rate, const Motion& motion) {
     return measureMotion(hand, Vec3::Zero(), std::nullopt);
 }
 
-TEST(HandPath, MinimumJerkHasTheSmoothnessOfTheory) {
-    for (const double seconds : {1.0, 3.0, 12.0}) {
-        HandPath path{0.01, {}};
-        for (int i = 0; i <= std::lround(seconds * 100); ++i) {
-            path.points.push_back(bladeAt(kWay * minimumJerk(i * 0.01 / seconds)).a);
-        }
-        EXPECT_NEAR(smoothnessOf(path, seconds).value(), kSmoothest, 0.0532) << seconds << " s";
-    }
-    EXPECT_NEAR(kSmoothest, -5.32, 0.005);
-    EXPECT_FALSE(smoothnessOf({0.01, std::vector<Vec3>(50, Vec3::Ones())}, 0.5)) << "no motion";
-}
-
 TEST(HandPath, SmoothnessDependsNeitherOnDurationNorOnTheRateOfPoses) {
     for (const double seconds : {3.0, 6.0, 20.0}) {
         for (const double rate : {10, 30, 100, 333, 1000}) {
