@@ -6,9 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/base64.h"
-#include "app/files/io/errors.h"
+#include "app/files/io/data_page.h"
 #include "app/files/io/file_io.h"
-#include "gpu/data_path.h"
 
 namespace kerf::app {
 
@@ -18,7 +17,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMaxEmbeddedBytes = 256u << 20;
-constexpr std::string_view kPlaceOfData = "{\"tests\": []}";
 constexpr std::size_t kPlottedSteps = 400;
 
 /// The picture as the address of an image; null where there is none.
@@ -119,15 +117,6 @@ Json pageData(const TestResult& result) {
             {"plots", plots(result.judgement)}};
 }
 
-/// JSON inside a script, where nothing may look like the script's end.
-std::string scriptText(const Json& json) {
-    std::string text;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-        text += c == '<' ? "\\u003c" : std::string(1, c);
-    }
-    return text;
-}
-
 /// "2026-03-09 14:05 UTC".
 std::string timeOfDay() {
     return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
@@ -140,14 +129,8 @@ std::string formatTestReport(const std::vector<TestResult>& results) {
     for (const TestResult& result : results) {
         tests.push_back(pageData(result));
     }
-    std::string page =
-        readInputFile(gpu::dataPath("assets/report/test-report.html"), kMaxEmbeddedBytes);
-    const std::size_t place = page.find(kPlaceOfData);
-    if (place == std::string::npos) {
-        throw InputError("assets/report/test-report.html: the place of the data is missing.");
-    }
-    const Json data = {{"kerf", KERF_VERSION}, {"time", timeOfDay()}, {"tests", std::move(tests)}};
-    return page.replace(place, kPlaceOfData.size(), scriptText(data));
+    return dataPage("test-report.html",
+                    {{"kerf", KERF_VERSION}, {"time", timeOfDay()}, {"tests", std::move(tests)}});
 }
 
 }  // namespace kerf::app

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/files/io/csv.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
@@ -30,21 +31,9 @@ constexpr std::array kCutFigures{"/smallest_angle/worst", "/smallest_angle/mean"
                                  "/steps/refused"};
 constexpr std::size_t kSummaryColumns = 6 + kCutFigures.size();  // all but exit
 
-/// As RFC 4180 has it: quotes only around what needs them.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + "\"";
-}
-
 /// Without the quotes of JSON around a word.
 std::string valueCell(const std::string& value) {
-    return value.starts_with('"') ? value.substr(1, value.size() - 2) : cell(value);
+    return value.starts_with('"') ? value.substr(1, value.size() - 2) : csvCell(value);
 }
 
 /// The summary of a run; null where it wrote none.
@@ -64,7 +53,7 @@ std::vector<std::string> summaryCells(const json& summary) {
         return std::vector<std::string>(kSummaryColumns);
     }
     const json& volume = summary.at("volume_ratio");
-    std::vector<std::string> cells{cell(summary.at("state_hash").get<std::string>()),
+    std::vector<std::string> cells{csvCell(summary.at("state_hash").get<std::string>()),
                                    std::to_string(summary.at("pieces").size())};
     const json cuts = summary.value("cut_report", json());
     std::vector<json> numbers{volume.at("mean"), volume.at("min"), volume.at("final")};
@@ -80,7 +69,7 @@ std::vector<std::string> summaryCells(const json& summary) {
 
 std::vector<std::string> headCells(const Study& study, std::size_t number) {
     const StudyRun& run = study.runs[number];
-    std::vector<std::string> cells{std::to_string(number), cell(study.sessionOf(run).name)};
+    std::vector<std::string> cells{std::to_string(number), csvCell(study.sessionOf(run).name)};
     for (const std::string& parameter : study.parameters) {
         cells.push_back(valueCell(startValue(study, run, parameter)));
     }

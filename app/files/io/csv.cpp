@@ -38,6 +38,17 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 }  // namespace
 
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return quoted + "\"";
+}
+
 CsvTable::CsvTable(const std::filesystem::path& file, std::uintmax_t limit) : name_(file.string()) {
     const std::vector<std::string> lines = linesOf(readInputFile(file, limit));
     if (lines.empty()) {

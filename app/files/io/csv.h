@@ -8,6 +8,9 @@
 
 namespace kerf::app {
 
+/// A text as a cell, in quotes only where it needs them (RFC 4180).
+std::string csvCell(const std::string& text);
+
 /// A table of comma-separated values as Kerf writes them: a header, then a row per line, no quotes.
 class CsvTable {
   public:
