@@ -30,9 +30,9 @@ std::function<int()> describeImportWorker(CLI::App& verb) {
 constexpr Verb kImportWorkerVerb{"import-worker", "", describeImportWorker};
 
 /// All verbs, in the order of `kerf --help`.
-const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb,  &kInspectVerb, &kCompareVerb,
-                              &kTestVerb,   &kMaterialsVerb,   &kSchemaVerb,  &kSweepVerb,
-                              &kDoctorVerb, &kImportWorkerVerb};
+const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb, &kInspectVerb,     &kCompareVerb,
+                              &kTestVerb,   &kScoreVerb,      &kMaterialsVerb,   &kSchemaVerb,
+                              &kSweepVerb,  &kDoctorVerb,     &kImportWorkerVerb};
 
 /// A bare word that is no file was meant as a verb.
 bool looksLikeVerb(const std::filesystem::path& file) {

@@ -28,6 +28,7 @@ extern const Verb kInspectVerb;     ///< describes a model, and whether it can b
 extern const Verb kMaterialsVerb;   ///< the materials that come with Kerf
 extern const Verb kReplayVerb;      ///< runs a session headless, with its results
 extern const Verb kSchemaVerb;      ///< the JSON Schema of sessions or materials
+extern const Verb kScoreVerb;       ///< a table of practised cuts
 extern const Verb kSweepVerb;       ///< does the open runs of a study
 extern const Verb kTestVerb;        ///< sessions as regression tests
 

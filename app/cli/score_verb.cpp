@@ -1,0 +1,140 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/cli/option_checks.h"
+#include "app/cli/verb.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/exit_codes.h"
+#include "app/files/io/file_io.h"
+#include "app/practice/score_table.h"
+#include "app/session/session.h"
+#include "app/session/session_json.h"
+
+namespace kerf::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMaxSummaryBytes = 256u << 20;
+
+/// The arguments of `kerf score PATH... [--csv FILE] [--html FILE] [--json] [--passed]`, parsed.
+struct ScoreArguments {
+    std::vector<fs::path> paths;
+    fs::path csv;   ///< empty for standard output, if there is no other result
+    fs::path html;  ///< empty for none
+    bool json = false;
+    bool mustPass = false;
+};
+
+/// The score of a session; none if it has no task.
+std::optional<Scored> scoreSession(const fs::path& session) {
+    throw InputError(session.string() +
+                     ": sessions can't be scored yet; give the summary.json of a replay.");
+}
+
+/// What a replay wrote of a try; none if its session has no task.
+std::optional<Scored> scoreOfSummary(const fs::path& file) {
+    const std::string text = readInputFile(file, kMaxSummaryBytes);
+    Json summary;
+    try {
+        summary = parseOrderedJson(text);
+    } catch (const InputError& error) {
+        throw InputError(file.string() + ": " + error.what());
+    }
+    if (!summary.is_object() || !summary.contains("score") || !isScore(summary["score"])) {
+        return std::nullopt;
+    }
+    return Scored{file.string(), summary["score"]};
+}
+
+/// The files that are named, and each summary.json in folders and below.
+std::vector<fs::path> filesAt(const std::vector<fs::path>& paths) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : paths) {
+        if (!fs::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t before = files.size();
+        for (const auto& entry : fs::recursive_directory_iterator(path)) {
+            if (entry.path().filename() == kSummaryFile) {
+                files.push_back(entry.path());
+            }
+        }
+        if (files.size() == before) {
+            throw InputError(path.string() + ": there is no summary.json in this folder.");
+        }
+    }
+    return files;
+}
+
+std::vector<Scored> scoreAll(const std::vector<fs::path>& files) {
+    std::vector<Scored> tries;
+    for (const fs::path& file : files) {
+        const bool isSession = file.string().ends_with(kSessionEnding);
+        auto scored = isSession ? scoreSession(file) : scoreOfSummary(file);
+        if (!scored) {
+            throw InputError(file.string() + ": there is no score; its session needs a task.");
+        }
+        tries.push_back(std::move(*scored));
+    }
+    sortTries(tries);
+    return tries;
+}
+
+Json toJson(const std::vector<Scored>& tries) {
+    Json list = Json::array();
+    for (const Scored& scored : tries) {
+        list.push_back({{"file", scored.file}});
+        list.back().update(scored.score);
+    }
+    return {{"tries", list}};
+}
+
+int runScore(const ScoreArguments& arguments, std::ostream& out) {
+    const std::vector<Scored> tries = scoreAll(filesAt(arguments.paths));
+    if (!arguments.csv.empty()) {
+        writeOutputFile(arguments.csv, scoresAsCsv(tries));
+    }
+    if (!arguments.html.empty()) {
+        writeOutputFile(arguments.html, scoresAsHtml(tries));
+    }
+    if (arguments.json) {
+        out << toJson(tries).dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+    } else if (arguments.csv.empty() && arguments.html.empty()) {
+        out << scoresAsCsv(tries);
+    }
+    const bool allPassed =
+        std::ranges::all_of(tries, [](const Scored& scored) { return scored.score["passed"]; });
+    return arguments.mustPass && !allPassed ? kExitCheckFailed : kExitDone;
+}
+
+std::function<int()> describeScore(CLI::App& verb) {
+    const auto arguments = std::make_shared<ScoreArguments>();
+    verb.add_option("PATH", arguments->paths,
+                    "The summary.json of a replay, or a folder to search for these")
+        ->required()
+        ->check(refuseEmpty);
+    verb.add_option("--csv", arguments->csv, "Write the table as CSV here, not to standard output")
+        ->type_name("FILE")
+        ->check(refuseEmpty);
+    verb.add_option("--html", arguments->html, "Write a page with the table and charts here")
+        ->type_name("FILE")
+        ->check(refuseEmpty);
+    verb.add_flag("--json", arguments->json, "Print one JSON object");
+    verb.add_flag("--passed", arguments->mustPass, "Exit code 1 unless all tries passed");
+    return [arguments] { return runScore(*arguments, std::cout); };
+}
+
+}  // namespace
+
+const Verb kScoreVerb{"score", "Table of practised cuts: figures, limits, and who passed",
+                      describeScore};
+
+}  // namespace kerf::app
