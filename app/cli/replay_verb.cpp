@@ -132,6 +132,11 @@ void printForPeople(const ReplayResult& result, const ReplayArguments& arguments
         << percent(run.volumeRatio.min()) << ", final " << percent(run.finalVolumeRatio)
         << " of rest\n";
     out << "cuts: " << (summary.cuts ? describeCuts(*summary.cuts) : "none") << "\n";
+    if (summary.score) {
+        const std::size_t broken = summary.score->violations.size();
+        out << "score: " << (broken == 0 ? "passed" : joined(summary.score->violations, " "))
+            << "\n";
+    }
     out << "state: " << summary.stateHash << "\n";
     printFiles(arguments.out, result.files, out);
     if (result.film) {

@@ -11,8 +11,11 @@
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/practice/score_table.h"
+#include "app/session/headless_session.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
+#include "app/session/task_run.h"
+#include "gpu/context.h"
 
 namespace kerf::app {
 
@@ -32,10 +35,27 @@ struct ScoreArguments {
     bool mustPass = false;
 };
 
-/// The score of a session; none if it has no task.
+/// The score of a session, which is run for it; none if it has no task, or no stroke.
 std::optional<Scored> scoreSession(const fs::path& session) {
-    throw InputError(session.string() +
-                     ": sessions can't be scored yet; give the summary.json of a replay.");
+    const Session read = readSession(session);
+    if (!read.task) {
+        return std::nullopt;
+    }
+    ModelMesh model = loadSessionModel(read);
+    const gpu::EglContext context;
+    const std::size_t undoBudget = undoesAnything(read) ? kReplayUndoBudget : 0;
+    requireMemoryFor(read, model.mesh, undoBudget);
+    HeadlessSession running(read, std::move(model), undoBudget, render::Quality::light);
+    const SessionSchedule schedule(running.session());
+    ForceTrace forces;
+    running.simulation().feelBlade(true);
+    for (int step = 0; step < read.steps; ++step) {
+        const StepReport& report = running.stepBy(schedule);
+        forces.add(report, running.simulation().params().timeStep);
+    }
+    const std::optional<Score> score = scoreOf(running.session(), running.simulation(), forces);
+    return score ? std::optional(Scored{session.string(), app::toJson(*score, *read.task)})
+                 : std::nullopt;
 }
 
 /// What a replay wrote of a try; none if its session has no task.
@@ -53,7 +73,12 @@ std::optional<Scored> scoreOfSummary(const fs::path& file) {
     return Scored{file.string(), summary["score"]};
 }
 
-/// The files that are named, and each summary.json in folders and below.
+/// What a folder holds, of which the score of one try may be asked in two ways.
+bool holdsTry(const fs::path& file) {
+    return file.filename() == kSummaryFile || file.string().ends_with(kSessionEnding);
+}
+
+/// The files that are named, and each session and summary.json in folders and below.
 std::vector<fs::path> filesAt(const std::vector<fs::path>& paths) {
     std::vector<fs::path> files;
     for (const fs::path& path : paths) {
@@ -63,12 +88,12 @@ std::vector<fs::path> filesAt(const std::vector<fs::path>& paths) {
         }
         const std::size_t before = files.size();
         for (const auto& entry : fs::recursive_directory_iterator(path)) {
-            if (entry.path().filename() == kSummaryFile) {
+            if (holdsTry(entry.path())) {
                 files.push_back(entry.path());
             }
         }
         if (files.size() == before) {
-            throw InputError(path.string() + ": there is no summary.json in this folder.");
+            throw InputError(path.string() + ": there is no session and no summary.json in this folder.");
         }
     }
     return files;
@@ -80,7 +105,7 @@ std::vector<Scored> scoreAll(const std::vector<fs::path>& files) {
         const bool isSession = file.string().ends_with(kSessionEnding);
         auto scored = isSession ? scoreSession(file) : scoreOfSummary(file);
         if (!scored) {
-            throw InputError(file.string() + ": there is no score; its session needs a task.");
+            throw InputError(file.string() + ": there is no score; it needs a task and a stroke.");
         }
         tries.push_back(std::move(*scored));
     }
@@ -118,7 +143,7 @@ int runScore(const ScoreArguments& arguments, std::ostream& out) {
 std::function<int()> describeScore(CLI::App& verb) {
     const auto arguments = std::make_shared<ScoreArguments>();
     verb.add_option("PATH", arguments->paths,
-                    "The summary.json of a replay, or a folder to search for these")
+                    "A session, the summary.json of its replay, or a folder to search for these")
         ->required()
         ->check(refuseEmpty);
     verb.add_option("--csv", arguments->csv, "Write the table as CSV here, not to standard output")

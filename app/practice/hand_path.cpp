@@ -23,12 +23,6 @@ constexpr double kMoving = 5e-3;       // above this one, where poses may not li
 constexpr double kCoarseForJerk = 0.1 + 1e-9;     // two of them [s]
 constexpr double kCoarseForTremor = 0.02 + 1e-9;  // on average
 
-Vec3 nearestOn(const Blade& blade, const Vec3& pivot) {
-    const Vec3 way = blade.b - blade.a;
-    const double t = way.isZero(0) ? 0 : (pivot - blade.a).dot(way) / way.squaredNorm();
-    return blade.a + std::clamp(t, 0.0, 1.0) * way;
-}
-
 /// The mean about a moment, by a Gaussian of `sigma` [s] that is cut off at three.
 Vec3 smoothAt(const Curve& stroke, double time, double sigma) {
     Vec3 sum = Vec3::Zero();
@@ -95,15 +89,26 @@ void addStroke(const Curve& stroke, Motion& motion) {
 
 }  // namespace
 
+double handShare(std::span<const HandPose> hand, const Vec3& pivot) {
+    double sum = 0;
+    for (const auto& [time, blade, begins] : hand) {
+        const Vec3 way = blade.b - blade.a;
+        const double share = way.isZero(0) ? 0 : (pivot - blade.a).dot(way) / way.squaredNorm();
+        sum += std::clamp(share, 0.0, 1.0);
+    }
+    return hand.empty() ? 0 : sum / static_cast<double>(hand.size());
+}
+
 MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
                           std::optional<double> expertPath) {
     if (hand.empty()) {
         return {};
     }
+    const double share = handShare(hand, pivot);
     Motion motion;
     Curve stroke;
     for (const HandPose& pose : hand) {
-        const Vec3 point = nearestOn(pose.blade, pivot);
+        const Vec3 point = handPoint(pose.blade, share);
         const double gap = stroke.at.empty() ? 0 : pose.time - stroke.at.back();
         const double way = stroke.at.empty() ? 0 : (point - stroke.points.back()).norm();
         if (pose.begins && !stroke.at.empty()) {

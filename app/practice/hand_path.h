@@ -24,7 +24,13 @@ struct MotionScore {
     std::optional<double> idleTime;    ///< at rest within strokes, and between strokes [s]
 };
 
-/// Measures a hand by the point of its blade nearest to `pivot`. `expertPath` [m]: none if unknown.
+/// Where on the blade a hand is measured, from 0 at A to 1 at B: as near to `pivot` as the blade
+/// comes, on average.
+double handShare(std::span<const HandPose> hand, const Vec3& pivot);
+inline Vec3 handPoint(const Blade& blade, double share) {
+    return blade.a + share * (blade.b - blade.a);
+}
+/// Measures a hand by that point of its blade. `expertPath` [m]: none if unknown.
 MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
                           std::optional<double> expertPath);
 

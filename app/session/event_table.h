@@ -90,6 +90,7 @@ inline constexpr Word kHand{"hand", "The number of the hand."};
 // - exactlyOneOf(keys, problem), atLeastOneOf(keys, problem): which optional fields must be there.
 // - oneOf(region, problem): the fields of a ball or those of a box.
 // - param(nameWord, name, valueWord, value): a parameter of the simulation and its value.
+// - list(word, items, most): at most so many items; none where it is left out.
 // - check(holds, key, problem): more that must hold, with the key that is to blame ("": the item).
 //   A schema can't tell these.
 
@@ -104,6 +105,7 @@ struct NoFields {
     void oneOf(const Region&, std::string_view) {}
     void param(const Word&, const std::string&, const Word&, const ParamValue&) {}
     void check(bool, const char*, std::string_view) {}
+    void list(const Word&, const auto&, std::size_t) {}
 };
 
 void describe(auto& fields, Ball& ball) {
@@ -172,7 +174,8 @@ void describe(auto& fields, MoveBlade& move) {
     fields.required({"b", "The other end of the blade [m]."}, move.blade.b, kPositions);
     fields.optional(
         {"seconds",
-         "How long a hand took for each step to here, which films show where time stands."},
+         "How long a hand took for each step to here, or was away before a further stroke. Films "
+         "show it where time stands."},
         move.seconds, Limits{0, 3600});
     fields.check(move.blade.a != move.blade.b, "a",
                  "a and b are the same point; a blade needs a length.");

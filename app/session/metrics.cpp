@@ -272,6 +272,9 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
     json["cut_report"] = summary.cuts ? toJson(*summary.cuts) : Json();
+    if (summary.score) {
+        json["score"] = toJson(*summary.score, *summary.task);
+    }
     json["failures"] = summary.failures;
     json["messages"] = summary.messages;
     json["remarks"] = summary.remarks;

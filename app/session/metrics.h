@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/practice/score.h"
 #include "app/session/cut_report.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
@@ -110,6 +111,8 @@ struct RunSummary {
         failures;  ///< checks and invariants that did not hold, one sentence each
     std::vector<std::string> messages;  ///< problems in steps, as in the log
     std::vector<std::string> remarks;   ///< warnings about the figures
+    std::optional<Task> task;           ///< of a try
+    std::optional<Score> score;         ///< of it
 };
 
 /// The keys of summary.json (docs/session-format.md).

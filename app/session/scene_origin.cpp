@@ -1,8 +1,9 @@
 #include "app/session/scene_origin.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "app/session/event_table.h"
+#include "app/session/session_table.h"
 
 namespace kerf::app {
 namespace {
@@ -17,6 +18,12 @@ struct PlaceMover : NoFields {
     using NoFields::required;
     void required(const Word&, Vec3& place, const Positions&) { place -= by; }
     void optional(const Word&, Vec3& place, const Positions&) { place -= by; }
+    void required(const Word&, std::vector<Vec3>& places, const Positions&) {
+        std::ranges::for_each(places, [this](Vec3& place) { place -= by; });
+    }
+    void list(const Word&, auto& items, std::size_t) {
+        std::ranges::for_each(items, [this](auto& item) { describe(*this, item); });
+    }
     void oneOf(Region& region, std::string_view) {
         std::visit([this](auto& shape) { describe(*this, shape); }, region);
     }
@@ -76,6 +83,9 @@ Session withOrigin(Session session, const Vec3& origin) {
     session.boxes = countedFrom(std::move(session.boxes), by);
     for (SessionEvent& event : session.events) {
         event.action = countedFrom(std::move(event.action), by);
+    }
+    if (session.task) {
+        session.task = moved(std::move(*session.task), by);
     }
     if (session.view) {
         session.view = countedFrom(*session.view, by);

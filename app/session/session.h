@@ -11,6 +11,7 @@
 
 #include "app/files/export/mesh_formats.h"
 #include "app/files/import/mending.h"
+#include "app/practice/task.h"
 #include "render/scene/body_look.h"
 #include "render/scene/camera_path.h"
 #include "sim/base/params.h"
@@ -129,6 +130,7 @@ struct Session {
     std::string material;
     Params params;
     std::vector<StaticBox> boxes;  ///< at the start
+    std::optional<Task> task;      ///< to practise; a session in which it was done is a try
     int steps = 0;
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;

@@ -139,6 +139,11 @@ void read(const Node& node, Vec3& vector, const Limits& limits) {
     vector = readVector(node, limits);
 }
 
+template <class Item>
+void read(const Node& node, std::vector<Item>& items, const Limits& limits) {
+    forEachItem(node, [&](const Node& item) { read(item, items.emplace_back(), limits); });
+}
+
 void read(const Node& node, std::string& text, const HexDigits& digits) {
     text = readString(node);
     if (text.size() != digits.count ||
@@ -484,6 +489,8 @@ class ObjectReader : public NoFields {
             ObjectReader object(node, *warnings_);
             describe(object, value, rule...);
             object.warnAboutTheRest();
+        } else if constexpr (requires { describe(*this, value.emplace(), rule...); }) {
+            readField(node, value.emplace(), rule...);
         } else {
             read(node, value, rule...);
         }
@@ -534,22 +541,43 @@ void warnAboutOneName(Session& session) {
     }
 }
 
+std::filesystem::path absoluteIn(const std::filesystem::path& folder,
+                                 const std::filesystem::path& path) {
+    return std::filesystem::absolute(folder / path).lexically_normal();
+}
+
 void makeAbsolute(ModelReference& model, const std::filesystem::path& baseFolder) {
     if (model.builtin.empty()) {
-        model.path = std::filesystem::absolute(baseFolder / model.path).lexically_normal();
+        model.path = absoluteIn(baseFolder, model.path);
+    }
+}
+
+/// Throws InputError if the session has no model of that number.
+void requireModel(const Session& session, const std::string& path, int model) {
+    const int models = static_cast<int>(session.moreModels.size()) + 1;
+    if (model >= models) {
+        fail(path, "there is no model " + std::to_string(model) + "; the session has " +
+                       counted(models, "model", "models") + ", numbered from 0.");
+    }
+}
+
+void requireModelsOfTask(const Session& session) {
+    const Task& task = *session.task;
+    requireModel(session, "task.model", task.model);
+    requireModel(session, "task.take", task.take.value_or(0));
+    for (std::size_t i = 0; i < task.spare.size(); ++i) {
+        requireModel(session, "task.spare[" + std::to_string(i) + "]", task.spare[i]);
+    }
+    if (task.take == task.model || std::ranges::count(task.spare, task.model) > 0) {
+        fail("task.model", "it is to be cut, so it can't be spared or taken out.");
     }
 }
 
 }  // namespace
 
 void requireModelsOfParams(const Session& session) {
-    const int models = static_cast<int>(session.moreModels.size()) + 1;
     for (const std::string& name : ownNames(session.params)) {
-        if (modelOf(name) >= models) {
-            fail("params." + name, "there is no model " + std::to_string(modelOf(name)) +
-                                       "; the session has " + counted(models, "model", "models") +
-                                       ", numbered from 0.");
-        }
+        requireModel(session, "params." + name, modelOf(name));
     }
 }
 
@@ -580,6 +608,12 @@ Session parseSession(const std::string& text, const std::filesystem::path& baseF
         makeAbsolute(further.model, baseFolder);
     }
     requireModelsOfParams(session);
+    if (session.task) {
+        requireModelsOfTask(session);
+        if (!session.task->expert.empty()) {
+            session.task->expert = absoluteIn(baseFolder, session.task->expert);
+        }
+    }
     return session;
 }
 

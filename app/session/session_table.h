@@ -2,6 +2,8 @@
 // and the schema for text editors are made from it. The parameters stand in sim/base/params.cpp.
 #pragma once
 
+#include <algorithm>
+
 #include "app/session/event_table.h"
 
 namespace kerf::app {
@@ -15,6 +17,10 @@ inline constexpr FileFormat kSessionFormat{"kerf-session", 1};
 
 inline constexpr HexDigits kSha256Digits{64};
 inline constexpr Limits kColorParts{0, 1};
+inline constexpr Limits kShares{0, 1};
+inline constexpr Limits kDistances{0, kMaxSessionCoordinate};  // [m]
+inline constexpr std::size_t kMostOfTask = 20;                 // lines, and regions to spare
+inline constexpr double kLeastSineOfInto = 0.1;                // between it and a line
 
 /// The view of a session: the camera and, beside it, the colours.
 struct SessionView {
@@ -27,7 +33,6 @@ struct SessionView {
 // - format(formatWord, versionWord, format): that this is a file of that format and version.
 // - material(word, session): a material by name or file, which gives the session its values.
 // - params(word, params): parameters by name.
-// - list(word, items, most): at most so many items.
 // - events(word, events, steps): what happens, each at one of these steps.
 // - action(word, action): the type of an event, and what describe() says of it.
 
@@ -98,6 +103,77 @@ void describe(auto& fields, SessionView& view) {
     describe(fields, view.colors);
 }
 
+void describe(auto& fields, TaskLine& line) {
+    fields.required({"points", "Where it runs: two points at least [m]."}, line.points, kPositions);
+    fields.optional({"closed", "The last point is joined to the first."}, line.closed);
+    const std::vector<Vec3>& points = line.points;
+    fields.check(points.size() >= 2, "points", "a line has two points at least.");
+    fields.check(std::ranges::adjacent_find(points) == points.end() &&
+                     !(line.closed && points.front() == points.back()),
+                 "points", "two points in a row are the same.");
+}
+
+void describe(auto& fields, TaskLimits& limits) {
+    fields.optional({"deviation", "How far the rim may be from the line, at most [m]."},
+                    limits.deviation, kDistances);
+    fields.optional({"ends",
+                     "How much of the lines may be left uncut, and how long a cut beside or beyond "
+                     "them may be, at most [m]."},
+                    limits.ends, kDistances);
+    fields.optional({"in_band", "The share of the cut whose depth is within the band, at least."},
+                    limits.inBand, kShares);
+    fields.optional({"margin", "Between cuts and what is spared, at least [m]."}, limits.margin,
+                    kDistances);
+    fields.optional({"seconds", "The time that it may take, at most [s]."}, limits.seconds,
+                    kDurations);
+    fields.optional({"idle", "The time at rest and between strokes, at most [s]."}, limits.idle,
+                    kDurations);
+    fields.optional({"economy", "The expert's path over that of the hand, at least."},
+                    limits.economy, kShares);
+    fields.optional({"smoothness", "The log dimensionless jerk, at least."}, limits.smoothness,
+                    within(100));
+    fields.optional({"newtons", "The force on the blade, at most [N]."}, limits.newtons,
+                    Limits{0, kForces.high});
+}
+
+void describe(auto& fields, Task& task) {
+    fields.required({"name", "What the task is called."}, task.name, kLabels);
+    fields.optional({"about", "What to do, in a sentence or two."}, task.about, ShortText{300});
+    fields.optional({"expert", "A session beside this one whose blade shows how it is done."},
+                    task.expert, ModelPath{});
+    fields.list({"lines", "Along which to cut."}, task.lines, kMostOfTask);
+    fields.optional({"model", "The number of the model to cut."}, task.model, kModelNumbers);
+    fields.optional({"into", "The direction into the body, along no line."}, task.into,
+                    kCoordinates);
+    fields.optional({"reach", "What is farther aside does not belong to a line [m]."}, task.reach,
+                    kRadii);
+    fields.optional({"depth", "How deep to cut; through where it is left out [m]."}, task.depth,
+                    kRadii);
+    fields.optional({"band", "By how much the depth may differ [m]."}, task.band, kDistances);
+    fields.optional({"spare", "The numbers of models that must not be cut."}, task.spare,
+                    kModelNumbers);
+    fields.list({"spare_regions", "Balls and boxes at rest that must not be cut."},
+                task.spareRegions, kMostOfTask);
+    fields.optional({"take", "The number of a model to be taken out whole."}, task.take,
+                    kModelNumbers);
+    fields.optional({"path", "How far the expert's hand moves, for the economy [m]."}, task.path,
+                    kRadii);
+    describe(fields, task.limits);
+    fields.optional({"person", "Of a try: who."}, task.person, kLabels);
+    fields.optional({"date", "Of a try: when."}, task.date, kLabels);
+    fields.check(!task.lines.empty() || task.take, "",
+                 "there is nothing to do; give lines, or a model to take.");
+    for (const TaskLine& line : task.lines) {
+        for (std::size_t i = 1; i < line.points.size() + (line.closed ? 1 : 0); ++i) {
+            const Vec3 along = line.points[i % line.points.size()] - line.points[i - 1];
+            fields.check(along.cross(task.into).norm() >=
+                             kLeastSineOfInto * along.norm() * task.into.norm(),
+                         "into", "it points along a line; give a direction into the body.");
+        }
+    }
+    fields.check(!task.into.isZero(0), "into", "it has no direction.");
+}
+
 void describe(auto& fields, Session& session) {
     SessionView view{session.view, session.colors};
     fields.ignored({"$schema", "The schema by which an editor checks this file. Kerf ignores it."});
@@ -122,6 +198,8 @@ void describe(auto& fields, Session& session) {
         session.params);
     fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,
                 kMostBoxes);
+    fields.optional({"task", "What to practise, and how well it must be done (docs/practice.md)."},
+                    session.task);
     fields.required({"steps", "How many steps to run."}, session.steps, Limits{1, kMaxSteps});
     fields.events({"events", "What happens, before which step."}, session.events,
                   Limits{0, static_cast<double>(session.steps)});

@@ -46,6 +46,18 @@ Json toJson(const std::vector<std::string>& texts) {
     return texts;
 }
 
+Json toJson(const std::vector<int>& numbers) {
+    return numbers;
+}
+
+Json toJson(const std::vector<Vec3>& points) {
+    Json json = Json::array();
+    for (const Vec3& point : points) {
+        json.push_back(toJson(point));
+    }
+    return json;
+}
+
 Json toJson(const Params& params) {
     Json json;
     for (const ParamInfo& info : paramTable()) {
@@ -56,6 +68,13 @@ Json toJson(const Params& params) {
     }
     return json;
 }
+
+struct FieldWriter;
+template <class Described, class... Rule>
+requires requires(FieldWriter& fields, Described item, Rule... rule) {
+    describe(fields, item, rule...);
+}
+Json toJson(Described item, const Rule&... rule);
 
 template <class Value>
 Json toJson(const std::optional<Value>& value) {
@@ -79,6 +98,9 @@ template <class Value>
 bool isGiven(const std::optional<Value>& value) {
     return value.has_value();
 }
+bool isGiven(const std::vector<int>& numbers) {
+    return !numbers.empty();
+}
 bool isGiven(const SessionView& view) {
     return view.camera.has_value();
 }
@@ -88,13 +110,6 @@ bool isGiven(const render::ChosenColors& colors) {
 bool isGiven(const MaterialValue& value) {
     return value.value.has_value();
 }
-
-struct FieldWriter;
-template <class Described, class... Rule>
-requires requires(FieldWriter& fields, Described item, Rule... rule) {
-    describe(fields, item, rule...);
-}
-Json toJson(Described item, const Rule&... rule);
 
 /// Writes the fields of an object as describe() names them.
 struct FieldWriter : NoFields {
@@ -120,6 +135,11 @@ struct FieldWriter : NoFields {
     }
     void oneOf(Region& region, std::string_view) {
         std::visit([this](auto& shape) { describe(*this, shape); }, region);
+    }
+    void list(const Word& word, const auto& items, std::size_t) {
+        for (const auto& item : items) {
+            json[word.name].push_back(toJson(item));
+        }
     }
     void param(const Word& nameWord, const std::string& name, const Word& valueWord,
                const ParamValue& value) {
@@ -207,12 +227,17 @@ class DocumentWriter : public NoFields {
     std::string text_;
 };
 
+std::filesystem::path seenFrom(const std::filesystem::path& folder,
+                               const std::filesystem::path& path) {
+    return folder.empty() ? path : path.lexically_proximate(folder);
+}
+
 /// With its path from `baseFolder`, where that is given.
 ModelReference inFolder(ModelReference model, const std::filesystem::path& baseFolder) {
     if (!model.builtin.empty()) {
         model.path.clear();
-    } else if (!baseFolder.empty()) {
-        model.path = model.path.lexically_proximate(baseFolder);
+    } else {
+        model.path = seenFrom(baseFolder, model.path);
     }
     return model;
 }
@@ -236,6 +261,9 @@ std::string formatSession(const Session& session, const std::filesystem::path& b
     written.model = inFolder(session.model, baseFolder);
     for (FurtherModel& further : written.moreModels) {
         further.model = inFolder(further.model, baseFolder);
+    }
+    if (written.task && !written.task->expert.empty()) {
+        written.task->expert = seenFrom(baseFolder, written.task->expert);
     }
     return textOf(written);
 }

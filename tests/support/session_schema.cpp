@@ -113,6 +113,11 @@ Json schemaOf(const std::vector<std::string>&, const Words& rule) {
     return {{"type", "array"}, {"items", {{"enum", rule.words}}}};
 }
 
+template <class Item>
+Json schemaOf(const std::vector<Item>&, const Limits& limits) {
+    return {{"type", "array"}, {"items", schemaOf(Item{}, limits)}};
+}
+
 template <class Enum>
 requires std::is_enum_v<Enum> Json schemaOf(Enum, const Words& rule) {
     return {{"enum", rule.words}};
@@ -353,6 +358,10 @@ class FieldSchemas : public NoFields {
                           describe(fields, item, rule...);
                       }) {
             return objectSchema(value, rule...);
+        } else if constexpr (requires(FieldSchemas fields, Value item) {
+                                 describe(fields, *item, rule...);
+                             }) {
+            return objectSchema(typename Value::value_type{}, rule...);
         } else {
             return schemaOf(value, rule...);
         }

@@ -17,6 +17,7 @@
 #include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
 #include "app/session/session.h"
+#include "app/session/task_run.h"
 #include "app/session/volume_watch.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
@@ -164,7 +165,7 @@ class Replay {
         summary_.driver = device.version;
         summary_.before = countBody();
         beginPictures();
-        simulation().feelBlade(options_.forces);
+        simulation().feelBlade(options_.forces || session_.task);
     }
 
     void run(const ReplayListener& listener) {
@@ -294,6 +295,7 @@ class Replay {
     /// After a step: what is written and told of it.
     void publish(const MetricsRow& row, const ReplayListener& listener) {
         files_.write(row);
+        forces_.add(row.report, simulation().params().timeStep);
         summary_.statistics.add(row);
         if (!row.report.open) {
             volumes_.add(step_, simulation().measuredPieces());
@@ -400,6 +402,10 @@ class Replay {
         summary_.pieces = simulation().pieces().pieces;
         summary_.stateHash = simulation().stateHash();
         summary_.cuts = reportOnCuts(simulation());
+        if (steps_ == session_.steps && !stopped_) {  // else not all of the try was played
+            summary_.task = session_.task;
+            summary_.score = scoreOf(session_, simulation(), forces_);
+        }
         remark(remarkOnCrossings(simulation()));
         folder_.write(kSummaryFile, formatSummary(summary_));
     }
@@ -420,6 +426,7 @@ class Replay {
     std::optional<MeshSequence> sequence_;
     IterationWatch iterations_;
     VolumeWatch volumes_;
+    ForceTrace forces_;
     const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
     TimeOutside outside_;

@@ -61,10 +61,10 @@ TEST_F(ScoreVerb, WritesFilesAndJson) {
     const ProgramRun run = runKerf({"score", pathOf("ann/run/summary.json"), "--csv",
                                     pathOf("a.csv"), "--html", pathOf("a.html"), "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;
-    const auto json = ordered_json::parse(run.out);
-    ASSERT_EQ(json["tries"].size(), 1U);
-    EXPECT_EQ(json["tries"][0]["person"], "ann");
-    EXPECT_EQ(json["tries"][0]["time"], 12.5);
+    const auto printed = ordered_json::parse(run.out);
+    ASSERT_EQ(printed["tries"].size(), 1U);
+    EXPECT_EQ(printed["tries"][0]["person"], "ann");
+    EXPECT_EQ(printed["tries"][0]["time"], 12.5);
     EXPECT_THAT(textOf(pathOf("a.csv")), HasSubstr(",Incision,ann,"));
     EXPECT_THAT(textOf(pathOf("a.html")), HasSubstr("\"person\":\"ann\""));
     const ProgramRun quiet =
@@ -91,9 +91,9 @@ TEST_F(ScoreVerb, RefusesWhatHasNoScore) {
     test::writeText(pathOf("bad.json"), "{");
     refuse(pathOf("bad.json"), "bad.json: ");
     test::writeText(pathOf("plain.json"), R"({"steps": 3})");
-    refuse(pathOf("plain.json"), "plain.json: there is no score; its session needs a task.");
+    refuse(pathOf("plain.json"), "plain.json: there is no score; it needs a task and a stroke.");
     std::filesystem::create_directories(pathOf("empty"));
-    refuse(pathOf("empty"), "empty: there is no summary.json in this folder.");
+    refuse(pathOf("empty"), "empty: there is no session and no summary.json in this folder.");
 }
 
 }  // namespace

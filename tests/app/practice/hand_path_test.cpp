@@ -151,7 +151,7 @@ TEST(HandPath, SlowerThanTwoMillimetresASecondIsARest) {
     EXPECT_EQ(*measureStroke(6, 100, slowing(0.0025)).idleTime, 0);
 }
 
-TEST(HandPath, TheHandIsWhereTheBladeIsNearestToTheTask) {
+TEST(HandPath, TheHandIsAPointOfTheBladeThatIsNearTheTask) {
     const Vec3 pivot(0.02, 0.01, 0);
     const auto turning = [&](double share) {
         const Vec3 way(0.1 * std::cos(3 * share), 0.1 * std::sin(3 * share), 0);
@@ -160,7 +160,14 @@ TEST(HandPath, TheHandIsWhereTheBladeIsNearestToTheTask) {
     std::vector<HandPose> hand;
     addStroke(hand, 0, 2, 100, turning);
     EXPECT_NEAR(*measureMotion(hand, pivot, {}).path, 0, 1e-12);
-    EXPECT_GT(*measureMotion(hand, pivot + Vec3(0.05, 0, 0), {}).path, 0.05);
+    EXPECT_NEAR(handShare(hand, pivot), 0.5, 1e-12);
+    EXPECT_NEAR(handShare(std::span(hand).first(1), pivot + Vec3(0.05, 0, 0)), 0.75, 1e-12);
+    const auto down = [&](double share) {  // from above the pivot to below it, as a rigid blade
+        return Blade{Vec3(0, 0.01 - 0.02 * share, 0), Vec3(0, 0.11 - 0.02 * share, 0)};
+    };
+    hand.clear();
+    addStroke(hand, 0, 2, 100, down);
+    EXPECT_NEAR(*measureMotion(hand, Vec3::Zero(), {}).path, 0.02, 1e-4);
     const auto point = [](double) { return Blade{Vec3::Ones(), Vec3::Ones()}; };
     EXPECT_EQ(*measureStroke(1, 100, point).path, 0);
 }

@@ -56,6 +56,15 @@ std::string textOf(const std::optional<Value>& value) {
     return value ? textOf(*value) : "none";
 }
 
+template <class Item>
+std::string textOf(const std::vector<Item>& items) {
+    std::string text;
+    for (const Item& item : items) {
+        text += textOf(item) + "; ";
+    }
+    return text;
+}
+
 /// Every field of a session by the tables, whether it was given or not.
 class Fields : public app::NoFields {
   public:
@@ -117,6 +126,11 @@ class Fields : public app::NoFields {
         if constexpr (requires { describe(*this, value, rule...); }) {
             text_ += std::string(word.name) + ":\n";
             describe(*this, value, rule...);
+        } else if constexpr (requires { describe(*this, *value, rule...); }) {
+            note(word.name, value.has_value());
+            if (value) {
+                describe(*this, *value, rule...);
+            }
         } else {
             note(word.name, value);
         }

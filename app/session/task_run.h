@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/practice/score.h"
+#include "app/session/session.h"
+
+namespace kerf {
+class Simulation;
+struct StepReport;
+}  // namespace kerf
+
+namespace kerf::app {
+
+/// The poses of the hand in a session since the body was last put back, by its own time: a pose
+/// comes `seconds` per step after the one before, the first one of a stroke `seconds` after the
+/// last lift; without these, as long after it as was simulated.
+std::vector<HandPose> handOf(const Session& session);
+
+/// The forces on the blade in a run, by step. A step that runs again takes the place of the earlier
+/// one and of all behind it.
+class ForceTrace {
+  public:
+    /// After a step of this length [s].
+    void add(const StepReport& report, double timeStep);
+    const std::vector<ForceSample>& samples() const { return samples_; }
+
+  private:
+    std::vector<ForceSample> samples_;
+    std::vector<int> steps_;  ///< of these samples
+};
+
+/// The score of a session that a simulation has run, with both relative to the same origin; none
+/// without a task, or before a stroke. Call it between strokes.
+std::optional<Score> scoreOf(const Session& session, const Simulation& simulation,
+                             const ForceTrace& forces);
+/// The deviation of its walls from the lines of a task, for render::FieldValues [m].
+std::vector<float> deviationAtWalls(const Task& task, const Simulation& simulation);
+
+}  // namespace kerf::app
