@@ -102,8 +102,10 @@ void updatePanels(State& s, const std::vector<ui::InputEvent>& batch, double ela
 }  // namespace
 
 void Editor::State::takeInput(double elapsedSeconds) {
-    if (const BusyScene now = scene.meanwhile(); now && !now.playing()) {
-        now.stroke().elapse(elapsedSeconds);
+    if (const BusyScene now = scene.meanwhile()) {
+        const bool practises = now.document().session.task.has_value();
+        now.stroke().keepTime(practises ? now.timeStep() : 0);
+        now.stroke().elapse(practises || !now.playing() ? elapsedSeconds : 0);
     }
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {

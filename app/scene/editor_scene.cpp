@@ -182,7 +182,8 @@ void EditorScene::step() {
 
 /// A session that is played says itself when time stands.
 void EditorScene::letTimeRunAsWanted(bool cuts) {
-    const bool runs = timeline().playing || hands().pulling() || timeRunsWhileCutting || !cuts;
+    const bool runs = timeline().playing || hands().pulling() || timeRunsWhileCutting || !cuts ||
+                      document().session.task;
     if (!timeline().playingBack() && simulation().timeRuns() != runs) {
         timeline().perform(SetTime{runs});
     }

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kMaxStepShare = 1.0 / 60;  // of the body's diagonal
 constexpr double kMinStepShare = 0.25;      // of the longest step: shorter moves are gathered
+constexpr double kMinTimedShare = 0.06;     // the same where time is kept
+constexpr double kMostRest = 0.25;          // of a hand at rest, that is simulated [s]
+constexpr double kMostSeconds = 3600;       // of a pose, in sessions
 constexpr double kOvershoot = 0.5;          // of the diagonal, beyond the body at both ends
 constexpr double kMinBladeShare = 0.01;     // of the diagonal
 constexpr double kLeastDiagonal = 1e-9;     // [m]
@@ -58,7 +61,9 @@ Blade StrokeSpace::bladeAt(const Vec2& ndc) const {
 void BladeStroke::begin(const Blade& first, const StrokeScale& scale) {
     space_.reset();
     scale_ = scale;
+    away_ = keepsTime() ? elapsed_ : 0;
     elapsed_ = 0;
+    owed_ = 0;
     queued_.reset();
     first_ = latest_ = first;
 }
@@ -79,35 +84,72 @@ void BladeStroke::moveTo(const Blade& blade) {
         return;
     }
     latest_ = blade;
-    const double gathered = scale_->distance(placed() ? *queued_ : first_, latest_);
-    if (gathered < kMinStepShare * scale_->maxStep) {
+    const Blade& last = !way_.empty() ? way_.back() : placed() ? *queued_ : first_;
+    const double gathered = (keepsTime() ? kMinTimedShare : kMinStepShare) * scale_->maxStep;
+    if (scale_->distance(last, latest_) < gathered) {
+        return;
+    }
+    way_.push_back(latest_);
+    if (!keepsTime()) {
+        queueWay();
+    }
+}
+
+void BladeStroke::elapse(double seconds) {
+    if (keepsTime() && elapsed_ >= timeStep_) {
+        queueWay();
+    }
+    elapsed_ += drawing() || keepsTime() ? seconds : 0;
+}
+
+int BladeStroke::stepsFor(double length, double seconds) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / scale_->maxStep)));
+    owed_ += keepsTime() ? std::min(seconds, kMostRest) / timeStep_ : 0;
+    const int queued = std::max(steps, static_cast<int>(owed_));
+    owed_ = std::max(0.0, owed_ - queued);
+    return queued;
+}
+
+/// Poses at equal distances, which share the time.
+void BladeStroke::queueWay() {
+    if (way_.empty()) {
         return;
     }
     if (!placed()) {
-        queue_.emplace_back(MoveBlade{first_});
+        const double away = std::min(std::exchange(away_, 0), kMostSeconds);
+        queue_.emplace_back(MoveBlade{first_, away > 0 ? std::optional(away) : std::nullopt});
         queued_ = first_;
     }
-    queueUpTo(latest_);
-}
-
-void BladeStroke::queueUpTo(const Blade& target) {
-    const Blade from = *queued_;
-    const double length = scale_->distance(from, target);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / scale_->maxStep)));
-    const double each = std::exchange(elapsed_, 0) / steps;
-    const auto seconds = each > 0 ? std::optional(each) : std::nullopt;
-    for (int k = 1; k <= steps; ++k) {
-        queue_.emplace_back(
-            MoveBlade{k == steps ? target : interpolate(from, target, double(k) / steps), seconds});
+    way_.insert(way_.begin(), *queued_);
+    std::vector<double> ends{0};
+    for (std::size_t i = 1; i < way_.size(); ++i) {
+        ends.push_back(ends.back() + scale_->distance(way_[i - 1], way_[i]));
     }
-    queued_ = target;
+    const double elapsed = std::min(std::exchange(elapsed_, 0), kMostSeconds);
+    const int steps = stepsFor(ends.back(), elapsed);
+    const auto seconds = elapsed > 0 ? std::optional(elapsed / steps) : std::nullopt;
+    for (int k = 1; k <= steps; ++k) {
+        const double at = ends.back() * k / steps;
+        const auto to = std::find_if(ends.begin() + 1, ends.end() - 1,
+                                     [at](double end) { return end >= at; }) - ends.begin();
+        const double length = ends[to] - ends[to - 1];
+        const bool arrives = k == steps || length == 0;
+        queue_.emplace_back(MoveBlade{
+            arrives ? way_[to] : interpolate(way_[to - 1], way_[to], (at - ends[to - 1]) / length),
+            seconds});
+    }
+    queued_ = way_.back();
+    way_.clear();
 }
 
 void BladeStroke::end() {
-    if (drawing() && placed()) {
-        if (scale_->distance(*queued_, latest_) > 0) {
-            queueUpTo(latest_);
+    const bool begun = placed() || !way_.empty();
+    if (drawing() && begun) {
+        const Blade& last = way_.empty() ? *queued_ : way_.back();
+        if (scale_->distance(last, latest_) > 0 || (keepsTime() && elapsed_ > 0)) {
+            way_.push_back(latest_);
         }
+        queueWay();
         queue_.emplace_back(LiftBlade{});
     }
     forgetPointer();
@@ -125,6 +167,8 @@ void BladeStroke::forgetPointer() {
     space_.reset();
     scale_.reset();
     queued_.reset();
+    way_.clear();
+    elapsed_ += std::exchange(away_, 0);
 }
 
 int BladeStroke::waiting() const {
@@ -160,6 +204,7 @@ std::vector<Blade> BladeStroke::wayAhead() const {
             way.push_back(move->blade);
         }
     }
+    way.insert(way.end(), way_.begin(), way_.end());
     if (drawing()) {
         way.push_back(latest_);
     }

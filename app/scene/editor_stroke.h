@@ -66,8 +66,11 @@ class BladeStroke {
     /// Begins and continues a stroke by points of the view.
     void begin(const StrokeSpace& space, const Vec2& ndc);
     void moveTo(const Vec2& ndc);
-    /// Adds real time of the drawing [s].
-    void elapse(double seconds) { elapsed_ += drawing() ? seconds : 0; }
+    /// From now on strokes take as many steps of this length [s] as the hand takes time, and keep
+    /// how long it is away between them; 0: as many as the way needs.
+    void keepTime(double timeStep) { timeStep_ = timeStep; }
+    /// Adds the real time [s] of a frame, before what happened in it.
+    void elapse(double seconds);
     /// After the release of the button.
     void end();
     /// Drops the queued poses; lifts a blade that already moves.
@@ -86,7 +89,9 @@ class BladeStroke {
     std::vector<Blade> wayAhead() const;
 
   private:
-    void queueUpTo(const Blade& target);
+    bool keepsTime() const { return timeStep_ > 0; }
+    void queueWay();
+    int stepsFor(double length, double seconds);
     void forgetPointer();
     bool placed() const { return queued_.has_value(); }
 
@@ -95,7 +100,11 @@ class BladeStroke {
     Blade first_;                       ///< where the button was pressed
     std::optional<Blade> queued_;       ///< last queued pose
     Blade latest_;                      ///< where the pointer is
-    double elapsed_ = 0;                ///< since the last pose was queued [s]
+    std::vector<Blade> way_;            ///< on from there, not queued yet
+    double elapsed_ = 0;                ///< since the last pose was queued, or the last lift [s]
+    double timeStep_ = 0;               ///< see keepTime() [s]
+    double owed_ = 0;                   ///< steps that the hand took time for, not queued yet
+    double away_ = 0;                   ///< of the hand before this stroke [s]
     std::deque<Command> queue_;
     std::size_t given_ = 0;      ///< poses taken since the queue was last empty
     std::optional<Blade> done_;  ///< the last pose that was taken, until the lift

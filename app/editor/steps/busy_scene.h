@@ -26,6 +26,7 @@ class BusyScene {
 
     // What no step changes, or changes as a whole between two pauses.
     const Document& document() const { return scene_->document(); }
+    double timeStep() const { return scene_->simulation().params().timeStep; }
     const UndoHistory& history() const { return scene_->simulation().history(); }
     const render::Camera& homeView() const { return scene_->rest().homeView(); }
     const Bounds& bounds() const { return scene_->simulation().bounds(); }

@@ -51,6 +51,7 @@ void SceneReadout::addStep(const StepReport& report, int piecesBefore) {
     if (report.pieces != piecesBefore) {
         readings_.mark(timeline_.time(), "cut");
     }
+    forces_.add(report, body_.simulation.params().timeStep);
     readings_.addStep(timeline_.time(), body_.simulation);
     addPoint();
     if (!report.open && volumes_.add(report.step, body_.simulation.measuredPieces())) {

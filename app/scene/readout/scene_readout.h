@@ -10,6 +10,7 @@
 #include "app/scene/readout/thickness_map.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/skin_follower.h"
+#include "app/session/task_run.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
 #include "sim/solve/sweep_strength.h"
@@ -58,6 +59,8 @@ class SceneReadout {
     /// The document's faults as marks on the present body, where its triangles are undivided.
     const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
     const EditorReadings& readings() const { return readings_; }
+    /// The forces on the blade in the steps so far, where they are measured.
+    const ForceTrace& forces() const { return forces_; }
 
     /// The scene for the renderer.
     render::SceneView view();
@@ -91,6 +94,7 @@ class SceneReadout {
     ThicknessMap thickness_;
     CutQuality cuts_;
     EditorReadings readings_;
+    ForceTrace forces_;
     std::optional<SurfaceAnchor> point_;  ///< that is plotted
     VolumeWatch volumes_;
     PieceTable pieces_;

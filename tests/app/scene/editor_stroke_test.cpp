@@ -135,6 +135,73 @@ TEST(BladeStroke, ThePosesSayHowLongTheHandTook) {
     EXPECT_NEAR(sum, 2, 1e-9);
 }
 
+/// The commands of a pointer that goes down evenly in two seconds, after one in which it was away.
+/// `frames`: how long each picture takes, in turn [s]; the pointer moves eight times in each.
+std::vector<MoveBlade> timedStroke(const std::vector<double>& frames) {
+    BladeStroke stroke;
+    stroke.keepTime(0.01);
+    stroke.elapse(1);
+    stroke.begin(space(), {0, 0.5});
+    double time = 0;
+    for (std::size_t i = 0; time < 2; ++i) {
+        const double frame = std::min(frames[i % frames.size()], 2 - time);
+        stroke.elapse(frame);
+        for (int k = 1; k <= 8; ++k) {
+            stroke.moveTo({0, 0.5 - 0.5 * (time + k / 8.0 * frame)});
+        }
+        time += frame;
+    }
+    stroke.end();
+    std::vector<MoveBlade> moves;
+    while (const std::optional<Command> command = stroke.next()) {
+        if (const auto* move = std::get_if<MoveBlade>(&*command)) {
+            moves.push_back(*move);
+        }
+    }
+    return moves;
+}
+
+TEST(BladeStroke, WhereTimeIsKeptAHandTakesAsManyStepsWhateverThePictures) {
+    for (const std::vector<double>& frames :
+         {std::vector{1 / 12.0}, {1 / 15.0}, {1 / 30.0}, {1 / 60.0}, {1 / 144.0}, {0.01, 0.05}}) {
+        const std::vector<MoveBlade> moves = timedStroke(frames);
+        SCOPED_TRACE(frames.front());
+        EXPECT_NEAR(double(moves.size()), 200, 4);
+        EXPECT_DOUBLE_EQ(moves.front().seconds.value_or(0), 1) << "it was away";
+        double time = 0;
+        const StrokeSpace where = space();
+        for (std::size_t i = 1; i < moves.size(); ++i) {
+            time += moves[i].seconds.value_or(0);
+            const double there = where.distance(moves.front().blade, moves[i].blade);
+            const double wanted = where.distance(moves.front().blade,
+                                                 where.bladeAt({0, 0.5 - 0.5 * time}));
+            EXPECT_NEAR(there, wanted, 0.02 * where.distance(moves.front().blade,
+                                                             moves.back().blade))
+                << "at " << time;
+        }
+        EXPECT_NEAR(time, 2, 1e-9);
+    }
+}
+
+TEST(BladeStroke, AHandThatRestsIsSimulatedForAMomentAndItsTimeKept) {
+    BladeStroke stroke;
+    stroke.keepTime(0.01);
+    stroke.begin(space(), {0, 0.5});
+    stroke.elapse(0.1);
+    stroke.moveTo({0, 0.4});
+    for (int i = 0; i < 500; ++i) {
+        stroke.elapse(0.01);
+    }
+    stroke.end();
+    double time = 0;
+    EXPECT_LT(stroke.pending(), 45U);
+    while (const std::optional<Command> command = stroke.next()) {
+        const auto* move = std::get_if<MoveBlade>(&*command);
+        time += move == nullptr ? 0 : move->seconds.value_or(0);
+    }
+    EXPECT_NEAR(time, 5.1, 1e-9);
+}
+
 TEST(BladeStroke, TheLiftComesAfterTheLastPose) {
     BladeStroke stroke;
     stroke.begin(space(), {0, 0.5});
