@@ -99,11 +99,17 @@ struct PanelPart {
     const char* title;
     void (*draw)(const PanelModel& model, std::vector<Action>& actions);
     const char* id = "";  ///< of a section, in Settings::folded
+    bool (*isShown)(const PanelModel& model) = [](const PanelModel&) { return true; };
 };
 using Actions = std::vector<Action>;
 
 /// The sections of the left panel, from top to bottom.
 constexpr std::array kSections{
+    PanelPart{"Practice",
+              [](const PanelModel& m, Actions& to) {
+                  drawPractice(m.session.practice, m.settings, to);
+              },
+              "practice", [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
     PanelPart{
         "Model",
         [](const PanelModel& m, Actions& to) { drawModel(m.model, m.parameters, m.display, to); },
@@ -144,7 +150,8 @@ constexpr std::array kTabs{
 void drawSections(const PanelModel& model, float height, Actions& actions) {
     ImGui::BeginChild("sections", {0, height});
     for (const PanelPart& section : kSections) {
-        if (beginSection(section.id, section.title, model.settings, actions)) {
+        if (section.isShown(model) &&
+            beginSection(section.id, section.title, model.settings, actions)) {
             section.draw(model, actions);
         }
     }

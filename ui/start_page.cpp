@@ -16,7 +16,7 @@
 namespace kerf::ui {
 namespace {
 
-constexpr int kColumns = 6;
+constexpr int kColumns = 7;
 constexpr float kPictureShape = 0.625F;  // height over width
 
 void drawText(const ImVec2& at, ImU32 color, const std::string& text, float wrap = 0) {

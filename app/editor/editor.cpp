@@ -78,6 +78,19 @@ bool followCuts(State& s, EditorScene& now) {
     return now.readout().followCuts(s.panels.shows("cuts"));
 }
 
+/// Lets the lines of a task move with the skin, and scores a finished try.
+bool followPractice(State& s, EditorScene& now) {
+    const ui::Settings& settings = s.panels.settings.now;
+    if (s.practice.isDue(now)) {
+        Session played =
+            now.recorder()
+                .savedSession(s.view.camera.destination(), s.view.display.settings.colors)
+                .session;
+        s.say(s.practice.judge(now, std::move(played), settings.person));
+    }
+    return s.practice.follow(now, settings);
+}
+
 /// What follows the open scene once a picture, where that rests: whether there is something else
 /// to show then, and what shows it.
 struct Follower {
@@ -88,6 +101,7 @@ constexpr std::array kFollowers{
     Follower{followGizmo, &Redraw::scene},      Follower{followPlacement, &Redraw::scene},
     Follower{followThickness, &Redraw::scene},  Follower{followMeasures, &Redraw::panels},
     Follower{followPieceSums, &Redraw::panels}, Follower{followCuts, &Redraw::panels},
+    Follower{followPractice, &Redraw::panels},
 };
 
 void showMessages(State& s) {

@@ -114,8 +114,12 @@ void Editor::State::describe(bool withOverlay) {
         if (view.display.settings.apart == 0) {
             const bool inView = !panels.interface.ownsPointer();
             model.view.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
+            if (withOverlay) {
+                practice.addTo(model.view.overlay, view.frame(), panels.settings.now);
+            }
         }
     }
+    practice.describe(model.session.practice);
     view.display.describe(scene.meanwhile(), model);
     model.looks.field = fieldLegend(*this, withOverlay && !panels.interface.ownsPointer());
     model.view.axes = axesOf(view.camera.shown());

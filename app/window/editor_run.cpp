@@ -14,6 +14,7 @@
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/context_loss.h"
+#include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
 #include "sim/base/stopwatch.h"
 
@@ -34,6 +35,7 @@ EditorOptions optionsFor(const Window& window) {
     options.journals = defaultJournalFolder();
     options.storedEnds = defaultStoredEnds();
     options.materials = defaultMaterialFolder();
+    options.tries = gpu::userPath("XDG_DATA_HOME", ".local/share", "practice");
     options.driverReports = defaultDriverReports();
     options.driver = device.renderer + " " + device.version;
     options.warmsUp = true;

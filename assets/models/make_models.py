@@ -664,6 +664,46 @@ def slab():
     return remeshed(rounded_box(SLAB_HALF, SLAB_ROUND), -reach, reach, SLAB_EDGE, SLAB_EDGE)
 
 
+# Pads to practise on [m], with a cavity for what lies in them, which has a little air about it.
+PAD_HALF, PAD_ROUND, PAD_EDGE = np.array([0.06, 0.01, 0.04]), 0.003, 0.0045
+VESSEL_RADIUS, VESSEL_HALF, VESSEL_EDGE = 0.0029, 0.027, 0.0022
+LUMP_RADIUS = 0.0049
+AIR = 0.03  # about these, as a share
+
+
+def capsule(radius, half):
+    """About the z axis."""
+    def shape(points):
+        off = points.copy()
+        off[:, 2] = np.sign(points[:, 2]) * np.maximum(np.abs(points[:, 2]) - half, 0)
+        return length(off) - radius, unit(off)
+    return shape
+
+
+def pad(inside, offset):
+    """The pad, and a second surface about what lies inside, which faces the hollow."""
+    reach = PAD_HALF + 1.63 * PAD_EDGE  # so that no node of the grid lies on the surface
+    points, faces = remeshed(rounded_box(PAD_HALF, PAD_ROUND), -reach, reach, PAD_EDGE, PAD_EDGE)
+    inner, around = inside
+    faces += [tuple(len(points) + v for v in face[::-1]) for face in around]
+    return np.concatenate([points, (1 + AIR) * inner + np.array(offset)]), faces
+
+
+def vessel():
+    return remeshed(capsule(VESSEL_RADIUS, VESSEL_HALF), (-0.008, -0.008, -0.036),
+                    (0.008, 0.008, 0.036), 0.0018, VESSEL_EDGE)
+
+
+def pad_vessel():
+    points, faces = vessel()
+    return pad((centred(points), faces), (0.010, -0.002, 0))
+
+
+def pad_lump():
+    points, faces = make("sphere80")
+    return pad((LUMP_RADIUS / 0.5 * points, faces), (0, 0, 0))
+
+
 EGG_HEIGHT, EGG_RADIUS, EGG_WALL, EGG_EDGE = 0.044, 0.033, 0.006, 0.0036
 
 
@@ -774,7 +814,8 @@ def make(name):
 
 
 SHAPES = {"banana": banana, "octopus": octopus, "orange": orange, "liver": liver, "jelly": jelly,
-          "slab": slab, "egg": egg, "cloth": cloth}
+          "slab": slab, "vessel": vessel, "pad-vessel": pad_vessel, "pad-lump": pad_lump,
+          "egg": egg, "cloth": cloth}
 MODELS = ["sphere20", "sphere80", "sphere768", *SHAPES]
 
 

@@ -34,6 +34,8 @@ struct Settings {
     bool showReadings = true;
     bool timeRunsWhileCutting = false;  ///< in a pause; it stands otherwise
     bool keepsJournal = true;           ///< for recovery after a crash
+    bool showExpert = true;             ///< of a task: the expert's blade
+    bool showLastTry = true;            ///< of a task: one's own path before
     bool softwareRenderer = false;      ///< draws and computes on the CPU, from the next start on
     double controlsWidth = 300;         ///< of the left panel [px]
     double readingsWidth = 300;         ///< of the right panel [px]
@@ -43,6 +45,7 @@ struct Settings {
     /// Ids of the collapsed sections of the left panel.
     std::vector<std::string> folded{"experiments", "model", "display", "cuts", "window"};
 
+    std::string person;  ///< who practises; may be empty
     /// Those last used for "open", "sessions", "exports", "videos" and "materials".
     std::map<std::string, std::string> folders;
 

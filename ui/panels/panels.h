@@ -100,6 +100,10 @@ void drawSessionAdditions(std::vector<Action>& actions);
 /// Draws the pictures, exports and checks of the session, each with a button that removes it.
 void drawSessionMarks(const SessionPanelState& session, std::vector<Action>& actions);
 
+/// Draws the task of the session, who practises, and the score once the try is finished.
+void drawPractice(const PracticeState& practice, const Settings& settings,
+                  std::vector<Action>& actions);
+
 /// Draws the boxes that the body collides with, one foldable group each, and a button for another
 /// one.
 void drawBoxes(const BodyState& body, std::vector<Action>& actions);

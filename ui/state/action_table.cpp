@@ -80,6 +80,8 @@ constexpr std::array kOtherActions{
               "Time", always, [](const PanelModel& m) { return m.settings.timeRunsWhileCutting; }},
     ActionRow{ActionId::stepOnce, at(Key::period, kPlain, "."), "Next step", "Time", withBody},
     ActionRow{ActionId::reset, at(Key::r, kPlain, "R"), "Restart", "Time", withBody},
+    ActionRow{ActionId::finishTry, at(Key::enter, kShift, "Shift+Enter"), "Finish the try", "Time",
+              [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
     ActionRow{ActionId::slower, at(Key::minus, kPlain, "-"), "Half speed", "Time", withBody},
     ActionRow{ActionId::faster, at(Key::equal, kPlain, "="), "Double speed", "Time", withBody},
     ActionRow{ActionId::record, at(Key::r, kControl, "Ctrl+R"), "Start or stop recording", "Time",

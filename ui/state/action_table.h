@@ -46,6 +46,7 @@ enum class ActionId : std::uint8_t {
     timeWhileCutting,
     stepOnce,
     reset,
+    finishTry,
     slower,
     faster,
     record,

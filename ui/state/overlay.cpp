@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 
 #include "ui/base/theme.h"
@@ -21,6 +22,19 @@ constexpr ImU32 kWound = IM_COL32(255, 255, 255, 255);
 constexpr std::array<ImU32, 4> kAxisColors{IM_COL32(205, 205, 205, 255), IM_COL32(226, 88, 80, 255),
                                            IM_COL32(112, 190, 76, 255),
                                            IM_COL32(86, 140, 236, 255)};
+
+/// By Overlay::Trace::Kind: the palette of Okabe and Ito, which the colour-blind can tell apart.
+struct TraceLook {
+    ImU32 color;
+    float width;
+};
+constexpr std::array<TraceLook, 7> kTraceLooks{{{IM_COL32(255, 255, 255, 255), 2.0F},
+                                                {IM_COL32(255, 255, 255, 120), 1.0F},
+                                                {IM_COL32(213, 94, 0, 255), 1.5F},
+                                                {IM_COL32(204, 121, 167, 220), 1.2F},
+                                                {IM_COL32(86, 180, 233, 255), 2.0F},
+                                                {IM_COL32(0, 158, 115, 255), 3.0F},
+                                                {IM_COL32(230, 159, 0, 255), 3.0F}}};
 
 ImU32 colorOf(int axis, bool hot) {
     return hot ? kHot : kAxisColors[axis + 1];
@@ -106,6 +120,11 @@ void drawOverlay(const Overlay& overlay, float scale) {
     }
     for (const Overlay::Line& line : overlay.wound) {
         draw.AddLine(at(line[0]), at(line[1]), kWound, 2 * scale);
+    }
+    for (const Overlay::Trace& trace : overlay.traces) {
+        const TraceLook& look = kTraceLooks[static_cast<std::size_t>(trace.kind)];
+        draw.AddLine(at(trace.line[0]), at(trace.line[1]), kShade, (look.width + 1.5F) * scale);
+        draw.AddLine(at(trace.line[0]), at(trace.line[1]), look.color, look.width * scale);
     }
     drawLag(draw, overlay.lag, scale);
     for (const Overlay::Line& line : overlay.guides) {

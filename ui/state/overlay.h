@@ -43,6 +43,14 @@ struct Overlay {
     };
     std::vector<AxisLine> axisLines;
     std::vector<AxisDot> axisDots;
+    /// A line of a task that is practised.
+    struct Trace {
+        enum class Kind { line, band, spared, last, expert, near, far };
+
+        Kind kind;
+        Line line;
+    };
+    std::vector<Trace> traces;
     bool chooses = false;         ///< a click would select something
     std::vector<PlotPoint> dots;  ///< measured points, or those that a press would hold
     std::vector<Label> labels;

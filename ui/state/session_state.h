@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/state/practice_state.h"
+
 namespace kerf::ui {
 
 /// The timeline: the played session, or what was done so far.
@@ -35,6 +37,7 @@ struct SessionPanelState {
     /// Pictures, exports and checks of the session that would be saved now, by step.
     std::vector<SessionMark> marks;
     std::vector<SessionMark> past;  ///< strokes and changes of it, by step
+    PracticeState practice;
 };
 
 }  // namespace kerf::ui

@@ -30,6 +30,7 @@ struct EditorOptions {
     std::filesystem::path journals;     ///< the folder of journals; empty keeps none
     std::filesystem::path storedEnds;   ///< see StoredEnds; empty keeps none
     std::filesystem::path materials;    ///< the folder of the user's own; empty for none
+    std::filesystem::path tries;        ///< the folder of tries of tasks; empty keeps none
     /// The folder of reports on drivers; empty: none is examined.
     std::filesystem::path driverReports;
     std::string driver;  ///< full name of the driver

@@ -43,6 +43,8 @@ constexpr std::array kSwitches{
     SwitchRow{"show_readings", &Settings::showReadings},
     SwitchRow{"time_runs_while_cutting", &Settings::timeRunsWhileCutting},
     SwitchRow{"keep_journal", &Settings::keepsJournal},
+    SwitchRow{"show_expert", &Settings::showExpert},
+    SwitchRow{"show_last_try", &Settings::showLastTry},
     SwitchRow{"software_renderer", &Settings::softwareRenderer},
 };
 
@@ -118,6 +120,13 @@ ui::MouseScheme readMouse(const nlohmann::json& value) {
     return static_cast<ui::MouseScheme>(row - ui::kMouseTable.begin());
 }
 
+std::string readPerson(const nlohmann::json& value) {
+    if (!value.is_string()) {
+        fail("person", "expected a name in quotes.");
+    }
+    return value.get<std::string>();
+}
+
 ui::WindowPlace readPlace(const nlohmann::json& value) {
     const auto fits = [](const nlohmann::json& number) {
         return number.is_number_integer() && number >= -100'000 && number <= 100'000;
@@ -138,6 +147,7 @@ std::string formatSettings(const Settings& settings) {
         json["window"] = {at.x, at.y, at.width, at.height, at.maximized ? 1 : 0};
     }
     json["folders"] = settings.folders;
+    json["person"] = settings.person;
     forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -159,6 +169,9 @@ Settings parseSettings(const std::string& text) {
     }
     if (json.contains("folders")) {
         settings.folders = readFolders(json["folders"]);
+    }
+    if (json.contains("person")) {
+        settings.person = readPerson(json["person"]);
     }
     forEachRow([&](const auto& row) {
         if (json.contains(row.key)) {

@@ -25,6 +25,12 @@ std::shared_ptr<const Cards> readCards() {
          "Press Y and drag across the slit to hold it open. Too far, and it tears on."},
         {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
         {"cloth", "Cloth", "Press Shift+Space: it drapes itself. Then cut it."},
+        {"../practice/incision", "Practise: incision",
+         "Press S, set 5 mm, and draw along the line. Shift+Enter scores it."},
+        {"../practice/excision", "Practise: excision",
+         "Press C and lead the blade once round, and a little farther. Then Shift+Enter."},
+        {"../practice/slice", "Practise: slice",
+         "Press C and cut down through the first line, then the second. Then Shift+Enter."},
     });
     for (ui::StartCard& card : *cards) {
         try {

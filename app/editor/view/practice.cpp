@@ -1,0 +1,424 @@
+#include "app/editor/view/practice.h"
+
+#include <spdlog/fmt/chrono.h>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <ctime>
+
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/scene/document/editor_document.h"
+#include "app/scene/editor_stroke.h"
+#include "app/scene/readout/scene_readout.h"
+#include "app/scene/timeline/scene_recorder.h"
+#include "app/session/scene_origin.h"
+#include "app/session/session_json.h"
+#include "app/session/task_run.h"
+#include "sim/mesh/triangle.h"
+#include "sim/run/start/prepared_body.h"
+
+namespace kerf::app {
+namespace {
+
+using Kind = ui::Overlay::Trace::Kind;
+
+constexpr double kPointsApart = 2e-3;  // of a line on the skin [m]
+constexpr int kMostPoints = 200;       // of a line
+constexpr int kBallPoints = 300;       // of a ball to spare
+constexpr double kTrail = 0.7;         // of the expert's hand [s]
+constexpr double kPause = 1.5;         // before the expert begins again [s]
+constexpr std::uintmax_t kMostScoreBytes = 1 << 20;
+constexpr const char* kScoreEnding = ".score.json";
+
+/// Where the score of a session lies, if it has one.
+std::filesystem::path scoreFile(const std::filesystem::path& session) {
+    return session.parent_path() / (shortName(session) + kScoreEnding);
+}
+
+/// Of a name, what any file system takes.
+std::string fileNameOf(std::string name) {
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+    return name;
+}
+
+Vec3 middleOf(const Task& task) {
+    Bounds box;
+    for (const TaskLine& line : task.lines) {
+        std::ranges::for_each(line.points, [&](const Vec3& point) { box.add(point); });
+    }
+    return box.center();
+}
+
+/// Anchors along a line of the task, where a ray along `into` meets the uncut body.
+std::vector<SurfaceAnchor> anchorsOf(const Task& task, const TaskLine& line,
+                                     const SurfaceMesh& uncut, const std::vector<int>& body) {
+    std::vector<SurfaceAnchor> anchors;
+    const Vec3 into = task.into.normalized();
+    const double above = meshBounds(uncut).diagonal();
+    const std::size_t count = line.points.size();
+    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < count; ++i) {
+        const Vec3 way = line.points[(i + 1) % count] - line.points[i];
+        const int parts = std::clamp(int(std::ceil(way.norm() / kPointsApart)), 1, kMostPoints);
+        for (int k = 0; k < parts + (i + 2 == count && !line.closed ? 1 : 0); ++k) {
+            const Vec3 point = line.points[i] + double(k) / parts * way;
+            if (const auto hit = pickSurface(uncut, body, {point - above * into, into})) {
+                anchors.emplace_back(uncut, *hit);
+            }
+        }
+    }
+    return anchors;
+}
+
+std::vector<Vec3> pointsOf(const Region& region) {
+    std::vector<Vec3> points;
+    if (const auto* ball = std::get_if<Ball>(&region)) {
+        for (int i = 0; i < kBallPoints; ++i) {  // a Fibonacci spiral
+            const double z = 1 - (2 * i + 1.0) / kBallPoints;
+            const double turn = 2.399963 * i;
+            const double r = std::sqrt(1 - z * z);
+            points.push_back(ball->center +
+                             ball->radius * Vec3(r * std::cos(turn), r * std::sin(turn), z));
+        }
+    } else {
+        const Bounds& box = std::get<Bounds>(region);
+        for (int corner = 0; corner < 8; ++corner) {
+            points.emplace_back((corner & 1 ? box.high : box.low).x(),
+                                (corner & 2 ? box.high : box.low).y(),
+                                (corner & 4 ? box.high : box.low).z());
+        }
+    }
+    return points;
+}
+
+Vec3 normalOf(const SurfaceMesh& mesh, int triangle) {
+    const Corners at = cornersOf(mesh, triangle);
+    return (at[1] - at[0]).cross(at[2] - at[0]);
+}
+
+/// The convex outline of points, counter-clockwise: Andrew's monotone chain.
+std::vector<ui::PlotPoint> outlineOf(std::vector<ui::PlotPoint> points) {
+    const auto byX = [](const auto& p, const auto& q) {
+        return std::pair(p.x, p.y) < std::pair(q.x, q.y);
+    };
+    std::ranges::sort(points, byX);
+    std::vector<ui::PlotPoint> outline;
+    const auto walk = [&](auto begin, auto end) {
+        const std::size_t from = outline.size();
+        for (auto p = begin; p != end; ++p) {
+            while (outline.size() > from + 1) {
+                const auto& a = outline[outline.size() - 2];
+                const auto& b = outline.back();
+                if ((b.x - a.x) * (p->y - a.y) - (b.y - a.y) * (p->x - a.x) > 0) break;
+                outline.pop_back();
+            }
+            outline.push_back(*p);
+        }
+        outline.pop_back();  // It begins the other half.
+    };
+    if (points.size() > 2) {
+        walk(points.begin(), points.end());
+        walk(points.rbegin(), points.rend());
+    }
+    return outline;
+}
+
+/// The pose of a hand at a time; none between strokes.
+std::optional<Blade> poseAt(const std::vector<HandPose>& hand, double time) {
+    const auto next = std::ranges::upper_bound(hand, time, {}, &HandPose::time);
+    if (next == hand.begin() || next == hand.end() || next->begins) {
+        return std::nullopt;
+    }
+    const HandPose& before = *std::prev(next);
+    return interpolate(before.blade, next->blade,
+                       (time - before.time) / (next->time - before.time));
+}
+
+std::string textOf(const FigureRow& row, const nlohmann::json& score) {
+    const auto found = score.find(row.key);
+    std::optional<double> value;
+    if (found != score.end() && !found->is_null()) {
+        value = found->is_boolean() ? double(found->get<bool>()) : found->get<double>();
+    }
+    return formatFigure(row.unit, value);
+}
+
+std::string limitText(const FigureRow& row, const Task& task) {
+    const std::optional<double> limit = limitOf(row, task);
+    return !limit || row.unit.isFlag
+               ? ""
+               : fmt::format("{} {} {}", row.better > 0 ? "at least" : "at most",
+                             formatFigure(row.unit, limit), row.unit.name);
+}
+
+}  // namespace
+
+Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Vec3& origin,
+                                     const Vec3& middle) {
+    OtherTry read;
+    try {
+        read.hand = handOf(withOrigin(readSession(file), origin));
+        read.share = handShare(read.hand, middle);
+        read.score = parseJson(readInputFile(scoreFile(file), kMostScoreBytes));
+    } catch (const InputError&) {  // A copy may lie alone: then less is shown.
+    }
+    return read;
+}
+
+void Practice::openLast(const std::string& person) {
+    lastPerson_ = person;
+    last_ = {};
+    const std::string begin = fileNameOf(task_->name + "-" + person + "-");
+    std::string newest;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_, none)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(begin) && name.ends_with(kSessionEnding)) {
+            newest = std::max(newest, name);
+        }
+    }
+    if (!newest.empty()) {
+        last_ = readTry(folder_ / newest, origin_, middleOf(*task_));
+    }
+}
+
+void Practice::open(EditorScene& scene, const std::string& person) {
+    task_ = scene.document().session.task;
+    origin_ = scene.document().session.origin;
+    uncut_ = scene.simulation().uncut();
+    lines_.clear();
+    spared_.clear();
+    traces_.clear();
+    revision_ = -1;
+    score_.reset();
+    finishing_ = false;
+    watch_.restart();
+    if (!task_) {
+        return;
+    }
+    scene.simulation().feelBlade(true);
+    std::vector<int> body;
+    for (const int model : task_->spare) {
+        spared_.emplace_back();
+        for (int v = 0; v < uncut_->mesh.vertexCount(); ++v) {
+            if (uncut_->modelOf(v) == model) {
+                spared_.back().push_back(uncut_->mesh.restPosition(v));
+            }
+        }
+    }
+    std::ranges::copy_if(livingTriangles(uncut_->mesh), std::back_inserter(body), [&](int t) {
+        return uncut_->modelOf(uncut_->mesh.triangle(t)[0]) == task_->model;
+    });
+    for (const TaskLine& line : task_->lines) {
+        lines_.push_back(anchorsOf(*task_, line, uncut_->mesh, body));
+    }
+    std::ranges::transform(task_->spareRegions, std::back_inserter(spared_), pointsOf);
+    expert_ = task_->expert.empty() ? OtherTry{} : readTry(task_->expert, origin_, middleOf(*task_));
+    openLast(person);
+}
+
+void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceMesh& mesh,
+                       bool closed) {
+    const Vec3 into = task_->into.normalized();
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < anchors.size(); ++i) {
+        const SurfaceAnchor& to = anchors[(i + 1) % anchors.size()];
+        const Trace line{Kind::line, anchors[i].position(mesh), to.position(mesh),
+                         normalOf(mesh, anchors[i].triangle())};
+        const Vec3 aside = task_->limits.deviation.value_or(0) *
+                           (line.to - line.from).cross(into).stableNormalized();
+        traces_.push_back(line);
+        for (const Vec3& offset : {aside, Vec3(-aside)}) {
+            if (!offset.isZero(0)) {
+                traces_.push_back({Kind::band, line.from + offset, line.to + offset, line.normal});
+            }
+        }
+    }
+}
+
+/// The lines move with the skin; where that was cut away, they end.
+void Practice::layLines(EditorScene& scene) {
+    const SurfaceMesh& mesh = scene.simulation().mesh();
+    traces_.clear();
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        std::erase_if(lines_[i], [&](SurfaceAnchor& anchor) { return !anchor.follow(mesh); });
+        layLine(lines_[i], mesh, task_->lines[i].closed);
+    }
+    if (score_) {
+        layRim(scene);
+    }
+}
+
+/// The edges of the cut in the skin, by their deviation.
+void Practice::layRim(EditorScene& scene) {
+    const SurfaceMesh& mesh = scene.simulation().mesh();
+    const std::vector<float> deviations = deviationAtWalls(*task_, scene.simulation());
+    const double limit = task_->limits.deviation.value_or(task_->reach);
+    for (const int t : livingTriangles(mesh)) {
+        for (int h = 3 * t; mesh.kind(t) == SurfaceKind::wall && h < 3 * t + 3; ++h) {
+            const int skin = SurfaceMesh::triangleOf(mesh.twin(h));
+            if (mesh.kind(skin) != SurfaceKind::skin) continue;
+            const int a = mesh.origin(h);
+            const int b = mesh.target(h);
+            const auto isNear = [&](int v) {
+                return deviations[2 * v + 1] >= 0 && deviations[2 * v + 1] <= limit;
+            };
+            traces_.push_back({isNear(a) && isNear(b) ? Kind::near : Kind::far, mesh.position(a),
+                               mesh.position(b), normalOf(mesh, skin)});
+        }
+    }
+}
+
+bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
+    const bool other = uncut_ != scene.simulation().uncut();
+    if (other) {
+        open(scene, settings.person);
+    }
+    if (!task_) {
+        return other;
+    }
+    if (lastPerson_ != settings.person) {
+        openLast(settings.person);
+    }
+    if (score_ && deeds_ != scene.recorder().deeds()) {
+        score_.reset();  // of what is no longer there
+        revision_ = -1;
+    }
+    const bool begins = scene.stroke().drawing() && !cutting_ && scene.simulation().strokes().empty();
+    cutting_ = scene.stroke().drawing();
+    if (begins) {
+        watch_.restart();
+    }
+    const bool moved = std::exchange(revision_, scene.simulation().bodyRevision()) !=
+                       scene.simulation().bodyRevision();
+    if (moved) {
+        layLines(scene);
+    }
+    return moved || other || (settings.showExpert && !expert_.hand.empty() && !score_);
+}
+
+bool Practice::isDue(const EditorScene& scene) const {
+    return finishing_ && !scene.stroke().drawing() && scene.stroke().pending() == 0;
+}
+
+std::string Practice::judge(EditorScene& scene, Session played, const std::string& person) {
+    finishing_ = false;
+    played.task->person = person;
+    played.task->date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+    score_ = scoreOf(played, scene.simulation(), scene.readout().forces());
+    if (!score_) {
+        return "Nothing was cut yet: lead the blade along the line first.";
+    }
+    deeds_ = scene.recorder().deeds();
+    revision_ = -1;
+    if (folder_.empty()) {
+        return "";
+    }
+    const std::string name = fileNameOf(task_->name + "-" + person + "-" + played.task->date);
+    const std::filesystem::path file = folder_ / (name + std::string(kSessionEnding));
+    try {
+        std::filesystem::create_directories(folder_);
+        writeOutputFile(file, formatSession(played, folder_));
+        writeOutputFile(scoreFile(file), toJson(*score_, *played.task).dump(2) + "\n");
+    } catch (const std::exception& problem) {
+        return std::string("The try was not kept: ") + problem.what();
+    }
+    return "";
+}
+
+void Practice::addHand(ui::Overlay& overlay, const ViewFrame& view) const {
+    const double length = expert_.hand.back().time + kPause;
+    const double time = std::fmod(watch_.seconds(), length);
+    const auto add = [&](const Vec3& from, const Vec3& to) {
+        std::vector<ui::Overlay::Line> lines;
+        view.addLine(from, to, lines);
+        for (const ui::Overlay::Line& line : lines) {
+            overlay.traces.push_back({Kind::expert, line});
+        }
+    };
+    std::optional<Vec3> before;
+    for (double at = std::max(0.0, time - kTrail); at <= time; at += kTrail / 20) {
+        const std::optional<Blade> pose = poseAt(expert_.hand, at);
+        const auto point = pose ? std::optional(handPoint(*pose, expert_.share)) : std::nullopt;
+        if (point && before) {
+            add(*before, *point);
+        }
+        before = point;
+    }
+    if (const std::optional<Blade> pose = poseAt(expert_.hand, time)) {
+        add(pose->a, pose->b);
+        if (const auto pixel = view.toPixel(handPoint(*pose, expert_.share))) {
+            overlay.dots.push_back(*pixel);
+        }
+    }
+}
+
+void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
+                     const ui::Settings& settings) const {
+    if (!task_) {
+        return;
+    }
+    const auto add = [&](Kind kind, const Vec3& from, const Vec3& to) {
+        std::vector<ui::Overlay::Line> lines;
+        view.addLine(from, to, lines);
+        for (const ui::Overlay::Line& line : lines) {
+            overlay.traces.push_back({kind, line});
+        }
+    };
+    for (const std::vector<Vec3>& part : spared_) {
+        std::vector<ui::PlotPoint> pixels;
+        for (const Vec3& point : part) {
+            if (const auto pixel = view.toPixel(point)) pixels.push_back(*pixel);
+        }
+        const std::vector<ui::PlotPoint> outline = outlineOf(std::move(pixels));
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            overlay.traces.push_back(
+                {Kind::spared, {outline[i], outline[(i + 1) % outline.size()]}});
+        }
+    }
+    for (const Trace& trace : traces_) {
+        const Vec3 sight = view.camera.orthographic ? view.camera.forward()
+                                                    : Vec3(trace.from - view.camera.eye);
+        if (trace.normal.dot(sight) <= 0) {
+            add(trace.kind, trace.from, trace.to);
+        }
+    }
+    for (std::size_t i = 1; settings.showLastTry && i < last_.hand.size(); ++i) {
+        if (!last_.hand[i].begins) {
+            add(Kind::last, handPoint(last_.hand[i - 1].blade, last_.share),
+                handPoint(last_.hand[i].blade, last_.share));
+        }
+    }
+    if (settings.showExpert && !expert_.hand.empty() && !score_) {
+        addHand(overlay, view);
+    }
+}
+
+void Practice::describe(ui::PracticeState& state) const {
+    if (!task_) {
+        return;
+    }
+    state.name = task_->name;
+    state.about = task_->about;
+    state.hasExpert = !expert_.hand.empty();
+    state.hasLast = !last_.hand.empty();
+    state.finished = score_.has_value();
+    state.violations = score_ ? score_->violations : std::vector<std::string>{};
+    const nlohmann::json now = score_ ? nlohmann::json(toJson(*score_, *task_)) : nlohmann::json();
+    for (const FigureRow& row : figureRows()) {
+        const std::string unit = *row.unit.name == 0 ? "" : fmt::format(" [{}]", row.unit.name);
+        const bool broken = std::ranges::any_of(state.violations, [&](const std::string& sentence) {
+            return sentence.starts_with(std::string(row.label) + ":");
+        });
+        ui::ScoreRow shown{row.label + unit,         textOf(row, now),
+                           textOf(row, last_.score), textOf(row, expert_.score),
+                           limitText(row, *task_),   broken};
+        if (!shown.now.empty() || !shown.last.empty() || !shown.expert.empty()) {
+            state.rows.push_back(std::move(shown));
+        }
+    }
+}
+
+}  // namespace kerf::app
