@@ -244,8 +244,7 @@ void RunStatistics::add(const MetricsRow& row) {
     addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
-    debris.pieces += row.report.debris.pieces;
-    debris.volume += row.report.debris.volume;
+    debris.add(row.report.debris);
 }
 
 nlohmann::ordered_json toJson(const RunSummary& summary) {

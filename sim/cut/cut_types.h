@@ -54,6 +54,11 @@ struct CleanupStatistics {
 struct Debris {
     int pieces = 0;     ///< their number
     double volume = 0;  ///< their volume at rest [m^3]
+
+    void add(const Debris& other) {
+        pieces += other.pieces;
+        volume += other.volume;
+    }
 };
 
 /// The area that the blade swept inside the material, of one side [m^2].

@@ -1,6 +1,7 @@
 #include "sim/run/blade/cut_followers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "sim/base/float_rounding.h"
@@ -80,14 +81,17 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
 
 void endTear(RunningBody& body, UndoHistory& history, SimulationOutput& output) {
     if (body.memory.tear.goesOn) {
-        followTear(body.cutter->finish(), body, history, output);
+        followStep(body.cutter->finish(), body, history, output);
         body.memory.tear.goesOn = false;
     }
 }
 
-void followTear(const CutResult& result, RunningBody& body, UndoHistory& history,
+void followStep(const CutResult& result, RunningBody& body, UndoHistory& history,
                 SimulationOutput& output) {
     output.report.search.add(body.cutter->takeSearchWork());
+    output.report.debris.add(result.statistics.debris);
+    std::ranges::move(sentencesAboutEnd(result, output.clock.stepsDone),
+                      std::back_inserter(output.messages));
     const auto record =
         std::ranges::find(body.memory.strokes, body.cutter->strokeNumber(), &StrokeRecord::number);
     if (record != body.memory.strokes.end()) {

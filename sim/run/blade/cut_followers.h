@@ -14,8 +14,8 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
 /// Ends the tear in progress, if there is one, so that another stroke may begin.
 void endTear(RunningBody& body, UndoHistory& history, SimulationOutput& output);
 
-/// Updates all state after a step of a tear.
-void followTear(const CutResult& result, RunningBody& body, UndoHistory& history,
+/// Updates all state after a step of the cutter, of a blade's stroke or a tear, or after its end.
+void followStep(const CutResult& result, RunningBody& body, UndoHistory& history,
                 SimulationOutput& output);
 
 }  // namespace kerf

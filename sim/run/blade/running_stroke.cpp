@@ -87,22 +87,15 @@ void RunningStroke::end() {
 void RunningStroke::accept(const CutResult& result) {
     output_.lastCut = result;
     output_.report.add(result.statistics);
-    output_.report.search.add(body_.cutter->takeSearchWork());
     addTo(body_.memory.subdivisions, result.statistics.patterns);
-    if (!body_.memory.strokes.empty()) {
-        body_.memory.strokes.back().add(result);
-    }
-    const int step = output_.clock.stepsDone;
     if (result.outcome == CutOutcome::refused) {
-        output_.messages.push_back(output_.refusal = refusalSentence(result, step));
-    }
-    for (std::string& sentence : sentencesAboutEnd(result, step)) {
-        output_.messages.push_back(std::move(sentence));
+        output_.refusal = refusalSentence(result, output_.clock.stepsDone);
+        output_.messages.push_back(output_.refusal);
     }
     if (!result.delta.empty()) {
         log_.noteCut(output_);
-        followCut(result.delta, body_, log_.history(), output_);
     }
+    followStep(result, body_, log_.history(), output_);
 }
 
 BladePush RunningStroke::push() const {

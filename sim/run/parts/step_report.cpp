@@ -12,8 +12,6 @@ void StepReport::add(const CutStatistics& cut) {
     touchedTriangles += cut.touchedTriangles;
     addTo(subdivisions, cut.patterns);
     seeds += cut.seeds;
-    debris.pieces += cut.debris.pieces;
-    debris.volume += cut.debris.volume;
     swept.add(cut.swept);
 }
 

@@ -66,7 +66,7 @@ struct StepReport : StepEnergies {
     /// For the triangles near the blade: part of the time of the cut, except the prefetch.
     SearchWork search;
 
-    /// Adds the result of a movement of the blade.
+    /// Adds the result of a movement of the blade, but for its debris.
     void add(const CutStatistics& cut);
     /// Describes the present body, with contacts from the measure.
     void describe(const BodyModel& model, const BodyMeasure& measure);

@@ -9,8 +9,7 @@ void StrokeRecord::add(const CutResult& step) {
     retriedSteps += statistics.tries > 1 ? 1 : 0;
     cutAnew += statistics.resumed;
     swept.add(statistics.swept);
-    debris.pieces += statistics.debris.pieces;
-    debris.volume += statistics.debris.volume;
+    debris.add(statistics.debris);
 }
 
 void StrokeRecord::add(const StrokeRecord& other) {
@@ -19,8 +18,7 @@ void StrokeRecord::add(const StrokeRecord& other) {
     retriedSteps += other.retriedSteps;
     cutAnew += other.cutAnew;
     swept.add(other.swept);
-    debris.pieces += other.debris.pieces;
-    debris.volume += other.debris.volume;
+    debris.add(other.debris);
 }
 
 }  // namespace kerf

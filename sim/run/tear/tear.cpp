@@ -214,7 +214,7 @@ double Tear::stress() const {
 /// Returns whether it cuts.
 bool Tear::cut(const Blade& to) {
     const CutResult result = body_.cutter->advance(to);
-    followTear(result, body_, log_.history(), output_);
+    followStep(result, body_, log_.history(), output_);
     if (result.outcome != CutOutcome::cut) {
         output_.report.tear->failure =
             result.reason.empty() ? "no material lies ahead of the slit" : result.reason;

@@ -1,6 +1,7 @@
 // Random pulls until something tears, and what is left once it has come to rest.
 
 #include <gtest/gtest.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <array>
 #include <cstdlib>
@@ -44,9 +45,11 @@ struct RandomPull {
 struct PullFigures {
     int advances = 0;
     int refused = 0;
+    int chips = 0;  ///< pieces removed as debris
     // At the end:
     int intersecting = 0;  ///< pairs of triangles
     int deep = 0;          ///< with all slits opened a little: what is no rounding of closed walls
+    int atRest = 0;        ///< deep ones of the shape at rest
     int folds = 0;
     int pieces = 0;
     double volume = 0;
@@ -55,8 +58,9 @@ struct PullFigures {
 
 std::ostream& operator<<(std::ostream& out, const PullFigures& f) {
     return out << "advances " << f.advances << ", refused " << f.refused << ", pieces " << f.pieces
-               << ", intersecting " << f.intersecting << ", deep " << f.deep << ", folds "
-               << f.folds << ", volume " << f.volume << " " << f.defect;
+               << ", chips " << f.chips << ", intersecting " << f.intersecting << ", deep "
+               << f.deep << ", at rest " << f.atRest << ", folds " << f.folds << ", volume "
+               << f.volume << " " << f.defect;
 }
 
 double meanEdge(const SurfaceMesh& mesh) {
@@ -65,6 +69,19 @@ double meanEdge(const SurfaceMesh& mesh) {
         figures.add(restCornersOf(mesh, t));
     }
     return figures.meanEdge();
+}
+
+int deepIntersections(const SurfaceMesh& mesh) {
+    return static_cast<int>(
+        test::selfIntersections(test::opened(mesh, kOpening * meanEdge(mesh))).size());
+}
+
+SurfaceMesh restShape(const SurfaceMesh& mesh) {
+    SurfaceMesh rest = mesh;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        rest.setPosition(v, mesh.restPosition(v));
+    }
+    return rest;
 }
 
 class RandomPulls : public test::SimulationTest {
@@ -129,10 +146,15 @@ RandomPull RandomPulls::draw(std::uint32_t seed) {
 }
 
 void RandomPulls::step(PullFigures& figures) {
+    const int before = simulation->report().pieces;
     const StepReport& report = simulation->step();
     if (!report.closed) {
         figures.defect = "not closed";
     }
+    if (report.pieces + report.debris.pieces < before) {
+        figures.defect = fmt::format("pieces joined in step {}", report.step);
+    }
+    figures.chips += report.debris.pieces;
     trace(report);
     if (report.tear && report.tear->advanced) {
         ++figures.advances;
@@ -148,7 +170,8 @@ void RandomPulls::trace(const StepReport& report) {
         const SurfaceMesh& mesh = simulation->mesh();
         std::cout << "step " << report.step << ": opening " << report.tear->opening << ", stress "
                   << report.tear->stress << ", intersecting "
-                  << test::selfIntersections(mesh).size() << ", folds " << test::foldedEdges(mesh)
+                  << test::selfIntersections(mesh).size() << ", at rest "
+                  << deepIntersections(restShape(mesh)) << ", folds " << test::foldedEdges(mesh)
                   << " " << report.tear->failure << "\n";
     }
 }
@@ -183,8 +206,8 @@ PullFigures RandomPulls::pull(const RandomPull& drawn) {
     const SurfaceMesh& mesh = simulation->mesh();
     figures.defect += checkClosedManifold(mesh);
     figures.intersecting = static_cast<int>(test::selfIntersections(mesh).size());
-    figures.deep = static_cast<int>(
-        test::selfIntersections(test::opened(mesh, kOpening * meanEdge(mesh))).size());
+    figures.deep = deepIntersections(mesh);
+    figures.atRest = deepIntersections(restShape(mesh));
     figures.folds = test::foldedEdges(mesh);
     figures.pieces = simulation->report().pieces;
     figures.volume = simulation->report().volumeRatio;
