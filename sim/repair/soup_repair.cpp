@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "sim/base/text.h"
-#include "sim/mesh/hole_filling.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/double_triangles.h"
 #include "sim/repair/edge_pairing.h"
+#include "sim/repair/hole_filling.h"
 #include "sim/repair/near_borders.h"
 #include "sim/repair/remesher.h"
 #include "sim/repair/shell_nesting.h"

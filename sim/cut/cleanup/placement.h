@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "sim/cut/cleanup/deformation_field.h"
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/workspace.h"
+#include "sim/mesh/deformation_field.h"
 
 namespace kerf::cut {
 

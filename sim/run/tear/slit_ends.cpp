@@ -66,7 +66,7 @@ std::map<int, PointBehind> pointsBehind(const SurfaceMesh& mesh, const SlitEnd& 
 }
 
 std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
-                                const cut::VertexPositions& at) {
+                                const VertexPositions& at) {
     Vec3 side = Vec3::Zero();
     Vec3 behind = Vec3::Zero();
     for (std::size_t i = 0; i + 1 < end.vertices.size(); ++i) {
@@ -90,7 +90,7 @@ std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
 }
 
 std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length) {
-    std::optional<EndFrame> frame = frameOf(mesh, end, cut::VertexPositions::atRest(mesh));
+    std::optional<EndFrame> frame = frameOf(mesh, end, VertexPositions::atRest(mesh));
     if (!frame) {
         return frame;
     }
@@ -110,8 +110,7 @@ std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end,
 }
 
 Vec3 presentWay(const SurfaceMesh& mesh, const SlitEnd& end, int from, const Vec3& way) {
-    using cut::VertexPositions;
-    cut::DeformationField field(VertexPositions::atRest(mesh), VertexPositions::current(mesh));
+    DeformationField field(VertexPositions::atRest(mesh), VertexPositions::current(mesh));
     mesh.forEachOutgoing(from, [&](int h) {
         const int t = SurfaceMesh::triangleOf(h);
         if (mesh.wallLabel(t) / 2 != end.label / 2 || mesh.wallLabel(t) < 0) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/cut/cleanup/deformation_field.h"
+#include "sim/mesh/deformation_field.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
@@ -30,7 +30,7 @@ struct EndFrame {
 
 /// By present or rest positions; none for an end without a direction.
 std::optional<EndFrame> frameOf(const SurfaceMesh& mesh, const SlitEnd& end,
-                                const cut::VertexPositions& at);
+                                const VertexPositions& at);
 /// At rest, heading as the slit does in the mean over its last `length` [m].
 std::optional<EndFrame> restFrameOf(const SurfaceMesh& mesh, const SlitEnd& end, double length);
 

@@ -1,7 +1,6 @@
 #include "sim/run/tear/tear.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "sim/base/sort_unique.h"
@@ -149,16 +148,14 @@ bool Tear::beginAtWeakSpot() {
 
 /// What is held, what tears already, and around that.
 StrongPlaces Tear::strongPlaces() {
-    StrongPlaces strong{{}, kNearEnds * body_.wallEdge};
-    for (const std::uint32_t v : body_.heldVertices()) {
-        strong.places.push_back(body_.mesh().restPosition(static_cast<int>(v)));
-    }
-    std::vector<int> torn;
-    body_.memory.cohesion.addVertices(torn);
+    const std::vector<std::uint32_t> held = body_.heldVertices();
+    std::vector<int> vertices(held.begin(), held.end());
+    body_.memory.cohesion.addVertices(vertices);
     for (const SlitEnd& end : allEnds()) {
-        torn.insert(torn.end(), end.vertices.begin(), end.vertices.end());
+        vertices.insert(vertices.end(), end.vertices.begin(), end.vertices.end());
     }
-    for (const int v : torn) {
+    StrongPlaces strong{{}, kNearEnds * body_.wallEdge};
+    for (const int v : vertices) {
         strong.places.push_back(body_.mesh().restPosition(v));
     }
     return strong;

@@ -75,7 +75,7 @@ Blade bladeThrough(RunningBody& body, const Vec3& a, const Vec3& b) {
 
 std::optional<TearBlade> bladeOf(RunningBody& body, const SlitEnd& end, const EndOpening& opening) {
     const SurfaceMesh& mesh = body.mesh();
-    const std::optional<EndFrame> frame = frameOf(mesh, end, cut::VertexPositions::current(mesh));
+    const std::optional<EndFrame> frame = frameOf(mesh, end, VertexPositions::current(mesh));
     const std::optional<EndFrame> rest = restFrameOf(mesh, end, kEdgesInZone * body.wallEdge);
     if (!frame || !rest) {
         return std::nullopt;

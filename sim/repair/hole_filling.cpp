@@ -1,4 +1,4 @@
-#include "sim/mesh/hole_filling.h"
+#include "sim/repair/hole_filling.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "sim/mesh/surface_mesh.h"
 
-namespace kerf::cut {
+namespace kerf {
 
 /// The current or the rest positions of a mesh, by vertex.
 class VertexPositions {
@@ -57,4 +57,4 @@ class DeformationField {
     LinearField offset_;  ///< change of vectors from `from` to `to`
 };
 
-}  // namespace kerf::cut
+}  // namespace kerf

@@ -1,4 +1,4 @@
-#include "sim/cut/cleanup/deformation_field.h"
+#include "sim/mesh/deformation_field.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@
 
 #include "sim/mesh/triangle.h"
 
-namespace kerf::cut {
+namespace kerf {
 
 namespace {
 
@@ -44,4 +44,4 @@ void DeformationField::add(const Triangle& triangle) {
     }
 }
 
-}  // namespace kerf::cut
+}  // namespace kerf
