@@ -208,6 +208,8 @@ void addRun(py::module_& module) {
              [](RunHandle& h) { return h.on([](auto& run) { return run.messages(); }); })
         .def("too_few_iterations",
              [](RunHandle& h) { return h.on([](auto& run) { return run.tooFewIterations(); }); })
+        .def("tear_sentence",
+             [](RunHandle& h) { return h.on([](auto& run) { return run.tearSentence(); }); })
         .def("picture", pictureOf)
         .def("export",
              [](RunHandle& h, const std::string& folder, const std::string& event) {

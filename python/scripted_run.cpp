@@ -245,6 +245,11 @@ SharedArray<std::uint32_t> ScriptedRun::pinnedVertices() const {
     return shared(simulation().pinnedVertices());
 }
 
+std::string ScriptedRun::tearSentence() const {
+    const StepReport& report = simulation().report();
+    return kerf::tearSentence(report, simulation().params(), report.tear && report.tear->advanced);
+}
+
 std::string ScriptedRun::cutReport() const {
     const std::optional<app::CutReport> report = app::reportOnCuts(simulation());
     return report ? app::toJson(*report).dump() : "null";

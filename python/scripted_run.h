@@ -109,6 +109,8 @@ class ScriptedRun {
     const std::vector<std::string>& messages() const { return messages_; }
     /// IterationWatch::sentence() of all steps so far.
     std::string tooFewIterations() const { return iterations_.sentence(); }
+    /// Why the body tore in the last step or did not: see kerf::tearSentence().
+    std::string tearSentence() const;
 
     // Files and pictures.
     /// A picture from `view`, JSON as in a session, or the session's own where it is empty. `size`

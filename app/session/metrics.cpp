@@ -1,6 +1,7 @@
 #include "app/session/metrics.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/file_io.h"
@@ -76,6 +77,10 @@ MetricsValue otherMsOf(const MetricsRow& row) {
 }
 MetricsValue fractureEnergyOf(const MetricsRow& row) {
     return row.namesToughness ? valueOf(row.report.fractureEnergy) : MetricsValue();
+}
+template <auto member>
+MetricsValue torn(const MetricsRow& row) {
+    return row.report.tear ? valueOf(std::invoke(member, *row.report.tear)) : MetricsValue();
 }
 template <Vec3 BladeLoad::*part, int axis>
 MetricsValue felt(const MetricsRow& row) {
@@ -161,6 +166,10 @@ constexpr MetricsColumn kColumns[] = {
     {"iterations", reported<&StepReport::iterations>,
      "Of the step: the parameter, or as chosen where that is \"auto\"."},
     {"other_ms", otherMsOf, "Part of frame_ms outside deform, collide and cut [ms]."},
+    {"tears", torn<&TearReport::advanced>, "Whether anything tore; None while nothing can tear."},
+    {"tear_refused", torn<&TearReport::failed>, "Whether it should have, but the mesh held it."},
+    {"tear_opening", torn<&TearReport::opening>, "Of the widest slit, over what its end needs."},
+    {"tear_stress", torn<&TearReport::stress>, "The largest, over the strength of the skin."},
 };
 
 }  // namespace

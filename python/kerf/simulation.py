@@ -135,6 +135,14 @@ class Simulation:
         return self._run.too_few_iterations()
 
     @property
+    def tear_sentence(self) -> str:
+        """Why the body tore in the last step or did not, with `tearing`; else "".
+
+        It is what the window says below a body that a hand pulls.
+        """
+        return self._run.tear_sentence()
+
+    @property
     def state_hash(self) -> str:
         """A checksum of the state, the same as that of `kerf replay`: 16 hexadecimal digits."""
         return self._run.state_hash()

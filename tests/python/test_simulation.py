@@ -111,6 +111,11 @@ class Body(TestCase):
         plain.set("skin_toughness", 500)
         self.assertEqual(plain.step().fracture_energy, 0)
         self.assertEqual((plain.params["tearing"], plain.params["skin_toughness"]), (1, 500))
+        self.assertIs(plain.report.tears, False)
+        self.assertIn("of its strength", plain.tear_sentence)
+        plain.set("toughness", 0)
+        self.assertIsNone(plain.step().tears)
+        self.assertIn(plain.tear_sentence, plain.messages[-1])
 
     def test_measures_are_the_columns_of_a_replay(self):
         replayed(SPHERE, self.folder, "--until", 30)

@@ -1,8 +1,5 @@
 #include "app/editor/view/first_steps.h"
 
-#include <spdlog/fmt/fmt.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "app/scene/editor_stroke.h"
@@ -131,35 +128,6 @@ Hint FirstSteps::beforeStroke(const Situation& now) const {
         hint.choices = {{ActionId::bringDown, std::string(tool.trigger)}};
     }
     return hint;
-}
-
-std::string tearSentence(const StepReport& report, const Params& params, bool toreLately) {
-    if (params.tearing == 0) {
-        return "";
-    }
-    if (params.solver == SolverMode::pbd || params.openCut != 0 || params.toughness == 0) {
-        return "Nothing tears with a toughness of 0, the solver pbd or the open cut.";
-    }
-    if (!report.tear) {
-        return "";
-    }
-    const TearReport& tear = *report.tear;
-    if (!tear.failure.empty()) {
-        return fmt::format("It should tear, but the mesh does not allow it ({}). Pull another way.",
-                           tear.failure);
-    }
-    if (toreLately) {
-        return tear.opening > 0 ? "Tearing at the end of a slit."
-                                : "Torn through, or where the stress exceeds the tensile strength.";
-    }
-    if (tear.opening > 0) {
-        return fmt::format(
-            "Not tearing: the slit is opened to {:.0f} % of what its end needs. Pull farther.",
-            std::min(100 * tear.opening, 99.0));
-    }
-    return fmt::format(
-        "Not tearing: the skin bears {:.0f} % of its strength. Cut a slit first, or pull farther.",
-        std::min(100 * tear.stress, 99.0));
 }
 
 void NewcomerGuide::begin(const EditorScene& scene) {

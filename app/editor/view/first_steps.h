@@ -81,9 +81,6 @@ class FirstSteps {
     bool wentOn_ = false;                ///< a stroke was drawn after that
 };
 
-/// Says why what is pulled tears or does not, while `tearing` is on. "" says nothing.
-std::string tearSentence(const StepReport& report, const Params& params, bool toreLately);
-
 /// Follows what a new user does, and suggests what to do next.
 class NewcomerGuide {
   public:

@@ -2,6 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
+#include "sim/base/params.h"
 #include "sim/base/text.h"
 #include "sim/body/body_model.h"
 #include "sim/solve/body_measure.h"
@@ -30,6 +33,39 @@ void StepReport::describe(const BodyModel& model, const BodyMeasure& measure) {
     kineticEnergy = measure.kineticEnergy;
     potentialEnergy = measure.potentialEnergy;
     strainEnergy = measure.strainEnergy;
+}
+
+bool mayTear(const Params& params) {
+    return params.solver != SolverMode::pbd && params.openCut == 0 && params.toughness > 0;
+}
+
+std::string tearSentence(const StepReport& report, const Params& params, bool toreLately) {
+    if (params.tearing == 0) {
+        return "";
+    }
+    if (!mayTear(params)) {
+        return "Nothing tears with a toughness of 0, the solver pbd or the open cut.";
+    }
+    if (!report.tear) {
+        return "";
+    }
+    const TearReport& tear = *report.tear;
+    if (tear.failed()) {
+        return fmt::format("It should tear, but the mesh does not allow it ({}). Pull another way.",
+                           tear.failure);
+    }
+    if (toreLately) {
+        return tear.opening > 0 ? "Tearing at the end of a slit."
+                                : "Torn through, or where the stress exceeds the tensile strength.";
+    }
+    if (tear.opening > 0) {
+        return fmt::format(
+            "Not tearing: the slit is opened to {:.0f} % of what its end needs. Pull farther.",
+            std::min(100 * tear.opening, 99.0));
+    }
+    return fmt::format(
+        "Not tearing: the skin bears {:.0f} % of its strength. Cut a slit first, or pull farther.",
+        std::min(100 * tear.stress, 99.0));
 }
 
 std::string refusalSentence(const CutResult& result, int step) {

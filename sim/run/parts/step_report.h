@@ -11,6 +11,7 @@ namespace kerf {
 
 struct BodyMeasure;
 struct BodyModel;
+struct Params;
 
 /// The wall-clock time of the stages of a step [ms].
 struct StageTimes {
@@ -29,6 +30,7 @@ struct TearReport {
     double stress = 0;      ///< the largest of the skin, as a share of the tensile strength
     bool advanced = false;  ///< new surface was torn in the step
     std::string failure{};  ///< why an advance was impossible; empty if none was
+    bool failed() const { return !failure.empty(); }
 };
 
 /// The energies of a step.
@@ -72,6 +74,10 @@ struct StepReport : StepEnergies {
     void describe(const BodyModel& model, const BodyMeasure& measure);
 };
 
+/// Whether a body can tear with these parameters, once `tearing` is on.
+bool mayTear(const Params& params);
+/// Says why what is pulled tears or does not, while `tearing` is on. "" says nothing.
+std::string tearSentence(const StepReport& report, const Params& params, bool toreLately);
 /// The message that a movement of the blade was refused.
 std::string refusalSentence(const CutResult& result, int step);
 /// Messages about the end of a stroke.

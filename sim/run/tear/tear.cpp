@@ -40,8 +40,7 @@ bool shareVertices(const SlitEnd& end, const std::vector<RungNode>& rung) {
 }  // namespace
 
 bool Tear::isOn() const {
-    return input_.params.tearing != 0 && input_.params.toughness > 0 && input_.timeRuns &&
-           input_.params.solver != SolverMode::pbd && input_.params.openCut == 0;
+    return input_.params.tearing != 0 && mayTear(input_.params) && input_.timeRuns;
 }
 
 const std::vector<int>& Tear::watched() {
@@ -70,6 +69,7 @@ void Tear::step() {
     weakenBonds();
     if (!isOn()) {
         endStroke();
+        tell();
         return;
     }
     body_.memory.cohesion.setLaw(tearLaw(input_.params, body_.wallEdge));
@@ -215,8 +215,17 @@ bool Tear::cut(const Blade& to) {
     if (result.outcome != CutOutcome::cut) {
         output_.report.tear->failure =
             result.reason.empty() ? "no material lies ahead of the slit" : result.reason;
+        tell();
     }
     return result.outcome == CutOutcome::cut;
+}
+
+/// Says why nothing tears, once until another reason holds.
+void Tear::tell() {
+    std::string why = tearSentence(output_.report, input_.params, false);
+    if (!why.empty() && why != told_) {
+        output_.say("{}", told_ = std::move(why));
+    }
 }
 
 /// Ends whatever stroke there is: of another tear, or of a blade in the air.

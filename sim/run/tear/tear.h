@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/run/blade/running_stroke.h"
@@ -39,6 +40,7 @@ class Tear {
     bool mayBegin(const SlitEnd& end) const;
     bool advance(const SlitEnd& end, const EndOpening& opening, bool begins);
     bool cut(const Blade& to);
+    void tell();
     void makeRoom();
     void beginStroke();
     void endStroke();
@@ -55,6 +57,7 @@ class Tear {
     int revision_ = -1;
     std::vector<SlitEnd> ends_;
     std::vector<int> watched_;
+    std::string told_;  ///< the last reason
 };
 
 }  // namespace kerf

@@ -47,10 +47,11 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "debris_pieces,debris_volume,strain_energy,lost_pieces,search_ms,search_walk_ms,"
         "search_seeds,search_tests,swept_area,swept_area_at_rest,fracture_energy,blade_force_x,"
         "blade_force_y,blade_force_z,blade_moment_x,blade_moment_y,blade_moment_z,blade_work,"
-        "blade_energy,blade_lag,iterations,other_ms\n");
+        "blade_energy,blade_lag,iterations,other_ms,tears,tear_refused,"
+        "tear_opening,tear_stress\n");
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0,0,0,0,0,0,0,0,,,,,,"
-              ",0,0,0,0,2.5\n")
+              ",0,0,0,0,2.5,,,,\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
     row.report.lostPieces = 2;
@@ -61,11 +62,13 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     row.report.fractureEnergy = 40;
     row.report.heldEdge = {0.25, 3, 2};
     row.report.bladeLoad = BladeLoad{Vec3(1, 2, 3), Vec3(4, 5, 6)};
+    row.report.tear = TearReport{.opening = 0.5, .stress = 0.25, .failure = "no room"};
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,1,0.5,0.25,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,"
-              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75\n");
+              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25\n");
     row.namesToughness = false;
-    EXPECT_TRUE(formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75\n"))
+    EXPECT_TRUE(
+        formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25\n"))
         << "nobody said what new surface takes";
 }
 

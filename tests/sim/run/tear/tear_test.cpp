@@ -328,6 +328,18 @@ TEST_F(TearTest, ABladeInTheAirKeepsItsStroke) {
     EXPECT_EQ(strokes[1], strokes[0]) << "with and without tearing";
 }
 
+TEST_F(TearTest, SaysOnceWhyNothingTears) {
+    make(tearing(1), false);
+    run(3);
+    EXPECT_THAT(simulation->takeMessages(), testing::IsEmpty());
+    simulation->execute(SetParam{"toughness", 0.0});
+    run(3);
+    simulation->execute(SetParam{"toughness", 1.0});
+    run(3);
+    EXPECT_THAT(simulation->takeMessages(),
+                testing::ElementsAre(testing::HasSubstr("step 3: Nothing tears with a toughness")));
+}
+
 TEST_F(TearTest, ABladeTakesOver) {
     Params params = tearing(1);
     params.debrisVolume = 0;  // nothing to tell of the end of the stroke
