@@ -105,11 +105,10 @@ using Actions = std::vector<Action>;
 
 /// The sections of the left panel, from top to bottom.
 constexpr std::array kSections{
-    PanelPart{"Practice",
-              [](const PanelModel& m, Actions& to) {
-                  drawPractice(m.session.practice, m.settings, to);
-              },
-              "practice", [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
+    PanelPart{
+        "Practice",
+        [](const PanelModel& m, Actions& to) { drawPractice(m.session.practice, m.settings, to); },
+        "practice", [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
     PanelPart{
         "Model",
         [](const PanelModel& m, Actions& to) { drawModel(m.model, m.parameters, m.display, to); },

@@ -93,7 +93,8 @@ std::vector<fs::path> filesAt(const std::vector<fs::path>& paths) {
             }
         }
         if (files.size() == before) {
-            throw InputError(path.string() + ": there is no session and no summary.json in this folder.");
+            throw InputError(path.string() +
+                             ": there is no session and no summary.json in this folder.");
         }
     }
     return files;

@@ -81,14 +81,14 @@ bool followCuts(State& s, EditorScene& now) {
 /// Lets the lines of a task move with the skin, and scores a finished try.
 bool followPractice(State& s, EditorScene& now) {
     const ui::Settings& settings = s.panels.settings.now;
-    if (s.practice.isDue(now)) {
+    if (s.panels.practice.isDue(now)) {
         Session played =
             now.recorder()
                 .savedSession(s.view.camera.destination(), s.view.display.settings.colors)
                 .session;
-        s.say(s.practice.judge(now, std::move(played), settings.person));
+        s.say(s.panels.practice.judge(now, std::move(played), settings.person));
     }
-    return s.practice.follow(now, settings);
+    return s.panels.practice.follow(now, settings);
 }
 
 /// What follows the open scene once a picture, where that rests: whether there is something else

@@ -351,7 +351,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::timeWhileCutting, Needs::nothing, toggleTimeWhileCutting},
     Handler{ActionId::stepOnce, Needs::body, stepOnce},
     Handler{ActionId::reset, Needs::body, reset},
-    Handler{ActionId::finishTry, Needs::scene, [](State& s) { s.practice.finish(); }},
+    Handler{ActionId::finishTry, Needs::scene, [](State& s) { s.panels.practice.finish(); }},
     Handler{ActionId::slower, Needs::scene,
             [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
     Handler{ActionId::faster, Needs::scene,

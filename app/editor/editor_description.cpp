@@ -115,11 +115,11 @@ void Editor::State::describe(bool withOverlay) {
             const bool inView = !panels.interface.ownsPointer();
             model.view.overlay = withOverlay ? view.overlay(inView, now) : std::move(before);
             if (withOverlay) {
-                practice.addTo(model.view.overlay, view.frame(), panels.settings.now);
+                panels.practice.addTo(model.view.overlay, view.frame(), panels.settings.now);
             }
         }
     }
-    practice.describe(model.session.practice);
+    panels.practice.describe(model.session.practice);
     view.display.describe(scene.meanwhile(), model);
     model.looks.field = fieldLegend(*this, withOverlay && !panels.interface.ownsPointer());
     model.view.axes = axesOf(view.camera.shown());

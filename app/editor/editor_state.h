@@ -26,7 +26,6 @@
 #include "app/editor/view/editor_view.h"
 #include "app/editor/view/first_steps.h"
 #include "app/editor/view/input_queue.h"
-#include "app/editor/view/practice.h"
 #include "app/editor/view/redraw.h"
 
 namespace kerf::app {
@@ -40,7 +39,6 @@ struct Editor::State {
           clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
-          practice(options.tries),
           chooser(options.screenshotFolder, options.recentFiles, panels.settings.now.folders),
           sessionFile({options.storedEnds, options.driver}),
           materials(options.materials),
@@ -64,7 +62,6 @@ struct Editor::State {
     TimeLeft timeLeft;          ///< of the work that is shown
     SceneHistory sceneHistory;  ///< the previous and the redoable scenes
     EditorView view;
-    Practice practice;
     EditorToast toast;
     NewcomerGuide guide;
     FileChooser chooser;

@@ -30,7 +30,7 @@ constexpr auto kForMargin = [](const Task& task) {
 constexpr FigureUnit kLength{"mm", 1e3, 2};
 constexpr FigureUnit kShare{"%", 100, 1};
 constexpr FigureUnit kTime{"s", 1, 2};
-constexpr FigureUnit kForce{"N", 1, 3};
+constexpr FigureUnit kForce{"mN", 1e3, 1};
 constexpr FigureUnit kCount{"", 1, 0};
 constexpr FigureUnit kFlag{"", 1, 0, true};
 constexpr FigureUnit kVolume{"cm³", 1e6, 3};

@@ -130,8 +130,9 @@ void BladeStroke::queueWay() {
     const auto seconds = elapsed > 0 ? std::optional(elapsed / steps) : std::nullopt;
     for (int k = 1; k <= steps; ++k) {
         const double at = ends.back() * k / steps;
-        const auto to = std::find_if(ends.begin() + 1, ends.end() - 1,
-                                     [at](double end) { return end >= at; }) - ends.begin();
+        const auto to =
+            std::find_if(ends.begin() + 1, ends.end() - 1, [at](double end) { return end >= at; }) -
+            ends.begin();
         const double length = ends[to] - ends[to - 1];
         const bool arrives = k == steps || length == 0;
         queue_.emplace_back(MoveBlade{

@@ -166,9 +166,9 @@ void describe(auto& fields, Task& task) {
     for (const TaskLine& line : task.lines) {
         for (std::size_t i = 1; i < line.points.size() + (line.closed ? 1 : 0); ++i) {
             const Vec3 along = line.points[i % line.points.size()] - line.points[i - 1];
-            fields.check(along.cross(task.into).norm() >=
-                             kLeastSineOfInto * along.norm() * task.into.norm(),
-                         "into", "it points along a line; give a direction into the body.");
+            fields.check(
+                along.cross(task.into).norm() >= kLeastSineOfInto * along.norm() * task.into.norm(),
+                "into", "it points along a line; give a direction into the body.");
         }
     }
     fields.check(!task.into.isZero(0), "into", "it has no direction.");

@@ -63,8 +63,8 @@ Interventions interventionsIn(const Session& session) {
     Interventions found;
     bool begun = false;
     for (const SessionEvent& event : session.events) {
-        begun = !startsAnew(event.action) &&
-                (begun || std::holds_alternative<MoveBlade>(event.action));
+        begun =
+            !startsAnew(event.action) && (begun || std::holds_alternative<MoveBlade>(event.action));
         found = begun ? found : Interventions{};
         found.undos += begun && std::holds_alternative<Undo>(event.action) ? 1 : 0;
         found.changes += begun && std::holds_alternative<SetParam>(event.action) ? 1 : 0;
@@ -83,8 +83,7 @@ struct BothBodies {
         : mesh(simulation.meshAsRead()), uncut(simulation.uncut()->mesh) {
         const BodyModel& body = simulation.bodyModel();
         members = membersOf(mesh, [&](int v) { return body.pieces[body.pieceOfVertex[v]].member; });
-        uncutMembers =
-            membersOf(uncut, [&](int v) { return simulation.uncut()->modelOf(v); });
+        uncutMembers = membersOf(uncut, [&](int v) { return simulation.uncut()->modelOf(v); });
     }
     TaskBody of(const Task& task) const { return {task, mesh, uncut, members, uncutMembers}; }
 

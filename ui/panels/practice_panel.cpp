@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/base/item_rects.h"
 #include "ui/base/widgets.h"
@@ -52,6 +53,16 @@ void drawScoreRow(const ScoreRow& row) {
 void drawScore(const PracticeState& practice) {
     if (!ImGui::BeginTable("score", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         return;
+    }
+    ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [title, member] : {std::pair{"Now", &ScoreRow::now},
+                                        {"Last", &ScoreRow::last},
+                                        {"Expert", &ScoreRow::expert}}) {
+        float width = ImGui::CalcTextSize(title).x;
+        for (const ScoreRow& row : practice.rows) {
+            width = std::max(width, ImGui::CalcTextSize((row.*member).c_str()).x);
+        }
+        ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, width);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();

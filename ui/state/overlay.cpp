@@ -28,8 +28,8 @@ struct TraceLook {
     ImU32 color;
     float width;
 };
-constexpr std::array<TraceLook, 7> kTraceLooks{{{IM_COL32(255, 255, 255, 255), 2.0F},
-                                                {IM_COL32(255, 255, 255, 120), 1.0F},
+constexpr std::array<TraceLook, 7> kTraceLooks{{{IM_COL32(170, 80, 255, 255), 2.5F},
+                                                {IM_COL32(170, 80, 255, 150), 1.2F},
                                                 {IM_COL32(213, 94, 0, 255), 1.5F},
                                                 {IM_COL32(204, 121, 167, 220), 1.2F},
                                                 {IM_COL32(86, 180, 233, 255), 2.0F},

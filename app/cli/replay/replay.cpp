@@ -143,6 +143,13 @@ class TimeOutside {
     double sum_ = 0;
 };
 
+/// What follows a run step by step.
+struct RunWatches {
+    IterationWatch iterations;
+    VolumeWatch volumes;
+    ForceTrace forces;
+};
+
 /// One run of one session, with what comes of it.
 class Replay {
   public:
@@ -185,8 +192,8 @@ class Replay {
             writeSequence();
             checkLength();
         }
-        remark(iterations_.sentence());
-        remark(volumes_.sentence());
+        remark(watches_.iterations.sentence());
+        remark(watches_.volumes.sentence());
         writeResults();
     }
 
@@ -281,7 +288,7 @@ class Replay {
         if (stopped_) {
             return;
         }
-        iterations_.add(step_, simulation().bodyModel(), simulation().params());
+        watches_.iterations.add(step_, simulation().bodyModel(), simulation().params());
         const StepReport& report = running_.step();
         if (film_) {
             film_->pass(simulation().params().timeStep, simulation().timeRuns());
@@ -295,10 +302,10 @@ class Replay {
     /// After a step: what is written and told of it.
     void publish(const MetricsRow& row, const ReplayListener& listener) {
         files_.write(row);
-        forces_.add(row.report, simulation().params().timeStep);
+        watches_.forces.add(row.report, simulation().params().timeStep);
         summary_.statistics.add(row);
         if (!row.report.open) {
-            volumes_.add(step_, simulation().measuredPieces());
+            watches_.volumes.add(step_, simulation().measuredPieces());
         }
         if (files_.wantsPieces()) {
             files_.write(step_, simulation().measuredPieces(), simulation().pieceBounds(),
@@ -404,7 +411,7 @@ class Replay {
         summary_.cuts = reportOnCuts(simulation());
         if (steps_ == session_.steps && !stopped_) {  // else not all of the try was played
             summary_.task = session_.task;
-            summary_.score = scoreOf(session_, simulation(), forces_);
+            summary_.score = scoreOf(session_, simulation(), watches_.forces);
         }
         remark(remarkOnCrossings(simulation()));
         folder_.write(kSummaryFile, formatSummary(summary_));
@@ -424,9 +431,7 @@ class Replay {
     std::optional<FilmReport> filmReport_;
     std::optional<FilmStrip> strip_;
     std::optional<MeshSequence> sequence_;
-    IterationWatch iterations_;
-    VolumeWatch volumes_;
-    ForceTrace forces_;
+    RunWatches watches_;
     const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
     TimeOutside outside_;

@@ -22,7 +22,8 @@ EditorPanels::EditorPanels(const EditorOptions& options)
       device(options.device),
       driver(options.driver),
       settings(options.settingsFile),
-      interface(settings.now.theme, scale(options.width, options.height)) {
+      interface(settings.now.theme, scale(options.width, options.height)),
+      practice(options.tries) {
     showOne();
 }
 

@@ -9,6 +9,7 @@
 #include "app/editor/storage/editor_options.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/editor/view/experiment_board.h"
+#include "app/editor/view/practice.h"
 #include "render/scene/image.h"
 #include "ui/interface.h"
 #include "ui/plots/plot.h"
@@ -35,6 +36,7 @@ struct EditorPanels {
     ui::PanelModel told;  ///< the scene's report when it last rested
     ui::PanelModel model;
     ExperimentBoard experiments;
+    Practice practice;
     std::optional<Asked> asked;
     ui::PlotView plotView;
     bool helpOpen = false;

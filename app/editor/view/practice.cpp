@@ -216,7 +216,8 @@ void Practice::open(EditorScene& scene, const std::string& person) {
         lines_.push_back(anchorsOf(*task_, line, uncut_->mesh, body));
     }
     std::ranges::transform(task_->spareRegions, std::back_inserter(spared_), pointsOf);
-    expert_ = task_->expert.empty() ? OtherTry{} : readTry(task_->expert, origin_, middleOf(*task_));
+    expert_ =
+        task_->expert.empty() ? OtherTry{} : readTry(task_->expert, origin_, middleOf(*task_));
     openLast(person);
 }
 
@@ -286,7 +287,8 @@ bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
         score_.reset();  // of what is no longer there
         revision_ = -1;
     }
-    const bool begins = scene.stroke().drawing() && !cutting_ && scene.simulation().strokes().empty();
+    const bool begins =
+        scene.stroke().drawing() && !cutting_ && scene.simulation().strokes().empty();
     cutting_ = scene.stroke().drawing();
     if (begins) {
         watch_.restart();
@@ -379,8 +381,8 @@ void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
         }
     }
     for (const Trace& trace : traces_) {
-        const Vec3 sight = view.camera.orthographic ? view.camera.forward()
-                                                    : Vec3(trace.from - view.camera.eye);
+        const Vec3 sight =
+            view.camera.orthographic ? view.camera.forward() : Vec3(trace.from - view.camera.eye);
         if (trace.normal.dot(sight) <= 0) {
             add(trace.kind, trace.from, trace.to);
         }

@@ -69,12 +69,12 @@ class Practice {
 
     std::filesystem::path folder_;
     std::optional<Task> task_;
-    Vec3 origin_ = Vec3::Zero();  ///< of the scene [m]
+    Vec3 origin_ = Vec3::Zero();              ///< of the scene [m]
     std::shared_ptr<const UncutBody> uncut_;  ///< on which the lines were found
     std::vector<std::vector<SurfaceAnchor>> lines_;
     std::vector<std::vector<Vec3>> spared_;  ///< points of what must not be cut [m]
-    std::vector<Trace> traces_;  ///< on the present body
-    int revision_ = -1;          ///< of it
+    std::vector<Trace> traces_;              ///< on the present body
+    int revision_ = -1;                      ///< of it
     OtherTry expert_;
     OtherTry last_;
     std::string lastPerson_;  ///< whose that is

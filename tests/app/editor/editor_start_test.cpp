@@ -138,6 +138,10 @@ TEST_F(EditorStart, EverySceneIsCut) {
     for (const ui::StartCard& scene : *startCards()) {
         SCOPED_TRACE(scene.name);
         EXPECT_NE(scene.picture, nullptr);
+        if (scene.name.starts_with("../practice/")) {
+            EXPECT_TRUE(openDocument(startSession(scene.name)).session.task);
+            continue;  // phantoms, for EditorPractice
+        }
         Document document = openDocument(startSession(scene.name));
         EXPECT_EQ(document.note, "");
         const Params& params = document.session.params;

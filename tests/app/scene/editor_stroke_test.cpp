@@ -173,10 +173,10 @@ TEST(BladeStroke, WhereTimeIsKeptAHandTakesAsManyStepsWhateverThePictures) {
         for (std::size_t i = 1; i < moves.size(); ++i) {
             time += moves[i].seconds.value_or(0);
             const double there = where.distance(moves.front().blade, moves[i].blade);
-            const double wanted = where.distance(moves.front().blade,
-                                                 where.bladeAt({0, 0.5 - 0.5 * time}));
-            EXPECT_NEAR(there, wanted, 0.02 * where.distance(moves.front().blade,
-                                                             moves.back().blade))
+            const double wanted =
+                where.distance(moves.front().blade, where.bladeAt({0, 0.5 - 0.5 * time}));
+            EXPECT_NEAR(there, wanted,
+                        0.02 * where.distance(moves.front().blade, moves.back().blade))
                 << "at " << time;
         }
         EXPECT_NEAR(time, 2, 1e-9);

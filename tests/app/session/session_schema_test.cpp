@@ -161,11 +161,11 @@ TEST_F(SessionSchema, AcceptsWhatTheReaderAccepts) {
 }
 
 // Of the mistakes that the tests of the reader know, those that are none by the schema.
-const std::set<std::string> kComparisons{"BoxUpsideDown", "NoLength", "EyeAtTarget", "UpAlongView",
-                                         "EventAfterTheEnd", "IdleTask", "ShortTaskLine",
-                                         "TaskLineThatStands", "TaskAlongItsLine",
-                                         "TaskWithoutDirection", "TaskSparesNoModel",
-                                         "TaskTakesWhatItCuts"};
+const std::set<std::string> kComparisons{
+    "BoxUpsideDown",        "NoLength",           "EyeAtTarget",
+    "UpAlongView",          "EventAfterTheEnd",   "IdleTask",
+    "ShortTaskLine",        "TaskLineThatStands", "TaskAlongItsLine",
+    "TaskWithoutDirection", "TaskSparesNoModel",  "TaskTakesWhatItCuts"};
 const std::set<std::string> kDetours{"FileAbove", "FileInFile"};
 const std::set<std::string> kNoDocuments{"Empty",   "NaN",           "HugeNumber",
                                          "TwoKeys", "TwoKeysInside", "TwoKeysDeepInside",

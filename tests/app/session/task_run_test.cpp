@@ -40,10 +40,10 @@ TEST(TaskRun, AHandTakesTheTimeOfItsSteps) {
 }
 
 TEST(TaskRun, AHandTakesTheSecondsThatItsPosesGive) {
-    expectTimes(timesOf(poseAt(1) + "," + poseAt(3, R"(, "seconds": 0.5)") + "," +
-                        event(4, "lift") + "," + poseAt(7, R"(, "seconds": 2)") + "," +
-                        poseAt(8, R"(, "seconds": 0.1)")),
-                {0.01, 1.01, 1.02, 3.02, 3.12});
+    expectTimes(
+        timesOf(poseAt(1) + "," + poseAt(3, R"(, "seconds": 0.5)") + "," + event(4, "lift") + "," +
+                poseAt(7, R"(, "seconds": 2)") + "," + poseAt(8, R"(, "seconds": 0.1)")),
+        {0.01, 1.01, 1.02, 3.02, 3.12});
 }
 
 TEST(TaskRun, AHandFollowsTheTimeStepAndARestart) {

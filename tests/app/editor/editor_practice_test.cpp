@@ -1,0 +1,124 @@
+// A task in the window: shown, cut, scored and kept.
+#include <nlohmann/json.hpp>
+
+#include "app/scene/document/editor_document.h"
+#include "app/session/headless_session.h"
+#include "app/session/task_run.h"
+#include "tests/app/editor/editor_fixture.h"
+#include "tests/app/session/replayed_session.h"
+
+namespace kerf::app {
+namespace {
+
+class EditorPractice : public EditorTest {
+  protected:
+    EditorOptions options() override {
+        EditorOptions options = EditorTest::options();
+        options.tries = folder / "tries";
+        return options;
+    }
+    void SetUp() override {
+        GlTest::SetUp();
+        Session session = sphereDocument().session;
+        session.params.bladeFeels = true;
+        session.params.floor.reset();
+        session.steps = 1;
+        session.view = sphereDocument().camera;
+        Task task;
+        task.name = "Halve it";
+        task.about = "From top to bottom.";
+        task.lines = {{{Vec3(0, 0.49, 0.1), Vec3(0, 0.49, -0.1)}}};
+        task.reach = 0.2;
+        task.spareRegions = {Ball{Vec3(0.4, 0, 0), 0.05}};
+        task.limits.deviation = 0.1;
+        session.task = task;
+        test::writeText(folder / "halves.kerf.json", formatSession(session));
+        start(options(), openDocument(folder / "halves.kerf.json"));
+    }
+    /// Down through the ball, `aside` pixels beside its middle.
+    void cutDown(double aside) {
+        const ui::Rect view = ui::layoutPanels(float(kWidth), float(kHeight), 1, {}, true).view;
+        const Vec2 middle(view.x + view.width / 2 + aside, view.y + view.height / 2);
+        drag(middle - Vec2(0, 200), middle + Vec2(0, 200), 60);
+        settle();
+    }
+    const ui::PracticeState& practice() { return panels().session.practice; }
+    std::string figure(const std::string& label) {
+        for (const ui::ScoreRow& row : practice().rows) {
+            if (row.figure.starts_with(label)) return row.now;
+        }
+        return "no such figure";
+    }
+    std::vector<std::filesystem::path> keptTries() {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry : std::filesystem::directory_iterator(folder / "tries")) {
+            if (entry.path().string().ends_with(kSessionEnding)) files.push_back(entry.path());
+        }
+        return files;
+    }
+};
+
+TEST_F(EditorPractice, TheTaskIsShownAndNothingIsScoredBeforeACut) {
+    EXPECT_EQ(practice().name, "Halve it");
+    EXPECT_TRUE(editor->itemRects().contains("practice.finish"));
+    EXPECT_FALSE(panels().view.overlay.traces.empty());
+    tap(Key::enter, {.shift = true});
+    frames(3);
+    EXPECT_FALSE(practice().finished);
+    EXPECT_THAT(panels().toast.text, testing::HasSubstr("Nothing was cut yet"));
+}
+
+TEST_F(EditorPractice, ATryIsScoredKeptAndReplayedToTheSameScore) {
+    cutDown(0);
+    click("practice.finish");
+    frames(3);
+    ASSERT_TRUE(practice().finished);
+    EXPECT_NE(figure("Largest deviation"), "");
+    EXPECT_NE(figure("Largest force"), "");
+    EXPECT_NE(figure("Time"), "");
+    const auto files = keptTries();
+    ASSERT_EQ(files.size(), 1U);
+    const nlohmann::json kept = nlohmann::json::parse(
+        test::readBytes(files.front().parent_path() / (shortName(files.front()) + ".score.json")));
+    const Session session = readSession(files.front());
+    HeadlessSession running(session, loadSessionModel(session), 0, render::Quality::light);
+    running.simulation().feelBlade(true);
+    const SessionSchedule schedule(running.session());
+    ForceTrace forces;
+    for (int step = 0; step < session.steps; ++step) {
+        const StepReport& report = running.stepBy(schedule);
+        forces.add(report, running.simulation().params().timeStep);
+    }
+    const auto score = scoreOf(running.session(), running.simulation(), forces);
+    ASSERT_TRUE(score);
+    EXPECT_EQ(nlohmann::json(toJson(*score, *session.task)), kept);
+}
+
+TEST_F(EditorPractice, AnotherCutOrUndoTakesTheScoreAway) {
+    cutDown(0);
+    tap(Key::enter, {.shift = true});
+    frames(3);
+    ASSERT_TRUE(practice().finished);
+    tap(Key::z, {.control = true});
+    settle();
+    frames(2);
+    EXPECT_FALSE(practice().finished);
+}
+
+TEST_F(EditorPractice, WhatBreaksALimitIsMarked) {
+    cutDown(60);
+    tap(Key::enter, {.shift = true});
+    frames(3);
+    ASSERT_TRUE(practice().finished);
+    EXPECT_FALSE(practice().violations.empty());
+    EXPECT_TRUE(std::ranges::any_of(practice().rows, &ui::ScoreRow::broken));
+    EXPECT_TRUE(practice().hasLast || keptTries().size() == 1);
+}
+
+TEST_F(EditorPractice, WithoutATaskThereIsNoSuchSection) {
+    start(options());
+    EXPECT_FALSE(editor->itemRects().contains("practice.finish"));
+}
+
+}  // namespace
+}  // namespace kerf::app
