@@ -14,7 +14,7 @@ namespace {
 
 /// Without the triangles for which `gone` holds of their middle.
 template <class Gone>
-TriangleSoup without(const TriangleSoup& soup, Gone&& gone) {
+TriangleSoup withHoleAt(const TriangleSoup& soup, Gone&& gone) {
     TriangleSoup rest = soup;
     std::erase_if(rest.triangles, [&](const Triangle& t) {
         return gone((soup.positions[t[0]] + soup.positions[t[1]] + soup.positions[t[2]]) / 3);
@@ -32,7 +32,7 @@ TEST(HoleFilling, AClosedSurfaceStaysAsItIs) {
 TEST(HoleFilling, TheLidOfABoxComesBackFlat) {
     // The border has points on straight lines, where no triangle may be without area.
     TriangleSoup soup =
-        without(test::boxSoup(Vec3::Ones(), 4), [](const Vec3& m) { return m.y() > 0.49; });
+        withHoleAt(test::boxSoup(Vec3::Ones(), 4), [](const Vec3& m) { return m.y() > 0.49; });
     ASSERT_EQ(inspectTriangles(soup).openEdges, 16);
     const HoleFilling done = fillHoles(soup);
     EXPECT_EQ(done.holes, 1);
@@ -43,8 +43,8 @@ TEST(HoleFilling, TheLidOfABoxComesBackFlat) {
 }
 
 TEST(HoleFilling, BothEndsOfATubeAreFilled) {
-    TriangleSoup soup =
-        without(test::cubeSphereSoup(8, 0.5), [](const Vec3& m) { return std::abs(m.x()) > 0.35; });
+    TriangleSoup soup = withHoleAt(test::cubeSphereSoup(8, 0.5),
+                                   [](const Vec3& m) { return std::abs(m.x()) > 0.35; });
     const HoleFilling done = fillHoles(soup);
     EXPECT_EQ(done.holes, 2);
     const MeshReport report = inspectTriangles(soup);
