@@ -665,7 +665,7 @@ def slab():
 
 
 # Pads to practise on [m], with a cavity for what lies in them, which has a little air about it.
-PAD_HALF, PAD_ROUND, PAD_EDGE = np.array([0.06, 0.01, 0.04]), 0.003, 0.0045
+PAD_HALF, PAD_ROUND, PAD_EDGE = np.array([0.06, 0.01, 0.04]), 0.007, 0.0045
 VESSEL_RADIUS, VESSEL_HALF, VESSEL_EDGE = 0.0029, 0.027, 0.0022
 LUMP_RADIUS = 0.0049
 AIR = 0.03  # about these, as a share

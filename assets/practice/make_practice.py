@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Makes the tasks to practise, and how an expert does them. Needs Debian's python3 alone.
 
-    /usr/bin/python3 assets/practice/make_practice.py KERF
+    /usr/bin/python3 assets/practice/make_practice.py KERF [NAME...]
 
 writes NAME.kerf.json (the task), NAME.expert.kerf.json (the same with a blade that does it) and,
 with the program KERF and imagemagick, NAME.expert.score.json and NAME.png for the start page, for
-each of TASKS, into this folder.
+each NAME (default: all of TASKS), into this folder.
 
 The expert is no person: its hand follows the line with the speed of least jerk (Flash and Hogan
 1985), which rises and falls without a bend. bench/lab/practice.py has it make mistakes.
@@ -20,11 +20,10 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 
-STEP = 0.01  # [s]
 #: A phantom: toughness over modulus is 0.2 mm, which the model of the blade takes well. Those of
 #: skin (1.3 m) and liver (30 mm) are beyond it (docs/notes/blade-force.md).
-PARAMS = {"time_step": STEP, "iterations": "auto", "true_modulus": 1, "gravity": [0, 0, 0],
-          "floor": None, "youngs_modulus": 8000, "density": 1000, "toughness": 1.6,
+PARAMS = {"time_step": 0.02, "iterations": 50, "gravity": [0, 0, 0],
+          "floor": None, "youngs_modulus": 2000, "density": 1000, "toughness": 0.4,
           "blade_feels": 1, "blade_bluntness": 0.2, "blade_width": 0.025,
           "wall_coarsening": 1, "debris_volume": 0}
 SETTLES = 20  # steps after the last lift
@@ -46,13 +45,13 @@ class Stroke:
         return self.blade(self.way(seconds / self.seconds), seconds)
 
 
-def events_of(strokes, begin=0, away=2):
+def events_of(strokes, time_step, away=2):
     """A pose a step. `away`: steps between two strokes."""
-    events, step = [], begin
+    events, step = [], 0
     for stroke in strokes:
-        count = round(stroke.seconds / STEP)
+        count = round(stroke.seconds / time_step)
         for k in range(count + 1):
-            a, b = stroke.at(k * STEP)
+            a, b = stroke.at(k * time_step)
             events.append({"step": step + k, "type": "blade", "a": rounded(a), "b": rounded(b)})
         step += count + 1
         events.append({"step": step, "type": "lift"})
@@ -78,7 +77,7 @@ def incision():
         "more_models": [{"path": "../models/vessel.obj",
                          "placement": {"translate": [0.010, 0.008, 0]},
                          "color": [0.65, 0.05, 0.10]}],
-        "params": {**PARAMS, "skin_thickness": 0.0015, "skin_modulus": 34000},
+        "params": {**PARAMS, "skin_thickness": 0.0015, "skin_modulus": 8500},
         "task": {
             "name": "Incision",
             "about": "Cut along the line, 5 mm deep. A vessel lies below it: spare it.",
@@ -123,7 +122,8 @@ SLICE = (0.060, 0.050)  # where it is cut [m]
 
 def slice_():
     """Ten millimetres between two lines across the left lobe."""
-    lines = [{"points": [[x, 0.046, 0.030], [x, 0.046, -0.058]]} for x in SLICE]
+    ends = ((0.0264, -0.0593), (0.0301, -0.0610))  # of the lobe there
+    lines = [{"points": [[x, 0.045, z] for z in pair]} for x, pair in zip(SLICE, ends)]
     return {
         "model": {"path": "../models/liver.obj"},
         "placement": {"translate": [0, 0.0283, 0]},
@@ -163,7 +163,7 @@ def expert_incision(along=1.0, deeper=0.0, aside=lambda share, seconds: 0.0, sec
 BEHIND = 0.0045  # the edge cuts so far behind the blade: a wall edge (docs/physics.md) [m]
 
 
-def expert_excision(aside=lambda share, seconds: 0.0, lean=0.0, seconds=8.0, overlap=0.8,
+def expert_excision(aside=lambda share, seconds: 0.0, lean=0.0, seconds=8.0, overlap=1.0,
                     way=least_jerk):
     """Upright, once round and a little farther, so much outside that the edge behind it is on the
     line; at last outwards, across where it began. `lean` [radians] tilts it towards the lump below
@@ -172,7 +172,7 @@ def expert_excision(aside=lambda share, seconds: 0.0, lean=0.0, seconds=8.0, ove
 
     def blade(share, time):
         turn = (2 * math.pi + overlap) * share
-        out = lead * least_jerk(turn / 0.5) + 0.002 * max(0, turn - 2 * math.pi + 0.1) / overlap
+        out = lead * least_jerk(turn / 0.5) + 0.0025 * max(0, turn - 2 * math.pi + 0.1)
 
         def at(y):
             r = RADIUS + out + aside(share, time) + (y - TOP) * math.tan(lean)
@@ -202,7 +202,7 @@ def session_of(name, strokes=None):
     steps = 1
     made["task"].update(made.pop("limits"))
     if strokes:
-        poses, steps = events_of(strokes)
+        poses, steps = events_of(strokes, made["params"]["time_step"])
         steps += SETTLES
         events += poses
         made["task"].update({"person": "expert"})
@@ -257,7 +257,8 @@ def make_picture(kerf, name, shown):
 
 
 def main():
-    for name, (_, expert) in TASKS.items():
+    for name in sys.argv[2:] or TASKS:
+        expert = TASKS[name][1]
         shown = FOLDER / f"{name}.expert.kerf.json"
         done = session_of(name, expert())
         shown.write_text(text_of(done))
