@@ -87,7 +87,7 @@ struct TaskLines {
 
 /// Compares an edge of a wall with the lines, in short steps. Returns what of a rim is elsewhere.
 double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
-    const Vec3 from = mesh.restPosition(mesh.origin(h));
+    const Vec3& from = mesh.restPosition(mesh.origin(h));
     const Vec3 way = mesh.restPosition(mesh.target(h)) - from;
     const bool isRim = mesh.kind(SurfaceMesh::triangleOf(mesh.twin(h))) == SurfaceKind::skin;
     const double steps = std::ceil(way.norm() / lines.step);

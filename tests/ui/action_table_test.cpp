@@ -87,8 +87,8 @@ TEST(ActionTable, RowsFollowTheModel) {
     }
     EXPECT_EQ(unavailable,
               (std::vector{ActionId::undo, ActionId::redo, ActionId::partModel, ActionId::bringDown,
-                           ActionId::freePins, ActionId::removeRetractor, ActionId::loop,
-                           ActionId::showApart}));
+                           ActionId::freePins, ActionId::removeRetractor, ActionId::finishTry,
+                           ActionId::loop, ActionId::showApart}));
     EXPECT_TRUE(isOn(model, actionOf(Tool::stroke)));
     EXPECT_FALSE(isOn(model, actionOf(Tool::pin)));
     EXPECT_FALSE(isOn(model, ActionId::quit)) << "it switches nothing";
