@@ -64,7 +64,7 @@ TEST_F(EditorStart, ArrowsAndEnterChooseACard) {
     frames(1);
     tap(Key::enter);
     waitForWork();
-    EXPECT_EQ(editor->title(), "Kerf - incision - 1 piece") << "below the second card";
+    EXPECT_EQ(editor->title(), "Kerf - egg - 1 piece") << "below the second card";
 }
 
 TEST_F(EditorStart, NewShowsItOverTheScene) {
