@@ -274,11 +274,12 @@ void Practice::layRim(EditorScene& scene) {
 
 bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
     const bool other = uncut_ != scene.simulation().uncut();
+    const bool hadTask = task_.has_value();
     if (other) {
         open(scene, settings.person);
     }
     if (!task_) {
-        return other;
+        return hadTask;
     }
     if (lastPerson_ != settings.person) {
         openLast(settings.person);

@@ -18,7 +18,7 @@ class EditorPractice : public EditorTest {
         return options;
     }
     void SetUp() override {
-        GlTest::SetUp();
+        EditorTest::SetUp();
         Session session = sphereDocument().session;
         session.params.bladeFeels = true;
         session.params.floor.reset();

@@ -166,8 +166,8 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
                     "Spared models cut: 1 (at most 0).", "Taken out whole: no (must be yes).",
                     "Time: 2.00 s (at most 1.50 s).",
                     "Economy of the path: 50.0 % (at least 90.0 %).", HasSubstr("Smoothness: -5."),
-                    "Largest force: 2.000 N (at most 1.900 N).", "Undone changes: 1 (at most 0).",
-                    "Parameters changed: 2 (at most 0)."));
+                    "Largest force: 2000.0 mN (at most 1900.0 mN).",
+                    "Undone changes: 1 (at most 0).", "Parameters changed: 2 (at most 0)."));
 }
 
 TEST_F(ScoreTest, HalfACutAndNoCutDoNotPass) {
@@ -192,7 +192,7 @@ TEST_F(ScoreTest, WhatIsNotMeasuredDoesNotPass) {
     task_.limits.economy = 0.5;
     EXPECT_THAT(score().violations,
                 ElementsAre("Economy of the path: not measured (at least 50.0 %).",
-                            "Largest force: not measured (at most 2.000 N)."));
+                            "Largest force: not measured (at most 2000.0 mN)."));
 }
 
 TEST_F(ScoreTest, AModelToBeSparedMustNotBeCut) {
@@ -249,7 +249,7 @@ TEST_F(ScoreTest, PeopleReadMillimetresAndPercent) {
     EXPECT_EQ(formatFigure(unitOf("deviation_max"), 0.0024149), "2.41");
     EXPECT_EQ(formatFigure(unitOf("depth_in_band"), 0.8766), "87.7");
     EXPECT_EQ(formatFigure(unitOf("excised_volume"), 1.2345e-6), "1.234");
-    EXPECT_EQ(formatFigure(unitOf("force_max"), 0.25), "0.250");
+    EXPECT_EQ(formatFigure(unitOf("force_max"), 0.25), "250.0");
     EXPECT_EQ(formatFigure(unitOf("smoothness"), -5.32), "-5.3");
     EXPECT_EQ(formatFigure(unitOf("taken"), 1), "yes");
     EXPECT_EQ(formatFigure(unitOf("taken"), 0), "no");

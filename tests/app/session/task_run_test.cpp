@@ -1,7 +1,10 @@
 // The clock of a hand, and the forces of its run.
 #include "app/session/task_run.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <iterator>
 
 #include "sim/run/parts/step_report.h"
 #include "tests/support/session_samples.h"
@@ -9,13 +12,14 @@
 namespace kerf::app {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::Field;
+
 std::vector<double> timesOf(const std::string& events) {
     std::vector<double> times;
-    for (const HandPose& pose : handOf(parseSession(
-             test::sessionWith(R"("params": {"time_step": 0.01}, "events": [)" + events + "]"),
-             "/"))) {
-        times.push_back(pose.time);
-    }
+    const Session session = parseSession(
+        test::sessionWith(R"("params": {"time_step": 0.01}, "events": [)" + events + "]"), "/");
+    std::ranges::transform(handOf(session), std::back_inserter(times), &HandPose::time);
     return times;
 }
 
@@ -59,11 +63,9 @@ TEST(TaskRun, PosesBeginStrokes) {
         test::sessionWith(R"("events": [)" + poseAt(0) + "," + poseAt(1) + "," + event(2, "lift") +
                           "," + poseAt(3) + "," + event(4, "undo") + "," + poseAt(5) + "]"),
         "/"));
-    std::vector<bool> begins;
-    for (const HandPose& pose : hand) {
-        begins.push_back(pose.begins);
-    }
-    EXPECT_EQ(begins, (std::vector<bool>{true, false, false, true, true}));
+    EXPECT_THAT(hand, ElementsAre(Field(&HandPose::begins, true), Field(&HandPose::begins, false),
+                                  Field(&HandPose::begins, false), Field(&HandPose::begins, true),
+                                  Field(&HandPose::begins, true)));
 }
 
 TEST(TaskRun, AStepThatRunsAgainReplacesItsForce) {
