@@ -146,6 +146,15 @@ std::string textOf(const FigureRow& row, const nlohmann::json& score) {
     return formatFigure(row.unit, value);
 }
 
+/// The figures of a score as text, by key.
+std::map<std::string, std::string> textsOf(const nlohmann::json& score) {
+    std::map<std::string, std::string> texts;
+    for (const FigureRow& row : figureRows()) {
+        texts[row.key] = textOf(row, score);
+    }
+    return texts;
+}
+
 std::string limitText(const FigureRow& row, const Task& task) {
     const std::optional<double> limit = limitOf(row, task);
     return !limit || row.unit.isFlag
@@ -162,7 +171,7 @@ Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Ve
     try {
         read.hand = handOf(withOrigin(readSession(file), origin));
         read.share = handShare(read.hand, middle);
-        read.score = parseJson(readInputFile(scoreFile(file), kMostScoreBytes));
+        read.figures = textsOf(parseJson(readInputFile(scoreFile(file), kMostScoreBytes)));
     } catch (const InputError&) {  // A copy may lie alone: then less is shown.
     }
     return read;
@@ -409,15 +418,16 @@ void Practice::describe(ui::PracticeState& state) const {
     state.hasLast = !last_.hand.empty();
     state.finished = score_.has_value();
     state.violations = score_ ? score_->violations : std::vector<std::string>{};
-    const nlohmann::json now = score_ ? nlohmann::json(toJson(*score_, *task_)) : nlohmann::json();
+    auto last = last_.figures;
+    auto expert = expert_.figures;
     for (const FigureRow& row : figureRows()) {
         const std::string unit = *row.unit.name == 0 ? "" : fmt::format(" [{}]", row.unit.name);
         const bool broken = std::ranges::any_of(state.violations, [&](const std::string& sentence) {
             return sentence.starts_with(std::string(row.label) + ":");
         });
-        ui::ScoreRow shown{row.label + unit,         textOf(row, now),
-                           textOf(row, last_.score), textOf(row, expert_.score),
-                           limitText(row, *task_),   broken};
+        const std::optional<double> value = score_ ? valueOf(row, *score_) : std::nullopt;
+        ui::ScoreRow shown{row.label + unit, formatFigure(row.unit, value), last[row.key],
+                           expert[row.key],  limitText(row, *task_),        broken};
         if (!shown.now.empty() || !shown.last.empty() || !shown.expert.empty()) {
             state.rows.push_back(std::move(shown));
         }

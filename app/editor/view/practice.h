@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +55,7 @@ class Practice {
     struct OtherTry {
         std::vector<HandPose> hand;
         double share = 0;  ///< see handShare()
-        nlohmann::json score;
+        std::map<std::string, std::string> figures;  ///< as text, by FigureRow::key
     };
     static OtherTry readTry(const std::filesystem::path& file, const Vec3& origin,
                             const Vec3& middle);

@@ -31,6 +31,7 @@ TEST(ScoreTable, IsSortedByPersonTaskAndDate) {
         tryOf("a", "Incision", "2026-11-03"), tryOf("a", "Incision", "2026-11-02")};
     sortTries(tries);
     std::vector<std::string> order;
+    order.reserve(tries.size());
     for (const Scored& scored : tries) {
         order.push_back(scored.score["person"].get<std::string>() +
                         scored.score["task"].get<std::string>() +
