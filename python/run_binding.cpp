@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/files/io/errors.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/gl_thread.h"
