@@ -62,15 +62,6 @@ constexpr FigureRow kRows[] = {
     {"changes", "Parameters changed", kCount, -1, &Score::changes, nullptr, kForAll, 0},
 };
 
-/// The middle of what is to be cut.
-Vec3 pivotOf(const TaskBody& body) {
-    Bounds lines;
-    for (const TaskLine& line : body.task.lines) {
-        lines.add(boxOf(line.points));
-    }
-    return (lines.empty() ? boxOf(body.uncut.restPositions()) : lines).center();
-}
-
 ForceScore measureForce(std::span<const ForceSample> samples) {
     Curve impulse;  // over time [N s]
     Vec3 sum = Vec3::Zero();
@@ -110,9 +101,17 @@ std::optional<double> limitOf(const FigureRow& row, const Task& task) {
     return row.isAsked(task) ? limit : std::nullopt;
 }
 
+Vec3 pivotOf(const Task& task, const SurfaceMesh& uncut) {
+    Bounds lines;
+    for (const TaskLine& line : task.lines) {
+        lines.add(boxOf(line.points));
+    }
+    return (lines.empty() ? boxOf(uncut.restPositions()) : lines).center();
+}
+
 Score scoreOf(const TaskRun& run) {
     const Task& task = run.body.task;
-    const MotionScore motion = measureMotion(run.hand, pivotOf(run.body), task.path);
+    const MotionScore motion = measureMotion(run.hand, pivotOf(task, run.body.uncut), task.path);
     Score score{measureCut(run.body), motion, measureForce(run.forces), run.undos, run.changes, {}};
     for (const FigureRow& row : kRows) {
         const std::optional<double> limit = limitOf(row, task);

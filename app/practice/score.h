@@ -42,6 +42,8 @@ struct TaskRun {
     int changes = 0;  ///< of parameters, after the start
 };
 
+/// The middle of the lines, or of the body without any: about it a hand is measured.
+Vec3 pivotOf(const Task& task, const SurfaceMesh& uncut);
 /// Measures and judges a try. The same input gives the same bits.
 Score scoreOf(const TaskRun& run);
 

@@ -45,14 +45,6 @@ std::string fileNameOf(std::string name) {
     return name;
 }
 
-Vec3 middleOf(const Task& task) {
-    Bounds box;
-    for (const TaskLine& line : task.lines) {
-        std::ranges::for_each(line.points, [&](const Vec3& point) { box.add(point); });
-    }
-    return box.center();
-}
-
 /// Anchors along a line of the task, where a ray along `into` meets the uncut body.
 std::vector<SurfaceAnchor> anchorsOf(const Task& task, const TaskLine& line,
                                      const SurfaceMesh& uncut, const std::vector<int>& body) {
@@ -190,7 +182,7 @@ void Practice::openLast(const std::string& person) {
         }
     }
     if (!newest.empty()) {
-        last_ = readTry(folder_ / newest, origin_, middleOf(*task_));
+        last_ = readTry(folder_ / newest, origin_, pivotOf(*task_, uncut_->mesh));
     }
 }
 
@@ -225,8 +217,9 @@ void Practice::open(EditorScene& scene, const std::string& person) {
         lines_.push_back(anchorsOf(*task_, line, uncut_->mesh, body));
     }
     std::ranges::transform(task_->spareRegions, std::back_inserter(spared_), pointsOf);
-    expert_ =
-        task_->expert.empty() ? OtherTry{} : readTry(task_->expert, origin_, middleOf(*task_));
+    expert_ = task_->expert.empty()
+                  ? OtherTry{}
+                  : readTry(task_->expert, origin_, pivotOf(*task_, uncut_->mesh));
     openLast(person);
 }
 
@@ -250,10 +243,18 @@ void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceM
 
 /// The lines move with the skin; where that was cut away, they end.
 void Practice::layLines(EditorScene& scene) {
-    const SurfaceMesh& mesh = scene.simulation().mesh();
+    const SurfaceMesh& mesh = scene.simulation().meshAsRead();
     traces_.clear();
+    std::vector<int> corners;  // read back together, not anchor by anchor
+    for (std::vector<SurfaceAnchor>& line : lines_) {
+        std::erase_if(line, [&](SurfaceAnchor& anchor) { return !anchor.follow(mesh); });
+        for (const SurfaceAnchor& anchor : line) {
+            const Triangle& triangle = mesh.triangle(anchor.triangle());
+            corners.insert(corners.end(), triangle.begin(), triangle.end());
+        }
+    }
+    mesh.bring(corners);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-        std::erase_if(lines_[i], [&](SurfaceAnchor& anchor) { return !anchor.follow(mesh); });
         layLine(lines_[i], mesh, task_->lines[i].closed);
     }
     if (score_) {

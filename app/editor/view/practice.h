@@ -54,7 +54,7 @@ class Practice {
     /// A try by another hand, or an earlier one: its poses and its figures.
     struct OtherTry {
         std::vector<HandPose> hand;
-        double share = 0;  ///< see handShare()
+        double share = 0;                            ///< see handShare()
         std::map<std::string, std::string> figures;  ///< as text, by FigureRow::key
     };
     static OtherTry readTry(const std::filesystem::path& file, const Vec3& origin,
