@@ -10,6 +10,7 @@
 #include "app/files/io/errors.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
+#include "app/files/import/model_source.h"
 #include "app/practice/score_table.h"
 #include "app/session/headless_session.h"
 #include "app/session/session.h"
