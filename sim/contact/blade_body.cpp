@@ -64,10 +64,9 @@ BladeTrail ledTo(const BladeTrail& trail, const Blade& to, double width) {
     if (move.norm() <= kStandingStill * (to.b - to.a).norm()) {
         return next;
     }
-    if (next.back.isZero()) {
-        next.back = -move.normalized();
-    } else if (-move.dot(next.back) >= kAhead * move.norm()) {
-        next.back = squared((width * next.back - move).normalized(), along);
+    const double towed = std::min(width, next.farthest);
+    if (towed < width || -move.dot(next.back) >= kAhead * move.norm()) {
+        next.back = squared((towed * next.back - move).normalized(), along);
     }
     next.way -= move.dot(next.back);
     next.farthest = std::max(next.farthest, next.way);

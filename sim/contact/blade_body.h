@@ -17,8 +17,8 @@ struct BladeSize {
 
 /// The motion of a blade since it was placed, which determines the place of its body. The body
 /// trails the edge like a towed point, as long as the edge moves ahead within 45 degrees; drawn
-/// back or sideways, the blade keeps its direction. The body is never wider than the distance ahead
-/// so far, so it stays in what the edge has swept.
+/// back or sideways, a blade of its whole width keeps its direction. The body is never wider than
+/// the distance ahead so far, so it stays in what the edge has swept.
 struct BladeTrail {
     Blade edge;
     Vec3 back = Vec3::Zero();  ///< from the edge to the back, unit, square to AB; zero at first

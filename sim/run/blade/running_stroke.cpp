@@ -37,8 +37,7 @@ void RunningStroke::carryOut(const MoveBlade& move) {
     if (blade.isAt(move.blade)) {
         return;
     }
-    const double width = push().size.width;
-    const Blade edge = blade.edgeAt(move.blade, width, lag());
+    const Blade edge = blade.edgeAt(move.blade, lag());
     if (blade.isPlaced() && mayTouch(edge)) {
         if (!isInStroke()) {
             begin();
@@ -47,7 +46,7 @@ void RunningStroke::carryOut(const MoveBlade& move) {
     } else {
         end();
     }
-    blade.moveTo(move.blade, width, edge);
+    blade.moveTo(move.blade, push().size.width, edge);
 }
 
 void RunningStroke::lift() {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "sim/cut/blade_line.h"
+
 namespace kerf {
 
 std::string checkBlade(const Blade& blade) {
@@ -45,20 +47,14 @@ void LedBlade::moveTo(const Blade& to, double width, const Blade& edge) {
     edge_ = edge;
 }
 
-Blade LedBlade::edgeAt(const Blade& to, double width, double lag) const {
+Blade LedBlade::edgeAt(const Blade& to, double lag) const {
     if (lag <= 0 || !trail_) {
         return to;
     }
-    const Vec3 back = trailTo(to, width).back;
-    Blade trailing{to.a + lag * back, to.b + lag * back};
-    // How far the edge is ahead of a pose [m].
-    const auto aheadOf = [&](const Blade& pose) {
-        return 0.5 * back.dot(pose.a + pose.b - edge_->a - edge_->b);
-    };
-    if (aheadOf(trailing) < 0) {
-        return trailing;
-    }
-    return aheadOf(to) > 0 ? to : *edge_;
+    const Vec3 string = cut::across(to, cut::pointOn(*edge_, 0.5) - cut::pointOn(to, 0.5));
+    const double length = string.norm();
+    const Vec3 behind = length > lag ? Vec3(string * (lag / length)) : string;
+    return {to.a + behind, to.b + behind};
 }
 
 Blade LedBlade::nextPose() const {

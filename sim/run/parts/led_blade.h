@@ -50,11 +50,11 @@ class LedBlade {
     const Blade& edge() const { return *edge_; }
     bool isPlaced() const { return trail_.has_value(); }
     bool isAt(const Blade& pose) const;
-    /// The cutting edge once the blade is commanded to `to` and lags by `lag` [m]: it follows as if
-    /// on a string of that length, and moves back before the blade. Its body trails at its whole
-    /// `width` [m].
-    Blade edgeAt(const Blade& to, double width, double lag) const;
-    /// Moves the blade to its commanded pose, and its edge to where it cuts.
+    /// The cutting edge once the blade is commanded to `to`: it follows as if on a string of the
+    /// length `lag` [m].
+    Blade edgeAt(const Blade& to, double lag) const;
+    /// Moves the blade to its commanded pose, and its edge to where it cuts. Its body trails at its
+    /// whole `width` [m].
     void moveTo(const Blade& to, double width, const Blade& edge);
     /// Returns whether it was placed.
     bool lift() { return std::exchange(trail_, std::nullopt).has_value(); }

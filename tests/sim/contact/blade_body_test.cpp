@@ -40,6 +40,12 @@ TEST(BladeTrail, DrawnBackOrAsideItKeepsItsDirection) {
     }
 }
 
+TEST(BladeTrail, AFirstTouchAsideDoesNotTurnItForGood) {
+    const BladeTrail trail = led({{0, 0, 0}, {0, 0.001, 0}, {0.1, 0.001, 0}, {0.4, 0.001, 0}});
+    EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 0.01);
+    EXPECT_NEAR(trail.farthest, 0.4, 0.002);
+}
+
 TEST(BladeTrail, ItFollowsACurve) {
     std::vector<Vec3> places;
     for (int i = 0; i <= 100; ++i) {
