@@ -10,9 +10,7 @@
 #include "app/files/io/errors.h"
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
-#include "app/files/import/model_source.h"
 #include "app/practice/score_table.h"
-#include "app/session/headless_session.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "app/session/task_run.h"
@@ -42,19 +40,8 @@ std::optional<Scored> scoreSession(const fs::path& session) {
     if (!read.task) {
         return std::nullopt;
     }
-    ModelMesh model = loadSessionModel(read);
     const gpu::EglContext context;
-    const std::size_t undoBudget = undoesAnything(read) ? kReplayUndoBudget : 0;
-    requireMemoryFor(read, model.mesh, undoBudget);
-    HeadlessSession running(read, std::move(model), undoBudget, render::Quality::light);
-    const SessionSchedule schedule(running.session());
-    ForceTrace forces;
-    running.simulation().feelBlade(true);
-    for (int step = 0; step < read.steps; ++step) {
-        const StepReport& report = running.stepBy(schedule);
-        forces.add(report, running.simulation().params().timeStep);
-    }
-    const std::optional<Score> score = scoreOf(running.session(), running.simulation(), forces);
+    const std::optional<Score> score = runForScore(read);
     return score ? std::optional(Scored{session.string(), app::toJson(*score, *read.task)})
                  : std::nullopt;
 }

@@ -31,6 +31,11 @@ bool isBladeWall(const SurfaceMesh& mesh, int t) {
            std::ranges::none_of(mesh.triangle(t), [&](int v) { return mesh.isTorn(v); });
 }
 
+/// Whether a half-edge of a wall lies in the skin.
+bool isRim(const SurfaceMesh& mesh, int h) {
+    return mesh.kind(SurfaceMesh::triangleOf(mesh.twin(h))) == SurfaceKind::skin;
+}
+
 /// Whether a blade or a tear left a wall on a model.
 bool isHarmed(const TaskBody& body, int model) {
     return std::ranges::any_of(trianglesOf(model, body.mesh, body.members),
@@ -89,7 +94,7 @@ struct TaskLines {
 double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
     const Vec3& from = mesh.restPosition(mesh.origin(h));
     const Vec3 way = mesh.restPosition(mesh.target(h)) - from;
-    const bool isRim = mesh.kind(SurfaceMesh::triangleOf(mesh.twin(h))) == SurfaceKind::skin;
+    const bool inSkin = isRim(mesh, h);
     const double steps = std::ceil(way.norm() / lines.step);
     double over = 0;
     for (double k = 0.5; k < steps; ++k) {
@@ -99,10 +104,10 @@ double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
         if (deviation) {
             part.height.add(x.dot(lines.into));
         }
-        if (deviation && isRim) {
+        if (deviation && inSkin) {
             part.deviation.add(*deviation);
         }
-        over += !deviation && isRim ? way.norm() / steps : 0;
+        over += !deviation && inSkin ? way.norm() / steps : 0;
     }
     return over;
 }
@@ -221,19 +226,21 @@ CutScore measureCut(const TaskBody& body) {
     return score;
 }
 
-std::vector<float> deviationAtWalls(const TaskBody& body) {
-    std::vector<float> values(2 * static_cast<std::size_t>(body.mesh.vertexCount()), -1);
+std::vector<RimDeviation> rimDeviations(const TaskBody& body) {
+    const SurfaceMesh& mesh = body.mesh;
     TaskLines lines(body.task);
-    for (const int t : trianglesOf(body.task.model, body.mesh, body.members)) {
-        const bool isMeant = isBladeWall(body.mesh, t) && !lines.parts.empty();
-        for (int h = 3 * t; isMeant && h < 3 * t + 3; ++h) {
-            const int v = body.mesh.origin(h);
-            const Vec3& x = body.mesh.restPosition(v);
-            const auto deviation = lines.deviation(x, lines.nearest(x));
-            values[2 * v + 1] = static_cast<float>(deviation.value_or(-1));
+    std::vector<RimDeviation> rim;
+    for (const int t : trianglesOf(body.task.model, mesh, body.members)) {
+        for (int h = 3 * t; isBladeWall(mesh, t) && h < 3 * t + 3; ++h) {
+            if (!isRim(mesh, h)) continue;
+            const Vec3 middle =
+                0.5 * (mesh.restPosition(mesh.origin(h)) + mesh.restPosition(mesh.target(h)));
+            rim.push_back({h, lines.parts.empty()
+                                  ? std::nullopt
+                                  : lines.deviation(middle, lines.nearest(middle))});
         }
     }
-    return values;
+    return rim;
 }
 
 }  // namespace kerf::app

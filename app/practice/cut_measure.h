@@ -35,8 +35,12 @@ struct CutScore {
 /// Measures a cut. Reads only the rest shape. Walls of tears are left out, but in `sparedCut`.
 CutScore measureCut(const TaskBody& body);
 
-/// The deviation of walls from the lines, at 2 * vertex + 1 as render::FieldValues have it [m];
-/// below 0 where there is none.
-std::vector<float> deviationAtWalls(const TaskBody& body);
+/// An edge between a wall of a blade and the skin.
+struct RimDeviation {
+    int halfEdge;                     ///< of the wall
+    std::optional<double> deviation;  ///< of its middle from the lines [m]; none beyond them
+};
+/// All of the body to cut.
+std::vector<RimDeviation> rimDeviations(const TaskBody& body);
 
 }  // namespace kerf::app

@@ -120,11 +120,8 @@ Score scoreOf(const TaskRun& run) {
             !limit || (value && (row.better > 0 ? *value >= *limit : *value <= *limit));
         if (!isKept) {
             score.violations.push_back(fmt::format(
-                "{}: {} ({} {}).", row.label, value ? withUnit(row.unit, *value) : "not measured",
-                row.unit.isFlag  ? "must be"
-                : row.better > 0 ? "at least"
-                                 : "at most",
-                withUnit(row.unit, *limit)));
+                "{}: {} ({}).", row.label, value ? withUnit(row.unit, *value) : "not measured",
+                limitText(row, *limit)));
         }
     }
     return score;
@@ -135,6 +132,11 @@ std::string formatFigure(const FigureUnit& unit, std::optional<double> value) {
         return *value > 0 ? "yes" : "no";
     }
     return value ? fmt::format("{:.{}f}", *value * unit.factor, unit.digits) : "";
+}
+
+std::string limitText(const FigureRow& row, double limit) {
+    const char* const most = row.better > 0 ? "at least" : "at most";
+    return fmt::format("{} {}", row.unit.isFlag ? "must be" : most, withUnit(row.unit, limit));
 }
 
 nlohmann::ordered_json toJson(const Score& score, const Task& task) {

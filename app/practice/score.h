@@ -73,6 +73,8 @@ std::optional<double> limitOf(const FigureRow& row, const Task& task);
 
 /// A value for people, without its unit; "" for none.
 std::string formatFigure(const FigureUnit& unit, std::optional<double> value);
+/// "at least 2.00 mm"
+std::string limitText(const FigureRow& row, double limit);
 /// `score` of summary.json (docs/session-format.md).
 nlohmann::ordered_json toJson(const Score& score, const Task& task);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/files/import/model_source.h"
+#include "app/session/headless_session.h"
 #include "sim/run/simulation.h"
 #include "sim/run/start/prepared_body.h"
 
@@ -130,8 +132,23 @@ std::optional<Score> scoreOf(const Session& session, const Simulation& simulatio
                            interventions.changes});
 }
 
-std::vector<float> deviationAtWalls(const Task& task, const Simulation& simulation) {
-    return deviationAtWalls(BothBodies(simulation).of(task));
+std::optional<Score> runForScore(const Session& session) {
+    ModelMesh model = loadSessionModel(session);
+    const std::size_t undoBudget = undoesAnything(session) ? kReplayUndoBudget : 0;
+    requireMemoryFor(session, model.mesh, undoBudget);
+    HeadlessSession running(session, std::move(model), undoBudget, render::Quality::light);
+    running.simulation().feelBlade(true);
+    const SessionSchedule schedule(running.session());
+    ForceTrace forces;
+    for (int step = 0; step < session.steps; ++step) {
+        const StepReport& report = running.stepBy(schedule);
+        forces.add(report, running.simulation().params().timeStep);
+    }
+    return scoreOf(running.session(), running.simulation(), forces);
+}
+
+std::vector<RimDeviation> rimDeviations(const Task& task, const Simulation& simulation) {
+    return rimDeviations(BothBodies(simulation).of(task));
 }
 
 }  // namespace kerf::app

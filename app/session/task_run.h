@@ -35,7 +35,10 @@ class ForceTrace {
 /// without a task, or before a stroke. Call it between strokes.
 std::optional<Score> scoreOf(const Session& session, const Simulation& simulation,
                              const ForceTrace& forces);
-/// The deviation of its walls from the lines of a task, for render::FieldValues [m].
-std::vector<float> deviationAtWalls(const Task& task, const Simulation& simulation);
+/// Runs a session of a model's file for its score, in the current OpenGL context. Throws as
+/// loadSessionModel() and HeadlessSession do.
+std::optional<Score> runForScore(const Session& session);
+/// The rim of what was cut of the body of a task.
+std::vector<RimDeviation> rimDeviations(const Task& task, const Simulation& simulation);
 
 }  // namespace kerf::app

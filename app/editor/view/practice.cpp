@@ -86,11 +86,6 @@ std::vector<Vec3> pointsOf(const Region& region) {
     return points;
 }
 
-Vec3 normalOf(const SurfaceMesh& mesh, int triangle) {
-    const Corners at = cornersOf(mesh, triangle);
-    return (at[1] - at[0]).cross(at[2] - at[0]);
-}
-
 /// The convex outline of points, counter-clockwise: Andrew's monotone chain.
 std::vector<ui::PlotPoint> outlineOf(std::vector<ui::PlotPoint> points) {
     const auto byX = [](const auto& p, const auto& q) {
@@ -147,12 +142,13 @@ std::map<std::string, std::string> textsOf(const nlohmann::json& score) {
     return texts;
 }
 
-std::string limitText(const FigureRow& row, const Task& task) {
-    const std::optional<double> limit = limitOf(row, task);
-    return !limit || row.unit.isFlag
-               ? ""
-               : fmt::format("{} {} {}", row.better > 0 ? "at least" : "at most",
-                             formatFigure(row.unit, limit), row.unit.name);
+void addLines(Kind kind, const Vec3& from, const Vec3& to, const ViewFrame& view,
+              ui::Overlay& overlay) {
+    std::vector<ui::Overlay::Line> lines;
+    view.addLine(from, to, lines);
+    for (const ui::Overlay::Line& line : lines) {
+        overlay.traces.push_back({kind, line});
+    }
 }
 
 }  // namespace
@@ -164,7 +160,8 @@ Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Ve
         read.hand = handOf(withOrigin(readSession(file), origin));
         read.share = handShare(read.hand, middle);
         read.figures = textsOf(parseJson(readInputFile(scoreFile(file), kMostScoreBytes)));
-    } catch (const InputError&) {  // A copy may lie alone: then less is shown.
+    } catch (const InputError& error) {  // A copy may lie alone: then less is shown.
+        read.problem = error.what();
     }
     return read;
 }
@@ -229,7 +226,7 @@ void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceM
     for (std::size_t i = 0; i + (closed ? 0 : 1) < anchors.size(); ++i) {
         const SurfaceAnchor& to = anchors[(i + 1) % anchors.size()];
         const Trace line{Kind::line, anchors[i].position(mesh), to.position(mesh),
-                         normalOf(mesh, anchors[i].triangle())};
+                         areaNormal(cornersOf(mesh, anchors[i].triangle()))};
         const Vec3 aside = task_->limits.deviation.value_or(0) *
                            (line.to - line.from).cross(into).stableNormalized();
         traces_.push_back(line);
@@ -265,20 +262,12 @@ void Practice::layLines(EditorScene& scene) {
 /// The edges of the cut in the skin, by their deviation.
 void Practice::layRim(EditorScene& scene) {
     const SurfaceMesh& mesh = scene.simulation().mesh();
-    const std::vector<float> deviations = deviationAtWalls(*task_, scene.simulation());
     const double limit = task_->limits.deviation.value_or(task_->reach);
-    for (const int t : livingTriangles(mesh)) {
-        for (int h = 3 * t; mesh.kind(t) == SurfaceKind::wall && h < 3 * t + 3; ++h) {
-            const int skin = SurfaceMesh::triangleOf(mesh.twin(h));
-            if (mesh.kind(skin) != SurfaceKind::skin) continue;
-            const int a = mesh.origin(h);
-            const int b = mesh.target(h);
-            const auto isNear = [&](int v) {
-                return deviations[2 * v + 1] >= 0 && deviations[2 * v + 1] <= limit;
-            };
-            traces_.push_back({isNear(a) && isNear(b) ? Kind::near : Kind::far, mesh.position(a),
-                               mesh.position(b), normalOf(mesh, skin)});
-        }
+    for (const auto& [h, deviation] : rimDeviations(*task_, scene.simulation())) {
+        const int skin = SurfaceMesh::triangleOf(mesh.twin(h));
+        const bool isNear = deviation && *deviation <= limit;
+        traces_.push_back({isNear ? Kind::near : Kind::far, mesh.position(mesh.origin(h)),
+                           mesh.position(mesh.target(h)), areaNormal(cornersOf(mesh, skin))});
     }
 }
 
@@ -294,8 +283,8 @@ bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
     if (lastPerson_ != settings.person) {
         openLast(settings.person);
     }
-    if (score_ && deeds_ != scene.recorder().deeds()) {
-        score_.reset();  // of what is no longer there
+    if (score_ && (deeds_ != scene.recorder().deeds() || scene.timeline().inThePast())) {
+        score_.reset();  // of what is not there now
         revision_ = -1;
     }
     const bool begins =
@@ -318,6 +307,9 @@ bool Practice::isDue(const EditorScene& scene) const {
 
 std::string Practice::judge(EditorScene& scene, Session played, const std::string& person) {
     finishing_ = false;
+    if (scene.timeline().inThePast()) {
+        return "The body is shown as it was earlier; go to the end of the time line, then finish.";
+    }
     played.task->person = person;
     played.task->date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
     score_ = scoreOf(played, scene.simulation(), scene.readout().forces());
@@ -345,11 +337,7 @@ void Practice::addHand(ui::Overlay& overlay, const ViewFrame& view) const {
     const double length = expert_.hand.back().time + kPause;
     const double time = std::fmod(watch_.seconds(), length);
     const auto add = [&](const Vec3& from, const Vec3& to) {
-        std::vector<ui::Overlay::Line> lines;
-        view.addLine(from, to, lines);
-        for (const ui::Overlay::Line& line : lines) {
-            overlay.traces.push_back({Kind::expert, line});
-        }
+        addLines(Kind::expert, from, to, view, overlay);
     };
     std::optional<Vec3> before;
     for (double at = std::max(0.0, time - kTrail); at <= time; at += kTrail / 20) {
@@ -373,13 +361,6 @@ void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
     if (!task_) {
         return;
     }
-    const auto add = [&](Kind kind, const Vec3& from, const Vec3& to) {
-        std::vector<ui::Overlay::Line> lines;
-        view.addLine(from, to, lines);
-        for (const ui::Overlay::Line& line : lines) {
-            overlay.traces.push_back({kind, line});
-        }
-    };
     for (const std::vector<Vec3>& part : spared_) {
         std::vector<ui::PlotPoint> pixels;
         for (const Vec3& point : part) {
@@ -395,13 +376,13 @@ void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
         const Vec3 sight =
             view.camera.orthographic ? view.camera.forward() : Vec3(trace.from - view.camera.eye);
         if (trace.normal.dot(sight) <= 0) {
-            add(trace.kind, trace.from, trace.to);
+            addLines(trace.kind, trace.from, trace.to, view, overlay);
         }
     }
     for (std::size_t i = 1; settings.showLastTry && i < last_.hand.size(); ++i) {
         if (!last_.hand[i].begins) {
-            add(Kind::last, handPoint(last_.hand[i - 1].blade, last_.share),
-                handPoint(last_.hand[i].blade, last_.share));
+            addLines(Kind::last, handPoint(last_.hand[i - 1].blade, last_.share),
+                     handPoint(last_.hand[i].blade, last_.share), view, overlay);
         }
     }
     if (settings.showExpert && !expert_.hand.empty() && !score_) {
@@ -414,7 +395,7 @@ void Practice::describe(ui::PracticeState& state) const {
         return;
     }
     state.name = task_->name;
-    state.about = task_->about;
+    state.about = task_->about + (expert_.hand.empty() ? " " + expert_.problem : "");
     state.hasExpert = !expert_.hand.empty();
     state.hasLast = !last_.hand.empty();
     state.finished = score_.has_value();
@@ -427,8 +408,9 @@ void Practice::describe(ui::PracticeState& state) const {
             return sentence.starts_with(std::string(row.label) + ":");
         });
         const std::optional<double> value = score_ ? valueOf(row, *score_) : std::nullopt;
-        ui::ScoreRow shown{row.label + unit, formatFigure(row.unit, value), last[row.key],
-                           expert[row.key],  limitText(row, *task_),        broken};
+        const std::optional<double> limit = limitOf(row, *task_);
+        ui::ScoreRow shown{row.label + unit, formatFigure(row.unit, value),       last[row.key],
+                           expert[row.key],  limit ? limitText(row, *limit) : "", broken};
         if (!shown.now.empty() || !shown.last.empty() || !shown.expert.empty()) {
             state.rows.push_back(std::move(shown));
         }

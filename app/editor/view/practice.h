@@ -56,6 +56,7 @@ class Practice {
         std::vector<HandPose> hand;
         double share = 0;                            ///< see handShare()
         std::map<std::string, std::string> figures;  ///< as text, by FigureRow::key
+        std::string problem;                         ///< why less could be read, a sentence
     };
     static OtherTry readTry(const std::filesystem::path& file, const Vec3& origin,
                             const Vec3& middle);

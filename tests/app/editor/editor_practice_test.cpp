@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene/document/editor_document.h"
-#include "app/session/headless_session.h"
 #include "app/session/task_run.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
@@ -81,15 +80,7 @@ TEST_F(EditorPractice, ATryIsScoredKeptAndReplayedToTheSameScore) {
     const nlohmann::json kept = nlohmann::json::parse(
         test::readBytes(files.front().parent_path() / (shortName(files.front()) + ".score.json")));
     const Session session = readSession(files.front());
-    HeadlessSession running(session, loadSessionModel(session), 0, render::Quality::light);
-    running.simulation().feelBlade(true);
-    const SessionSchedule schedule(running.session());
-    ForceTrace forces;
-    for (int step = 0; step < session.steps; ++step) {
-        const StepReport& report = running.stepBy(schedule);
-        forces.add(report, running.simulation().params().timeStep);
-    }
-    const auto score = scoreOf(running.session(), running.simulation(), forces);
+    const auto score = runForScore(session);
     ASSERT_TRUE(score);
     EXPECT_EQ(nlohmann::json(toJson(*score, *session.task)), kept);
 }

@@ -30,7 +30,7 @@ class PracticeBody {
         ASSERT_GT(check.cuts, 0);
     }
     CutScore score(const Task& task) { return measureCut(view(task)); }
-    std::vector<float> deviations(const Task& task) { return deviationAtWalls(view(task)); }
+    std::vector<RimDeviation> rim(const Task& task) { return rimDeviations(view(task)); }
     SurfaceMesh& mesh() { return mesh_; }
 
   private:
@@ -400,23 +400,24 @@ TEST(CutMeasure, AClosedLineHasNoEnds) {
     EXPECT_GT(*body.score(square).lengthOver, 0.4) << "beyond its ends, and too far aside";
 }
 
-TEST(CutMeasure, WallsHaveTheirDeviationAsAColour) {
+TEST(CutMeasure, TheRimHasItsDeviation) {
     PracticeBody body = cube();
     body.cut(downTo(0.3, kAt + 0.04));
-    const std::vector<float> values = body.deviations(taskOf(-0.2, 0.2));
-    ASSERT_EQ(values.size(), 2U * body.mesh().vertexCount());
-    int walls = 0;
-    for (const int t : livingTriangles(body.mesh())) {
-        for (const int v : body.mesh().triangle(t)) {
-            EXPECT_EQ(values[2 * v], -1) << "skin has none";
-            if (body.mesh().kind(t) == SurfaceKind::wall) {
-                const bool isBeyond = std::abs(body.mesh().restPosition(v).x()) > 0.2;
-                EXPECT_NEAR(values[2 * v + 1], isBeyond ? -1 : 0.04, 1e-3);
-                ++walls;
-            }
-        }
+    const std::vector<RimDeviation> rim = body.rim(taskOf(-0.2, 0.2));
+    const SurfaceMesh& mesh = body.mesh();
+    int within = 0;
+    for (const auto& [h, deviation] : rim) {
+        EXPECT_EQ(mesh.kind(SurfaceMesh::triangleOf(h)), SurfaceKind::wall);
+        EXPECT_EQ(mesh.kind(SurfaceMesh::triangleOf(mesh.twin(h))), SurfaceKind::skin);
+        const Vec3 middle =
+            0.5 * (mesh.restPosition(mesh.origin(h)) + mesh.restPosition(mesh.target(h)));
+        EXPECT_EQ(deviation.has_value(), std::abs(middle.x()) < 0.2) << middle.transpose();
+        EXPECT_NEAR(deviation.value_or(0.04), 0.04, 1e-3);
+        within += deviation ? 1 : 0;
     }
-    EXPECT_GT(walls, 100);
+    EXPECT_GT(within, 5);
+    EXPECT_GT(rim.size(), within + 5U) << "beyond the line there are edges, too";
+    EXPECT_FALSE(body.rim(Task{}).front().deviation) << "no line, no deviation";
 }
 
 }  // namespace
