@@ -48,17 +48,23 @@ std::optional<Scored> scoreSession(const fs::path& session) {
 
 /// What a replay wrote of a try; none if its session has no task.
 std::optional<Scored> scoreOfSummary(const fs::path& file) {
-    const std::string text = readInputFile(file, kMaxSummaryBytes);
-    Json summary;
-    try {
-        summary = parseOrderedJson(text);
-    } catch (const InputError& error) {
-        throw InputError(file.string() + ": " + error.what());
-    }
+    const Json summary = parseOrderedJson(readInputFile(file, kMaxSummaryBytes));
     if (!summary.is_object() || !summary.contains("score") || !isScore(summary["score"])) {
         return std::nullopt;
     }
     return Scored{file.string(), summary["score"]};
+}
+
+/// With the file in what it throws.
+std::optional<Scored> scoreOfFile(const fs::path& file) {
+    try {
+        return file.string().ends_with(kSessionEnding) ? scoreSession(file) : scoreOfSummary(file);
+    } catch (const InputError& error) {
+        const std::string problem = error.what();
+        throw InputError(problem.find(file.string()) != std::string::npos
+                             ? problem
+                             : file.string() + ": " + problem);
+    }
 }
 
 /// What a folder holds, of which the score of one try may be asked in two ways.
@@ -91,10 +97,11 @@ std::vector<fs::path> filesAt(const std::vector<fs::path>& paths) {
 std::vector<Scored> scoreAll(const std::vector<fs::path>& files) {
     std::vector<Scored> tries;
     for (const fs::path& file : files) {
-        const bool isSession = file.string().ends_with(kSessionEnding);
-        auto scored = isSession ? scoreSession(file) : scoreOfSummary(file);
+        auto scored = scoreOfFile(file);
         if (!scored) {
-            throw InputError(file.string() + ": there is no score; it needs a task and a stroke.");
+            throw InputError(file.string() + ": there is no score; give a session (*" +
+                             std::string(kSessionEnding) +
+                             ") with a task and a stroke, or the summary.json of its replay.");
         }
         tries.push_back(std::move(*scored));
     }
@@ -111,7 +118,21 @@ Json toJson(const std::vector<Scored>& tries) {
     return {{"tries", list}};
 }
 
+/// Nothing that is read, or that is written too, may be written over.
+void requireFree(const fs::path& file, const std::vector<fs::path>& others) {
+    std::error_code none;
+    for (const fs::path& other : others) {
+        if (!file.empty() && (file == other || fs::equivalent(file, other, none))) {
+            throw InputError(file.string() + ": it is read or written already; give another file.");
+        }
+    }
+}
+
 int runScore(const ScoreArguments& arguments, std::ostream& out) {
+    std::vector<fs::path> files = filesAt(arguments.paths);
+    requireFree(arguments.csv, files);
+    files.push_back(arguments.csv);
+    requireFree(arguments.html, files);
     const std::vector<Scored> tries = scoreAll(filesAt(arguments.paths));
     if (!arguments.csv.empty()) {
         writeOutputFile(arguments.csv, scoresAsCsv(tries));

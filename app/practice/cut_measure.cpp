@@ -5,19 +5,24 @@
 #include <map>
 
 #include "app/practice/series.h"
+#include "sim/base/boxes.h"
 #include "sim/mesh/cavities.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/piece_figures.h"
+#include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
 
 namespace kerf::app {
 
 namespace {
 
-constexpr int kParts = 400;     // of a line
-constexpr double kAtEnd = 0.6;  // of the last part: so near to its middle is not beyond its end
+constexpr double kParts = 400;    // of a line
+constexpr double kAtEnd = 0.6;    // of the last part: so near to its middle is not beyond its end
+constexpr double kFinest = 1e-4;  // part of a line, of the body's diagonal
+constexpr double kBelow = 0.5;    // cosine: skin that faces `into` by more is on the far side
+constexpr int kGrid = 8;          // points along an edge of a wall, for margins
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::vector<int> trianglesOf(int model, const SurfaceMesh& mesh, std::span<const int> members) {
@@ -53,19 +58,22 @@ struct LinePart {
 
 /// The lines of a task as they are seen along `into`.
 struct TaskLines {
-    explicit TaskLines(const Task& task) : into(task.into.stableNormalized()), reach(task.reach) {
-        for (const TaskLine& line : task.lines) {
+    explicit TaskLines(const TaskBody& body)
+        : into(body.task.into.stableNormalized()), reach(body.task.reach) {
+        const double finest = kFinest * boxOf(body.uncut.restPositions()).diagonal();
+        for (const TaskLine& line : body.task.lines) {
             Curve curve;  // by its length
             for (std::size_t i = 0; i < line.points.size() + (line.closed ? 1 : 0); ++i) {
                 const Vec3 x = flat(line.points[i % line.points.size()]);
                 curve.add(i == 0 ? 0 : curve.at.back() + (x - curve.points.back()).norm(), x);
             }
-            const double length = curve.span() / kParts;
+            const double length =
+                curve.span() / std::clamp(std::floor(curve.span() / finest), 1.0, kParts);
             for (double at = length / 2; at < curve.span(); at += length) {
                 parts.push_back({curve(at), curve(at + length / 2) - curve(at - length / 2),
                                  line.closed ? kInfinite : std::min(at, curve.span() - at)});
             }
-            step = std::min(step, length / 2);
+            step = std::min(step, std::max(length, finest) / 2);
         }
     }
 
@@ -90,11 +98,14 @@ struct TaskLines {
     std::vector<LinePart> parts;
 };
 
-/// Compares an edge of a wall with the lines, in short steps. Returns what of a rim is elsewhere.
+/// Compares an edge of a wall with the lines, in short steps. Returns how much of a
+/// rim on the side that is cut into is elsewhere [m].
 double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
     const Vec3& from = mesh.restPosition(mesh.origin(h));
     const Vec3 way = mesh.restPosition(mesh.target(h)) - from;
     const bool inSkin = isRim(mesh, h);
+    const Corners skin = restCornersOf(mesh, SurfaceMesh::triangleOf(mesh.twin(h)));
+    const bool isAbove = inSkin && areaNormal(skin).stableNormalized().dot(lines.into) < kBelow;
     const double steps = std::ceil(way.norm() / lines.step);
     double over = 0;
     for (double k = 0.5; k < steps; ++k) {
@@ -107,14 +118,14 @@ double addEdge(const SurfaceMesh& mesh, int h, TaskLines& lines) {
         if (deviation && inSkin) {
             part.deviation.add(*deviation);
         }
-        over += !deviation && inSkin ? way.norm() / steps : 0;
+        over += !deviation && isAbove ? way.norm() / steps : 0;
     }
     return over;
 }
 
 void measureLines(const TaskBody& body, CutScore& score) {
     const Task& task = body.task;
-    TaskLines lines(task);
+    TaskLines lines(body);
     score.lengthOver = score.lengthUnder = 0;
     for (const int t : trianglesOf(task.model, body.mesh, body.members)) {
         const bool isMeant = isBladeWall(body.mesh, t) && body.mesh.wallLabel(t) % 2 == 0;
@@ -144,47 +155,84 @@ void measureLines(const TaskBody& body, CutScore& score) {
     score.depthInBand = inBand.mean;
 }
 
-/// The distance from a region [m], negative inside.
-double distanceTo(const Region& region, const Vec3& p) {
-    if (const auto* ball = std::get_if<Ball>(&region)) {
-        return (p - ball->center).norm() - ball->radius;
-    }
-    const Bounds& box = std::get<Bounds>(region);
-    const Vec3 outside = (box.low - p).cwiseMax(p - box.high);
-    return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
+Vec3 closestOn(const Corners& triangle, const Vec3& p) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 weights = closestWeights(p, a, b, c);
+    return weights[0] * a + weights[1] * b + weights[2] * c;
 }
 
-/// From the corners of walls of what is not spared, and from their middles.
-void measureMargins(const TaskBody& body, CutScore& score) {
-    const auto& spare = body.task.spare;
-    std::vector<Vec3> points;
-    for (const int t : livingTriangles(body.mesh)) {
-        if (isBladeWall(body.mesh, t) && std::ranges::count(spare, body.members[t]) == 0) {
-            const auto [a, b, c] = restCornersOf(body.mesh, t);
-            points.insert(points.end(), {a, b, c, (a + b + c) / 3});
+/// What margins are measured from: walls of blades on what is not spared.
+struct SparingWalls {
+    explicit SparingWalls(const TaskBody& body) {
+        for (const int t : livingTriangles(body.mesh)) {
+            if (isBladeWall(body.mesh, t) &&
+                std::ranges::count(body.task.spare, body.members[t]) == 0) {
+                walls.push_back(restCornersOf(body.mesh, t));
+                addPoints(walls.back());
+            }
         }
     }
-    Statistics margin;
-    score.sparedCut = 0;
-    for (const int model : spare) {
-        const auto corners = [&](int t) { return restCornersOf(body.uncut, t); };
-        NearestTriangle surface(trianglesOf(model, body.uncut, body.uncutMembers), corners);
+
+    /// The distance from a model at rest [m].
+    Statistics marginTo(const std::vector<int>& model, const SurfaceMesh& uncut) const {
+        const auto corners = [&](int t) { return restCornersOf(uncut, t); };
+        NearestTriangle surface(model, corners);
+        Statistics margin;
         for (const Vec3& p : points) {
-            const auto [a, b, c] = corners(surface.find(p));
-            const Vec3 weights = closestWeights(p, a, b, c);
-            margin.add((weights[0] * a + weights[1] * b + weights[2] * c - p).norm());
+            margin.add((closestOn(corners(surface.find(p)), p) - p).norm());
         }
-        if (isHarmed(body, model)) {
-            margin.add(0);
-            ++*score.sparedCut;
+        return margin;
+    }
+    /// The distance from a region [m], negative inside.
+    Statistics marginTo(const Ball& ball) const {
+        Statistics margin;
+        for (const Corners& wall : walls) {
+            margin.add((closestOn(wall, ball.center) - ball.center).norm() - ball.radius);
         }
+        return margin;
+    }
+    Statistics marginTo(const Bounds& box) const {
+        Statistics margin;
+        for (const Vec3& p : points) {
+            const Vec3 outside = (box.low - p).cwiseMax(p - box.high);
+            margin.add(outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0));
+        }
+        return margin;
+    }
+
+    std::vector<Corners> walls;
+    std::vector<Vec3> points;  ///< all over them
+
+  private:
+    void addPoints(const Corners& at) {
+        for (int i = 0; i <= kGrid; ++i) {
+            for (int j = 0; i + j <= kGrid; ++j) {
+                points.push_back((i * at[0] + j * at[1] + (kGrid - i - j) * at[2]) / kGrid);
+            }
+        }
+    }
+};
+
+void measureMargins(const TaskBody& body, CutScore& score) {
+    const SparingWalls walls(body);
+    Statistics least;
+    score.sparedCut = 0;
+    const auto add = [&](const Statistics& margin, bool isCut) {
+        *score.sparedCut += isCut ? 1 : 0;
+        if (isCut || margin.least) {
+            least.add(std::min(margin.least.value_or(0), isCut ? 0 : kInfinite));
+        }
+    };
+    for (const int model : body.task.spare) {
+        add(walls.marginTo(trianglesOf(model, body.uncut, body.uncutMembers), body.uncut),
+            isHarmed(body, model));
     }
     for (const Region& region : body.task.spareRegions) {
-        for (const Vec3& p : points) {
-            margin.add(distanceTo(region, p));
-        }
+        const Statistics margin =
+            std::visit([&](const auto& shape) { return walls.marginTo(shape); }, region);
+        add(margin, margin.least.value_or(0) < 0);
     }
-    score.marginLeast = margin.least;
+    score.marginLeast = least.least;
 }
 
 /// A model is taken if it is whole, and inside a shell of another piece than the largest of the
@@ -228,7 +276,7 @@ CutScore measureCut(const TaskBody& body) {
 
 std::vector<RimDeviation> rimDeviations(const TaskBody& body) {
     const SurfaceMesh& mesh = body.mesh;
-    TaskLines lines(body.task);
+    TaskLines lines(body);
     std::vector<RimDeviation> rim;
     for (const int t : trianglesOf(body.task.model, mesh, body.members)) {
         for (int h = 3 * t; isBladeWall(mesh, t) && h < 3 * t + 3; ++h) {

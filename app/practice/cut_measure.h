@@ -25,10 +25,10 @@ struct CutScore {
     std::optional<double> depthMean;      ///< [m]
     std::optional<double> depthInBand;    ///< share of the cut
     std::optional<double> lengthUnder;    ///< of the lines, uncut [m]
-    std::optional<double> lengthOver;     ///< of rims that belong to no line [m]
+    std::optional<double> lengthOver;     ///< of rims above that belong to no line [m]
     std::optional<double> marginLeast;    ///< between cuts and what is spared [m]
-    std::optional<double> sparedCut;      ///< models to be spared that were cut or torn
-    std::optional<double> taken;          ///< 1 for a model that is whole in a piece apart, else 0
+    std::optional<double> sparedCut;  ///< models and regions to spare that were cut, models torn
+    std::optional<double> taken;      ///< 1 for a model that is whole in a piece apart, else 0
     std::optional<double> excisedVolume;  ///< of that piece [m^3]
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "app/practice/series.h"
@@ -19,7 +18,8 @@ constexpr int kTaps = 25;              // of filters for each sigma, and samples
 constexpr double kShort = 0.5;         // no stroke with a smoothness or a tremor, and no rest [s]
 constexpr double kLeastWay = 5e-3;     // of a stroke with a smoothness [m]
 constexpr double kAtRest = 2e-3;       // below this speed [m/s]
-constexpr double kMoving = 5e-3;       // above this one, where poses may not lie so far apart:
+constexpr double kMoving = 5e-3;       // above this one poses may not lie so far apart,
+constexpr double kFarApart = 5e-4;     // nor if they are farther from each other than this [m]:
 constexpr double kCoarseForJerk = 0.1 + 1e-9;     // two of them [s]
 constexpr double kCoarseForTremor = 0.02 + 1e-9;  // on average
 
@@ -66,12 +66,12 @@ void addStroke(const Curve& stroke, Motion& motion) {
     const double step = std::max(kStep, stroke.span() / kMostSteps);
     const bool isLong = stroke.span() >= kShort;
     double length = 0;
-    double rest = -std::numeric_limits<double>::infinity();  // none before the first motion
+    double rest = 0;
     Vec3 last = stroke.points.front();
     for (double t = -3 * kSigma; t < stroke.span() + 3 * kSigma + step; t += step) {
         const Vec3 now = smoothAt(stroke, stroke.at.front() + t, kSigma);
         const double way = (now - last).norm();
-        const bool isAtRest = way < kAtRest * step;
+        const bool isAtRest = t > 0 && t <= stroke.span() && way < kAtRest * step;
         motion.idle += !isAtRest && rest >= kShort ? rest : 0;
         rest = isAtRest ? rest + step : 0;
         length += way;
@@ -116,7 +116,7 @@ MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
             motion.idle += gap;
             motion.path += way;
             stroke = {};
-        } else if (way > kMoving * gap) {
+        } else if (way > std::min(kMoving * gap, kFarApart)) {
             motion.gaps.add(gap);
         }
         stroke.add(pose.time, point);

@@ -47,7 +47,7 @@ constexpr FigureRow kRows[] = {
     {"length_under", "Not cut", kLength, -1, &Score::lengthUnder, &Limits::ends, kForLines},
     {"length_over", "Cut elsewhere", kLength, -1, &Score::lengthOver, &Limits::ends, kForLines},
     {"margin_least", "Least margin", kLength, 1, &Score::marginLeast, &Limits::margin, kForMargin},
-    {"spared_cut", "Spared models cut", kCount, -1, &Score::sparedCut, nullptr, kForAll, 0},
+    {"spared_cut", "Spared parts cut", kCount, -1, &Score::sparedCut, nullptr, kForAll, 0},
     {"taken", "Taken out whole", kFlag, 1, &Score::taken, nullptr, kForTaking, 1},
     {"excised_volume", "Volume taken out", kVolume, -1, &Score::excisedVolume},
     {"time", "Time", kTime, -1, &Score::time, &Limits::seconds},

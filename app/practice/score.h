@@ -16,6 +16,7 @@ struct ForceSample {
     double begin = 0;  ///< of the step, in simulated time [s]
     double end = 0;    ///< [s]
     Vec3 force = Vec3::Zero();
+    int step = 0;
 };
 
 /// Forces as means over short windows of simulated time; none without a load.

@@ -64,8 +64,12 @@ void HeadlessSession::perform(const Command& command, int event) {
     }
 }
 
-const StepReport& HeadlessSession::stepBy(const SessionSchedule& schedule) {
+void HeadlessSession::perform(const SessionSchedule& schedule) {
     driver_.applyActions(schedule, CommandsAlone{*this});
+}
+
+const StepReport& HeadlessSession::stepBy(const SessionSchedule& schedule) {
+    perform(schedule);
     return step();
 }
 

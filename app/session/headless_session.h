@@ -44,7 +44,9 @@ class HeadlessSession {
     /// Runs one step.
     const StepReport& step() { return driver_.step(); }
     /// Performs what the session says before the coming step, except for its pictures, exports and
-    /// checks, and runs that. Throws like perform().
+    /// checks. Throws like the above.
+    void perform(const SessionSchedule& schedule);
+    /// The same, and then runs that step.
     const StepReport& stepBy(const SessionSchedule& schedule);
 
     /// A checkpoint of the present, with the poses of the running stroke and the blade's commands

@@ -172,6 +172,9 @@ void describe(auto& fields, Task& task) {
         }
     }
     fields.check(!task.into.isZero(0), "into", "it has no direction.");
+    fields.check(!task.limits.economy || task.path, "economy", "it needs the `path` of an expert.");
+    fields.check(!task.limits.inBand || (task.depth && task.band > 0), "in_band",
+                 "it needs a `depth` and a `band` about it.");
 }
 
 void describe(auto& fields, Session& session) {

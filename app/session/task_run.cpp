@@ -1,6 +1,7 @@
 #include "app/session/task_run.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "app/files/import/model_source.h"
@@ -61,15 +62,21 @@ struct Interventions {
     int changes = 0;
 };
 
+/// An undo right after a new start brings an earlier cut back, so it counts, too.
 Interventions interventionsIn(const Session& session) {
     Interventions found;
     bool begun = false;
+    bool begunEver = false;
     for (const SessionEvent& event : session.events) {
-        begun =
-            !startsAnew(event.action) && (begun || std::holds_alternative<MoveBlade>(event.action));
-        found = begun ? found : Interventions{};
-        found.undos += begun && std::holds_alternative<Undo>(event.action) ? 1 : 0;
-        found.changes += begun && std::holds_alternative<SetParam>(event.action) ? 1 : 0;
+        const auto* const set = std::get_if<SetParam>(&event.action);
+        if (startsAnew(event.action)) {
+            found = {};
+            begun = false;
+        }
+        begun = begun || std::holds_alternative<MoveBlade>(event.action);
+        begunEver = begunEver || begun;
+        found.undos += begunEver && std::holds_alternative<Undo>(event.action) ? 1 : 0;
+        found.changes += begun && set != nullptr && !set->continues ? 1 : 0;
     }
     return found;
 }
@@ -99,6 +106,15 @@ struct BothBodies {
     }
 };
 
+/// The step at which the body was last put back.
+int startOf(const Session& session) {
+    int start = 0;
+    for (const SessionEvent& event : session.events) {
+        start = startsAnew(event.action) ? event.step : start;
+    }
+    return start;
+}
+
 }  // namespace
 
 std::vector<HandPose> handOf(const Session& session) {
@@ -110,13 +126,12 @@ std::vector<HandPose> handOf(const Session& session) {
 }
 
 void ForceTrace::add(const StepReport& report, double timeStep) {
-    while (!steps_.empty() && steps_.back() >= report.step) {
-        steps_.pop_back();
+    while (!samples_.empty() && samples_.back().step >= report.step) {
         samples_.pop_back();
     }
     if (report.bladeLoad) {
-        steps_.push_back(report.step);
-        samples_.push_back({report.time - timeStep, report.time, report.bladeLoad->force});
+        samples_.push_back(
+            {report.time - timeStep, report.time, report.bladeLoad->force, report.step});
     }
 }
 
@@ -128,8 +143,10 @@ std::optional<Score> scoreOf(const Session& session, const Simulation& simulatio
     }
     const BothBodies bodies(simulation);
     const Interventions interventions = interventionsIn(session);
-    return scoreOf(TaskRun{bodies.of(*session.task), hand, forces.samples(), interventions.undos,
-                           interventions.changes});
+    const auto first =
+        std::ranges::lower_bound(forces.samples(), startOf(session), {}, &ForceSample::step);
+    return scoreOf(TaskRun{bodies.of(*session.task), hand, std::span(first, forces.samples().end()),
+                           interventions.undos, interventions.changes});
 }
 
 std::optional<Score> runForScore(const Session& session) {
@@ -144,6 +161,7 @@ std::optional<Score> runForScore(const Session& session) {
         const StepReport& report = running.stepBy(schedule);
         forces.add(report, running.simulation().params().timeStep);
     }
+    running.perform(schedule);
     return scoreOf(running.session(), running.simulation(), forces);
 }
 

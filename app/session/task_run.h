@@ -28,7 +28,6 @@ class ForceTrace {
 
   private:
     std::vector<ForceSample> samples_;
-    std::vector<int> steps_;  ///< of these samples
 };
 
 /// The score of a session that a simulation has run, with both relative to the same origin; none

@@ -38,10 +38,12 @@ std::filesystem::path scoreFile(const std::filesystem::path& session) {
     return session.parent_path() / (shortName(session) + kScoreEnding);
 }
 
-/// Of a name, what any file system takes.
-std::string fileNameOf(std::string name) {
+/// How the files of a person's tries begin, in letters that any file system takes.
+std::string fileNameOf(const std::string& task, const std::string& person) {
+    std::string name = task + '\n' + person + '\n';
     std::ranges::replace_if(
-        name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+        name, [](unsigned char c) { return c < 0x80 && c != '\n' && std::isalnum(c) == 0; }, '-');
+    std::ranges::replace(name, '\n', '_');
     return name;
 }
 
@@ -125,19 +127,18 @@ std::optional<Blade> poseAt(const std::vector<HandPose>& hand, double time) {
 }
 
 std::string textOf(const FigureRow& row, const nlohmann::json& score) {
-    const auto found = score.find(row.key);
-    std::optional<double> value;
-    if (found != score.end() && !found->is_null()) {
-        value = found->is_boolean() ? double(found->get<bool>()) : found->get<double>();
+    const auto value = score.value(row.key, nlohmann::json());
+    if (value.is_boolean()) {
+        return formatFigure(row.unit, double(value.get<bool>()));
     }
-    return formatFigure(row.unit, value);
+    return value.is_number() ? formatFigure(row.unit, value.get<double>()) : "";
 }
 
 /// The figures of a score as text, by key.
 std::map<std::string, std::string> textsOf(const nlohmann::json& score) {
     std::map<std::string, std::string> texts;
     for (const FigureRow& row : figureRows()) {
-        texts[row.key] = textOf(row, score);
+        texts[row.key] = score.is_object() ? textOf(row, score) : "";
     }
     return texts;
 }
@@ -169,7 +170,7 @@ Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Ve
 void Practice::openLast(const std::string& person) {
     lastPerson_ = person;
     last_ = {};
-    const std::string begin = fileNameOf(task_->name + "-" + person + "-");
+    const std::string begin = fileNameOf(task_->name, person);
     std::string newest;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder_, none)) {
@@ -321,7 +322,8 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     if (folder_.empty()) {
         return "";
     }
-    const std::string name = fileNameOf(task_->name + "-" + person + "-" + played.task->date);
+    std::string name = fileNameOf(task_->name, person) + played.task->date;
+    std::ranges::replace(name, ':', '-');
     const std::filesystem::path file = folder_ / (name + std::string(kSessionEnding));
     try {
         std::filesystem::create_directories(folder_);

@@ -91,9 +91,22 @@ TEST_F(ScoreVerb, RefusesWhatHasNoScore) {
     test::writeText(pathOf("bad.json"), "{");
     refuse(pathOf("bad.json"), "bad.json: ");
     test::writeText(pathOf("plain.json"), R"({"steps": 3})");
-    refuse(pathOf("plain.json"), "plain.json: there is no score; it needs a task and a stroke.");
+    refuse(pathOf("plain.json"), "plain.json: there is no score; give a session (*.kerf.json) with a task");
+    test::writeText(pathOf("ann/bad.kerf.json"), "{");
+    refuse(pathOf("ann"), pathOf("ann/bad.kerf.json"));
     std::filesystem::create_directories(pathOf("empty"));
     refuse(pathOf("empty"), "empty: there is no session and no summary.json in this folder.");
+}
+
+TEST_F(ScoreVerb, WritesOverNothingThatItReadsOrWrites) {
+    const std::string summary = pathOf("ann/run/summary.json");
+    const std::string before = textOf(summary);
+    EXPECT_EQ(runKerf({"score", pathOf(""), "--csv", summary}).exitCode, 3);
+    EXPECT_EQ(runKerf({"score", pathOf(""), "--html", summary}).exitCode, 3);
+    EXPECT_EQ(textOf(summary), before);
+    const std::string both = pathOf("both");
+    EXPECT_EQ(runKerf({"score", pathOf(""), "--html", both, "--csv", both}).exitCode, 3);
+    EXPECT_FALSE(std::filesystem::exists(both));
 }
 
 }  // namespace

@@ -85,6 +85,68 @@ TEST_F(EditorPractice, ATryIsScoredKeptAndReplayedToTheSameScore) {
     EXPECT_EQ(nlohmann::json(toJson(*score, *session.task)), kept);
 }
 
+TEST_F(EditorPractice, ANewStartForgetsTheTryBeforeUnlessItIsBroughtBack) {
+    cutDown(0);
+    click("practice.finish");
+    frames(3);
+    const Session once = readSession(keptTries().front());
+    const auto score = runForScore(once);
+    Session again = once;
+    again.events.push_back({once.steps, Restart{}});
+    Session broughtBack = again;
+    for (SessionEvent event : once.events) {
+        event.step += once.steps;
+        again.events.push_back(event);
+    }
+    again.steps += once.steps;
+    const auto second = runForScore(again);
+    ASSERT_TRUE(score && second);
+    EXPECT_NEAR(*second->forceMax, *score->forceMax, 0.01 * *score->forceMax);
+    EXPECT_NEAR(*second->time, *score->time, 1e-9);
+    EXPECT_EQ(*second->undos, 0);
+
+    Session waving = broughtBack;
+    waving.events.push_back({once.steps, MoveBlade{{{5, 0, 0}, {6, 0, 0}}}});
+    waving.steps += 2;
+    const auto nothing = runForScore(waving);
+    ASSERT_TRUE(nothing);
+    EXPECT_FALSE(nothing->forceMax);
+    EXPECT_EQ(*nothing->undos, 0);
+    broughtBack = waving;
+    broughtBack.events.insert(broughtBack.events.end() - 1, {once.steps, Undo{}});
+    const auto cheated = runForScore(broughtBack);
+    ASSERT_TRUE(cheated);
+    EXPECT_EQ(*cheated->undos, 1);
+    EXPECT_FALSE(cheated->passed());
+}
+
+TEST_F(EditorPractice, ATryIsOfThePersonWhoseNameItHas) {
+    cutDown(0);
+    click("practice.finish");
+    frames(3);
+    ASSERT_EQ(keptTries().size(), 1U);
+    const std::filesystem::path session = keptTries().front();
+    const std::filesystem::path score =
+        session.parent_path() / (shortName(session) + ".score.json");
+    const auto keep = [&](const std::string& name, const std::string& text) {
+        std::filesystem::copy_file(session, session.parent_path() / (name + ".kerf.json"));
+        test::writeText(session.parent_path() / (name + ".score.json"), text);
+    };
+    keep("Halve-it_Ann-Lee_2026-01-01", test::readBytes(score));
+    keep("Halve-it_Zoe_2026-01-01", R"({"time": "x", "path": [], "taken": true})");
+    const auto lastOf = [&](const std::string& person) {
+        click("practice.person");
+        tap(Key::a, {.control = true});
+        type(person);
+        frames(2);
+        return practice().hasLast;
+    };
+    EXPECT_FALSE(lastOf("Ann"));
+    EXPECT_TRUE(lastOf("Ann Lee"));
+    EXPECT_FALSE(lastOf("Z"));
+    EXPECT_TRUE(lastOf("Zoe")) << "a score of other types shows less";
+}
+
 TEST_F(EditorPractice, AnotherCutOrUndoTakesTheScoreAway) {
     cutDown(0);
     tap(Key::enter, {.shift = true});

@@ -163,7 +163,7 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
         ElementsAre("Largest deviation: 20.00 mm (at most 2.00 mm).",
                     "Depth in its band: 0.0 % (at least 90.0 %).",
                     "Least margin: 0.00 mm (at least 200.00 mm).",
-                    "Spared models cut: 1 (at most 0).", "Taken out whole: no (must be yes).",
+                    "Spared parts cut: 1 (at most 0).", "Taken out whole: no (must be yes).",
                     "Time: 2.00 s (at most 1.50 s).",
                     "Economy of the path: 50.0 % (at least 90.0 %).", HasSubstr("Smoothness: -5."),
                     "Largest force: 2000.0 mN (at most 1900.0 mN).",
@@ -202,7 +202,7 @@ TEST_F(ScoreTest, AModelToBeSparedMustNotBeCut) {
     EXPECT_THAT(score().violations, ElementsAre("Least margin: not measured (at least 10.00 mm)."));
     task_.limits.margin.reset();
     cut();
-    EXPECT_THAT(score().violations, ElementsAre("Spared models cut: 1 (at most 0)."));
+    EXPECT_THAT(score().violations, ElementsAre("Spared parts cut: 1 (at most 0)."));
 }
 
 TEST_F(ScoreTest, ForceIsTheMeanOverWindowsOfTime) {

@@ -68,7 +68,7 @@ TEST(TaskRun, PosesBeginStrokes) {
                                   Field(&HandPose::begins, true)));
 }
 
-TEST(TaskRun, AStepThatRunsAgainReplacesItsForce) {
+TEST(TaskRun, AStepThatRunsAgainReplacesItsForceAndWhatCameLater) {
     ForceTrace trace;
     for (const int step : {0, 1, 2, 3, 2}) {
         StepReport report;
@@ -80,6 +80,10 @@ TEST(TaskRun, AStepThatRunsAgainReplacesItsForce) {
     ASSERT_EQ(trace.samples().size(), 3U);
     EXPECT_NEAR(trace.samples().back().begin, 0.02, 1e-12);
     EXPECT_EQ(trace.samples().back().force.x(), 2);
+    StepReport restarted;
+    restarted.step = 0;
+    trace.add(restarted, 0.01);
+    EXPECT_TRUE(trace.samples().empty());
 }
 
 }  // namespace
