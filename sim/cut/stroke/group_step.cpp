@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -35,7 +36,7 @@ constexpr int kRefusalsBeforeDetach = 3;
 // Sliding along the axis in the air by more than this many times the advance takes the rung along.
 constexpr double kAxialSlide = 4;
 constexpr double kBinSize = 1.0;
-// Of the edge length: so near to where its walls began a blade is there.
+// Of the edge length: so near to its own walls a blade is there.
 constexpr double kAtOwnStart = 0.25;
 // A stroke that ends there is taken to so far ahead.
 constexpr double kPastOwnStart = 0.3;
@@ -139,14 +140,22 @@ class GroupStep {
     bool isAtOwnStart() const {
         const std::span<const int> start = group_.past.startVertices();
         body_.mesh.bring(start);
-        const auto near = std::ranges::count_if(start, [&](int v) {
-            if (body_.mesh.outgoing(v) < 0) {
-                return false;
-            }
-            return across(to_, body_.mesh.position(v) - to_.a).norm() <
-                   kAtOwnStart * group_.edgeLength;
-        });
+        const auto near = std::ranges::count_if(start, [&](int v) { return isAtBlade(v); });
         return 2 * near > sizeOf(start);
+    }
+
+    /// Whether walls of the same transit that count as old are at the blade.
+    bool isInOwnSlit() const {
+        const VertexRange& past = group_.past.vertices();
+        std::vector<int> vertices(std::max(0, past.end - past.first));
+        std::iota(vertices.begin(), vertices.end(), past.first);
+        body_.mesh.bring(vertices);
+        return std::ranges::any_of(vertices, [&](int v) { return isAtBlade(v); });
+    }
+
+    bool isAtBlade(int v) const {
+        return body_.mesh.outgoing(v) >= 0 &&
+               across(to_, body_.mesh.position(v) - to_.a).norm() < kAtOwnStart * group_.edgeLength;
     }
 
     /// Straight ahead.
@@ -204,6 +213,10 @@ class GroupStep {
             moveOn(*result);
             group_.isUneven = false;
             return std::move(*result);
+        }
+        if (isInOwnSlit()) {  // What lies ahead was cut, so the front ends here.
+            rung_.place(to_);
+            return outcome(CutOutcome::waiting);
         }
         countRefusal();
         CutResult refused = outcome(CutOutcome::refused);
@@ -287,7 +300,8 @@ class GroupStep {
     }
 
     /// Lets go of the front, and cuts anew across the walls behind it: where the body surely parts
-    /// so, on to the blade; otherwise without proof, and the rest waits for the next step.
+    /// so, on to the blade; otherwise without proof, and the rest waits for the next step. In its
+    /// own slit nothing is left that would be worth a slit beside it.
     std::optional<CutResult> resume(const std::vector<RungNode>& from) {
         if (mayWait()) {
             return std::nullopt;
@@ -299,7 +313,7 @@ class GroupStep {
                 return goOn(std::move(*start));
             }
         }
-        return startAnew(resumptions(from, to_, edge), {});
+        return isInOwnSlit() ? std::nullopt : startAnew(resumptions(from, to_, edge), {});
     }
 
     std::optional<CutResult> startAnew(const std::vector<Resumption>& ways,

@@ -205,5 +205,36 @@ TEST(ClosedLoop, PartsExactlyOverItsOwnStart) {
     }
 }
 
+// It parts nothing, so past its start the blade finds nothing to cut.
+TEST(ClosedLoop, AShallowOneLeavesNoSlitBesideIt) {
+    constexpr double kRound = 0.014;
+    constexpr double kSide = 0.005;
+    for (const int over : {5, 10, 20, 30, 57}) {
+        SCOPED_TRACE(std::to_string(over) + " degrees");
+        SurfaceMesh mesh = test::box(Vec3::Constant(24 * kSide), 24);
+        Stroke stroke;
+        for (int degrees = 0; degrees <= 360 + over; ++degrees) {
+            const double turn = degrees * M_PI / 180;
+            const Vec3 at(kRound * std::cos(turn), 12 * kSide, kRound * std::sin(turn));
+            stroke.push_back({at - Vec3(0, kSide, 0), at + Vec3(0, 6 * kSide, 0)});
+        }
+        Cutter cutter(mesh, CutSettings{});
+        EXPECT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
+        int walls = 0;
+        double farthest = 0;
+        for (const int t : livingTriangles(mesh)) {
+            for (const int v : mesh.triangle(t)) {
+                if (mesh.kind(t) == SurfaceKind::wall) {
+                    const Vec3& x = mesh.restPosition(v);
+                    farthest = std::max(farthest, std::abs(std::hypot(x.x(), x.z()) - kRound));
+                    ++walls;
+                }
+            }
+        }
+        EXPECT_GT(walls, 100);
+        EXPECT_LT(farthest, 0.2 * kSide);
+    }
+}
+
 }  // namespace
 }  // namespace kerf
