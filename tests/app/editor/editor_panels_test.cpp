@@ -216,6 +216,13 @@ TEST_F(EditorPanelsTest, PanelsThatTabHidesAreBackAtTheNextStart) {
     EXPECT_TRUE(panels().settings.showControls) << "a file of before";
 }
 
+TEST_F(EditorPanelsTest, APanelTakesClicksWhileTheOtherIsHidden) {
+    test::writeText(options.settingsFile, R"({"show_readings": false})");
+    start();
+    clickOn("tool.Pin");
+    EXPECT_EQ(panels().tools.tool, ui::Tool::pin);
+}
+
 TEST_F(EditorPanelsTest, EscapeClosesAMenu) {
     clickOn("plots.choose");
     ASSERT_TRUE(editor->itemRects().contains("plots.energy"));
