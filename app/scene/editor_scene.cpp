@@ -33,6 +33,14 @@ const char* markOf(const Command& command) {
     return std::holds_alternative<Redo>(command) ? "redo" : "restart";
 }
 
+/// The step of it; the last one of a session without cuts.
+int firstCut(const Session& session) {
+    const auto first = std::ranges::find_if(session.events, [](const SessionEvent& event) {
+        return std::holds_alternative<MoveBlade>(event.action);
+    });
+    return first == session.events.end() ? session.steps : first->step;
+}
+
 }  // namespace
 
 struct EditorScene::Parts {
@@ -141,6 +149,9 @@ void EditorScene::reset() {
     if (!document().session.events.empty()) {
         simulation().reset();
         startAnew();
+        if (document().session.task) {
+            seek(firstCut(document().session));  // A cut before it would discard the pins.
+        }
         return;
     }
     timeline().playing = false;

@@ -55,7 +55,7 @@ class EditorScene {
     /// One step with what is due before it: the session's events, or the next pose of the stroke.
     void step();
     /// Back to the uncut body, paused, with the present parameters. An open session will be played
-    /// from its start, and what was done since cannot be undone.
+    /// from its start, or a task from its first cut on, and what was done since cannot be undone.
     void reset();
     /// Seeks to a step of the session or of the past, at once if it is a keyframe; otherwise
     /// SceneTimeline::seekSteps() are left to do. Later actions play again from there, until the

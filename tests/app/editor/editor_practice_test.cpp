@@ -168,6 +168,26 @@ TEST_F(EditorPractice, WhatBreaksALimitIsMarked) {
     EXPECT_TRUE(practice().hasLast || keptTries().size() == 1);
 }
 
+TEST_F(EditorPractice, AnotherTryIsCutInABodyThatIsPinnedLikeBefore) {
+    Session session = readSession(folder / "halves.kerf.json");
+    session.events = {{0, Pin{Bounds{Vec3(-0.6, -0.6, -0.6), Vec3(0.6, -0.3, 0.6)}}}};
+    test::writeText(folder / "pinned.kerf.json", formatSession(session));
+    editor->open(folder / "pinned.kerf.json");
+    waitForWork();
+    settle();
+    const auto pinned = editor->scene()->simulation().pinnedVertices();
+    ASSERT_FALSE(pinned.empty());
+    cutDown(0);
+    tap(Key::enter, {.shift = true});
+    frames(3);
+    tap(Key::r);
+    settle();
+    EXPECT_EQ(editor->scene()->simulation().pinnedVertices(), pinned);
+    EXPECT_TRUE(editor->scene()->simulation().strokes().empty());
+    cutDown(0);
+    EXPECT_FALSE(editor->scene()->simulation().pinnedVertices().empty());
+}
+
 TEST_F(EditorPractice, WithoutATaskThereIsNoSuchSection) {
     start(options());
     EXPECT_FALSE(editor->itemRects().contains("practice.finish"));
