@@ -30,6 +30,8 @@ class BusyScene {
     const UndoHistory& history() const { return scene_->simulation().history(); }
     const render::Camera& homeView() const { return scene_->rest().homeView(); }
     const Bounds& bounds() const { return scene_->simulation().bounds(); }
+    /// What the home view has room for [m].
+    Bounds homeBounds() const { return scene_->rest().lines().value_or(bounds()); }
     const std::vector<Bounds>& pieceBounds() const { return scene_->simulation().pieceBounds(); }
     const auto& faultMarks() const { return scene_->readout().faultMarks(); }
     bool running() const { return scene_->running(); }

@@ -45,7 +45,8 @@ bool EditorView::resize(int newWidth, int newHeight) {
 }
 
 void EditorView::begin(const EditorScene& scene) {
-    camera = EditorCamera(fitted(scene.rest().homeView(), scene.rest().bounds()));
+    const RestOfBody& rest = scene.rest();
+    camera = EditorCamera(fitted(rest.homeView(), rest.lines().value_or(rest.bounds())));
     display.begin(scene.document());
     tools.begin(scene.simulation().bounds());
     placement_ = scene.rest().revision();

@@ -39,9 +39,10 @@ struct EditorView {
 
     /// The frame, with the camera centred on the area free of panels.
     ViewFrame frame() const;
-    /// The first view of the scene, with room for the model between the panels.
+    /// The first view of the scene, with room between the panels for the model, or for the lines
+    /// of a task.
     render::Camera homeView(const BusyScene& scene) const {
-        return fitted(scene.homeView(), scene.bounds());
+        return fitted(scene.homeView(), scene.homeBounds());
     }
     /// Flies to a view in which `bounds` fill the area free of panels and hint [m].
     void flyToFrame(const Bounds& bounds);

@@ -1,5 +1,7 @@
 #include "app/scene/document/rest_of_body.h"
 
+#include <algorithm>
+
 #include "app/session/scene_view.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/start/prepared_body.h"
@@ -24,13 +26,22 @@ std::vector<ModelFigures> figuresOf(const UncutBody& uncut) {
     return figures;
 }
 
+std::optional<Bounds> boundsOfLines(const std::optional<Task>& task) {
+    Bounds bounds;
+    for (const TaskLine& line : task ? task->lines : std::vector<TaskLine>{}) {
+        std::ranges::for_each(line.points, [&](const Vec3& point) { bounds.add(point); });
+    }
+    return bounds.empty() ? std::nullopt : std::optional(bounds);
+}
+
 }  // namespace
 
 RestOfBody::RestOfBody(const Simulation& simulation, const Document& document)
     : uncut_(simulation.uncut()),
       bounds_(meshBounds(uncut_->mesh)),
       models_(figuresOf(*uncut_)),
-      homeView_(document.camera) {}
+      homeView_(document.camera),
+      lines_(boundsOfLines(document.session.task)) {}
 
 void RestOfBody::follow(const Simulation& simulation, const Document& document) {
     if (uncut_ == simulation.uncut()) {
@@ -41,6 +52,7 @@ void RestOfBody::follow(const Simulation& simulation, const Document& document) 
     models_ = figuresOf(*uncut_);
     const bool asOpened = uncut_->models == document.placed;
     homeView_ = asOpened ? document.camera : sessionCamera(Session{}, bounds_);
+    lines_ = asOpened ? boundsOfLines(document.session.task) : std::nullopt;
     ++revision_;
 }
 

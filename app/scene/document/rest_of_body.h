@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/scene/document/editor_document.h"
@@ -31,6 +32,8 @@ class RestOfBody {
     const std::vector<ModelFigures>& models() const { return models_; }
     /// The view that shows it: the first one, or one like it after a placement.
     const render::Camera& homeView() const { return homeView_; }
+    /// What that view has room for instead of the whole body: the lines of a task [m].
+    const std::optional<Bounds>& lines() const { return lines_; }
     /// Grows when it is replaced.
     int revision() const { return revision_; }
 
@@ -39,6 +42,7 @@ class RestOfBody {
     Bounds bounds_;
     std::vector<ModelFigures> models_;
     render::Camera homeView_;
+    std::optional<Bounds> lines_;
     int revision_ = 0;
 };
 
