@@ -30,7 +30,7 @@ std::shared_ptr<const Cards> readCards() {
         {"../practice/excision", "Practise: excision",
          "Press C and lead the blade once round, and a little farther. Then Shift+Enter."},
         {"../practice/slice", "Practise: slice",
-         "Press C and cut down through the first line, then the second. Then Shift+Enter."},
+         "Press C and cut down through the right line, then the left one. Then Shift+Enter."},
     });
     for (ui::StartCard& card : *cards) {
         try {
