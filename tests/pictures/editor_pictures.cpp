@@ -1,13 +1,16 @@
 // Pictures of the editor, to look at and for the README: the whole window and each panel, at both
 // scales and in both themes. Usage: kerf_pictures DIR
+// Or a film of a task that is practised, DIR/practice.gif: kerf_pictures --practice DIR
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/editor/editor.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/editor/view/start_scenes.h"
+#include "app/files/film/film_encoder.h"
 #include "app/files/io/file_io.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
@@ -25,6 +28,8 @@ constexpr int kPictures = 65;  // of four steps each: then the halves lie on the
 struct Look {
     ui::Theme theme = ui::Theme::dark;
     int scale = 1;
+    int width = kWidth;  ///< at scale 1
+    int height = kHeight;
     std::string name() const {
         return std::string(theme == ui::Theme::dark ? "dark" : "light") + "-" +
                std::to_string(scale) + "x";
@@ -34,14 +39,14 @@ struct Look {
 class Photographer {
   public:
     Photographer(const Look& look, ui::Settings settings, std::filesystem::path folder,
-                 app::Document document)
+                 std::optional<app::Document> document = std::nullopt)
         : look_(look), settings_(std::move(settings)), folder_(std::move(folder)) {
         settings_.theme = look.theme;
         const std::filesystem::path file = folder_ / "settings.json";
         app::writeOutputFile(file, app::formatSettings(settings_));
         app::EditorOptions options;
-        options.width = kWidth * look.scale;
-        options.height = kHeight * look.scale;
+        options.width = look.width * look.scale;
+        options.height = look.height * look.scale;
         options.scale = static_cast<float>(look.scale);
         options.device = gpu::queryDevice().renderer.substr(0, 8);
         options.byTheClock = false;
@@ -109,19 +114,29 @@ class Photographer {
         editor_->post(ui::ButtonChange{ui::Button::left, false, {}});
         frames(3);
     }
+    /// Instead of dragging a slider.
+    void type(const std::string& slider, const std::string& text) {
+        click(slider + ".number");
+        for (const char letter : text) {
+            editor_->post(ui::Character{static_cast<std::uint32_t>(letter)});
+        }
+        frames(3);
+        tap(ui::Key::enter);
+    }
     void moveAway() {
-        editor_->post(ui::PointerMove{0.5 * kWidth * look_.scale, 4, {}});
+        editor_->post(ui::PointerMove{0.5 * look_.width * look_.scale, 4, {}});
         frames(3);
     }
 
+    app::Editor& editor() { return *editor_; }
     void takeWindow(const std::string& name) { write(name, editor_->readPicture()); }
     void takeControls(const std::string& name) { write(name, crop(layout().controls)); }
     void takeReadings(const std::string& name) { write(name, crop(layout().plots)); }
 
   private:
     ui::Layout layout() const {
-        return ui::layoutPanels(static_cast<float>(kWidth * look_.scale),
-                                static_cast<float>(kHeight * look_.scale),
+        return ui::layoutPanels(static_cast<float>(look_.width * look_.scale),
+                                static_cast<float>(look_.height * look_.scale),
                                 static_cast<float>(look_.scale), settings_);
     }
     render::Image crop(const ui::Rect& rect) const {
@@ -240,9 +255,91 @@ void takeDialogs(const Look& look, const std::filesystem::path& folder) {
     window.takeWindow("question");
 }
 
+/// A window in which a hand does the incision to practise. A picture of it takes one step.
+class PracticeFilm {
+  public:
+    explicit PracticeFilm(const std::filesystem::path& folder)
+        : window_({.width = 960, .height = 600}, settings(), folder),
+          film_(folder / "practice.gif", folder / "practice.unfinished", 960, 600, kRate) {}
+
+    void make() {
+        prepare();
+        const std::vector<Vec2> line = lineShown();
+        const auto lead = [&](double share) {
+            const Vec2 at = line.front() + share * (line.back() - line.front());
+            window_.editor().post(ui::PointerMove{at.x(), at.y(), {}});
+        };
+        lead(kBegin);
+        hold(1);
+        window_.editor().post(ui::ButtonChange{ui::Button::left, true, {}});
+        for (double time = 0; time < kSeconds; time += kStep) {
+            const double t = time / kSeconds;
+            lead(kBegin + (1 - kBegin) * t * t * t * (10 - 15 * t + 6 * t * t));  // least jerk
+            hold(kStep);
+        }
+        window_.editor().post(ui::ButtonChange{ui::Button::left, false, {}});
+        do {
+            hold(kStep);
+        } while (window_.editor().idleSeconds() == 0);
+        window_.moveAway();
+        hold(0.6);
+        window_.tap(ui::Key::enter, {.shift = true});
+        window_.frames(3);
+        const render::Image score = window_.editor().readPicture();
+        for (int i = 0; i < 4 * kRate; ++i) {
+            film_.add(score);
+        }
+        film_.finish();
+    }
+
+  private:
+    static constexpr double kStep = 0.02;    // of the task [s]
+    static constexpr int kEach = 4;          // of the pictures is in the film
+    static constexpr int kRate = 12;         // pictures a second of the film: about as fast
+    static constexpr double kSeconds = 4;    // of the cut
+    static constexpr double kBegin = 0.085;  // of the line: the scalpel swings in from behind
+
+    static ui::Settings settings() {
+        ui::Settings settings;
+        settings.showReadings = false;
+        settings.showExpert = false;  // It goes by the clock, which a film doesn't.
+        settings.controlsWidth = 330;
+        settings.piecesShare = 0;
+        return settings;
+    }
+    /// The scalpel, as deep as the task wants it.
+    void prepare() {
+        window_.open(gpu::dataPath("assets/practice/incision.kerf.json"));
+        window_.settle();
+        window_.tap(ui::Key::s);
+        window_.click("section.practice");
+        window_.type("blade.Depth", "0.005");
+        window_.click("section.practice");
+        window_.moveAway();
+    }
+    std::vector<Vec2> lineShown() {
+        std::vector<Vec2> points;
+        for (const ui::Overlay::Trace& trace : window_.editor().panels().view.overlay.traces) {
+            for (const ui::PlotPoint& point : trace.line) {
+                if (trace.kind == ui::Overlay::Trace::Kind::line)
+                    points.emplace_back(point.x, point.y);
+            }
+        }
+        return points;
+    }
+    void hold(double seconds) {
+        for (double time = 0; time < seconds - kStep / 2; time += kStep) {
+            window_.editor().frame(kStep);
+            if (taken_++ % kEach == 0) film_.add(window_.editor().readPicture());
+        }
+    }
+
+    Photographer window_;
+    app::FilmEncoder film_;
+    int taken_ = 0;
+};
+
 void run(const std::filesystem::path& folder) {
-    std::filesystem::create_directories(folder);
-    const gpu::EglContext context;
     for (const Look& look : {Look{ui::Theme::dark, 1}, Look{ui::Theme::light, 1},
                              Look{ui::Theme::dark, 2}, Look{ui::Theme::light, 2}}) {
         takeAll(look, folder);
@@ -256,12 +353,19 @@ void run(const std::filesystem::path& folder) {
 }  // namespace kerf
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: kerf_pictures DIR\n");
+    const bool films = argc == 3 && std::string(argv[1]) == "--practice";
+    if (argc != 2 && !films) {
+        std::fprintf(stderr, "usage: kerf_pictures [--practice] DIR\n");
         return 2;
     }
     try {
-        kerf::run(argv[1]);
+        std::filesystem::create_directories(argv[argc - 1]);
+        const kerf::gpu::EglContext context;
+        if (films) {
+            kerf::PracticeFilm(argv[2]).make();
+        } else {
+            kerf::run(argv[1]);
+        }
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "kerf_pictures: %s\n", error.what());
