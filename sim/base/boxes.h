@@ -1,17 +1,25 @@
 #pragma once
 
-#include <span>
+#include <functional>
+#include <initializer_list>
 
 #include "sim/base/math.h"
 
 namespace kerf {
 
-/// The axis-parallel box of these points [m].
-inline Bounds boxOf(std::span<const Vec3> points) {
+/// The box of points or boxes: of the items themselves, or of what `place` gives for each [m].
+template <class Items = std::initializer_list<Vec3>, class Place = std::identity>
+Bounds boxOf(const Items& items, Place place = {}) {
     Bounds box;
-    for (const Vec3& p : points) {
-        box.add(p);
+    for (const auto& item : items) {
+        box.add(std::invoke(place, item));
     }
+    return box;
+}
+
+/// The box with every side moved outwards.
+inline Bounds widened(Bounds box, double margin) {
+    box.widen(margin);
     return box;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
 
@@ -47,19 +48,14 @@ void add(const SurfaceMesh& mesh, int t, Shell& shell) {
         shell.largest = t;
         shell.largestArea = area;
     }
-    for (const Vec3& corner : at) {
-        shell.bounds.add(corner);
-    }
+    shell.bounds.add(boxOf(at));
 }
 
 Shells measure(const SurfaceMesh& mesh, UnionFind& sets) {
     Shells shells;
     shells.ofTriangle.assign(mesh.triangleSlots(), -1);
     std::vector<int> shellOfRoot(mesh.vertexCount(), -1);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
-            continue;
-        }
+    for (const int t : livingTriangles(mesh)) {
         const int root = sets.root(mesh.triangle(t)[0]);
         if (shellOfRoot[root] < 0) {
             shellOfRoot[root] = static_cast<int>(shells.all.size());
@@ -124,12 +120,10 @@ int shellAround(const SurfaceMesh& mesh, const Shells& shells, const Shell& cavi
 
 UnionFind shellsOf(const SurfaceMesh& mesh) {
     UnionFind sets(mesh.vertexCount());
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const Triangle& corners = mesh.triangle(t);
-            sets.join(corners[0], corners[1]);
-            sets.join(corners[0], corners[2]);
-        }
+    for (const int t : livingTriangles(mesh)) {
+        const Triangle& corners = mesh.triangle(t);
+        sets.join(corners[0], corners[1]);
+        sets.join(corners[0], corners[2]);
     }
     return sets;
 }
@@ -161,10 +155,7 @@ PieceShells::PieceShells(const SurfaceMesh& mesh) {
         return;
     }
     shellOfVertex_.assign(mesh.vertexCount(), -1);
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
-            continue;
-        }
+    for (const int t : livingTriangles(mesh)) {
         const int shell = shells.root(mesh.triangle(t)[0]);
         if (shellOfVertex_[shell] < 0) {
             shells_.push_back({t, shell, pieces.root(shell)});

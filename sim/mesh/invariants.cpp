@@ -19,12 +19,10 @@ struct OutgoingLists {
 
 template <class F>
 void forEachHalfEdge(const SurfaceMesh& mesh, F&& f) {
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            f(3 * t);
-            f(3 * t + 1);
-            f(3 * t + 2);
-        }
+    for (const int t : livingTriangles(mesh)) {
+        f(3 * t);
+        f(3 * t + 1);
+        f(3 * t + 2);
     }
 }
 
@@ -50,10 +48,7 @@ std::string vertexName(int v) {
 
 /// Corners must be valid before anything may follow them.
 std::string checkCorners(const SurfaceMesh& mesh) {
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (!mesh.alive(t)) {
-            continue;
-        }
+    for (const int t : livingTriangles(mesh)) {
         for (const int v : mesh.triangle(t)) {
             if (v < 0 || v >= mesh.vertexCount()) {
                 return "triangle " + std::to_string(t) + " names " + vertexName(v) + " of " +
@@ -168,12 +163,10 @@ std::vector<Vec3> volumeApexes(const SurfaceMesh& mesh, const PieceMap& map) {
 double volumeOf(const SurfaceMesh& mesh, const std::vector<Vec3>& points) {
     double sum = 0;
     std::optional<Vec3> o;  // a corner: about a far origin rounding would be all that is left
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            const auto& [a, b, c] = mesh.triangle(t);
-            o = o.value_or(points[a]);
-            sum += tetrahedronVolume(points[a] - *o, points[b] - *o, points[c] - *o);
-        }
+    for (const int t : livingTriangles(mesh)) {
+        const auto& [a, b, c] = mesh.triangle(t);
+        o = o.value_or(points[a]);
+        sum += tetrahedronVolume(points[a] - *o, points[b] - *o, points[c] - *o);
     }
     return sum;
 }

@@ -36,9 +36,7 @@ int NearestTriangle::find(const Vec3& p) {
 
 /// -1 where none is within reach.
 int NearestTriangle::findWithin(const Vec3& p, double reach) {
-    Bounds around;
-    around.add(p);
-    around.widen(reach);
+    const Bounds around = widened(Bounds{p, p}, reach);
     double least = reach;
     int found = -1;
     tree_.find([this](int id) { return boundsOf(id); },

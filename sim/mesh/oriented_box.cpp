@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "sim/base/boxes.h"
+
 namespace kerf {
 
 namespace {
@@ -43,10 +45,8 @@ OrientedBox orientedBoxOf(std::span<const Vec3> points) {
 
 OrientedBox orientedBoxAlong(const Eigen::Matrix3d& axes, std::span<const Vec3> points) {
     const Vec3& origin = points.front();
-    Bounds local;
-    for (const Vec3& p : points) {
-        local.add(Vec3(axes.transpose() * (p - origin)));
-    }
+    const auto local =
+        boxOf(points, [&](const Vec3& p) -> Vec3 { return axes.transpose() * (p - origin); });
     return {origin + axes * local.center(), axes, 0.5 * (local.high - local.low)};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
@@ -57,9 +58,7 @@ PieceFigures figuresOfPiece(const SurfaceMesh& mesh, const PieceShells& shells, 
         (mesh.kind(t) == SurfaceKind::wall ? figures.cutArea : figures.skinArea) +=
             triangleArea(corners);
         solid.add(corners);
-        for (const Vec3& corner : corners) {
-            figures.bounds.add(corner);
-        }
+        figures.bounds.add(boxOf(corners));
     }
     figures.volume = solid.volume;
     const bool hollow = !(solid.volume > 1e-9 * std::pow(figures.bounds.diagonal(), 3));

@@ -268,12 +268,9 @@ void PieceLabels::measureVolumes(const SurfaceMesh& mesh) {
     measures_ = Measures::volumes;
     shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
     shares_.resize(mesh.triangleSlots());
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            shares_[t] = shareOf(mesh, t);
-            PieceContent& piece = pieces_[ofVertex_[mesh.triangle(t)[0]]];
-            piece.restVolume += shares_[t].volume;
-        }
+    for (const int t : livingTriangles(mesh)) {
+        shares_[t] = shareOf(mesh, t);
+        pieces_[ofVertex_[mesh.triangle(t)[0]]].restVolume += shares_[t].volume;
     }
 }
 
@@ -303,10 +300,8 @@ void PieceLabels::labelAll(const SurfaceMesh& mesh, UnionFind sets) {
         shares_.reserve(withGrowthRoom(mesh.triangleSlots()));
         shares_.assign(mesh.triangleSlots(), {});
     }
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            count(mesh, t);
-        }
+    for (const int t : livingTriangles(mesh)) {
+        count(mesh, t);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/ray_box.h"
 #include "sim/mesh/triangle.h"
@@ -103,10 +104,7 @@ class InnerRays {
 
   private:
     const SurfaceMesh& mesh_;
-    BoxTree::BoundsOf boundsOf_ = [this](int t) {
-        const auto [a, b, c] = cornersOf(mesh_, t);
-        return Bounds{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-    };
+    BoxTree::BoundsOf boundsOf_ = [this](int t) { return boxOf(cornersOf(mesh_, t)); };
     BoxTree tree_;
     double nearest_ = 0;  ///< [m]
 };

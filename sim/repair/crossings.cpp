@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/box_tree.h"
-#include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/surface_contact.h"
 
@@ -48,10 +48,9 @@ TriangleSoup evenlyStretched(TriangleSoup soup) {
 }
 
 /// What rounding may add to or take from the box of a stretched triangle.
-Bounds withRounding(Bounds box) {
-    box.widen(kStretchedRounding *
-              std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()));
-    return box;
+Bounds withRounding(const Bounds& box) {
+    return widened(box, kStretchedRounding * std::max(box.low.cwiseAbs().maxCoeff(),
+                                                      box.high.cwiseAbs().maxCoeff()));
 }
 
 }  // namespace

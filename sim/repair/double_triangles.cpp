@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "sim/base/mapped.h"
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
@@ -73,12 +74,8 @@ class Sheets {
   public:
     Sheets(const TriangleSoup& soup, const std::vector<Copies>& copies)
         : soup_(soup), copies_(copies), sets_(copies.size()), sheets_(copies.size()) {
-        std::vector<Triangle> one;
-        one.reserve(copies.size());
-        for (const Copies& each : copies) {
-            one.push_back(soup.triangles[each.most().front()]);
-        }
-        const std::vector<Side> sides = sidesByEdge(one);
+        const std::vector<Side> sides = sidesByEdge(mapped(
+            copies, [&](const Copies& each) { return soup.triangles[each.most().front()]; }));
         forEachEdge(sides, [&](const Side* begin, const Side* end) { joinAt(begin, end); });
         forEachEdge(sides, [&](const Side* begin, const Side* end) { noteBorder(begin, end); });
         measure();
@@ -235,7 +232,7 @@ int dropDoubles(TriangleSoup& soup) {
             keep[most[k]] = 1;
         }
     }
-    return keepTriangles(soup, keep);
+    return keepTriangles(soup, [&](int t) { return keep[t] != 0; });
 }
 
 }  // namespace kerf::repair

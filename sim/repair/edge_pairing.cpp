@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/mesh/triangle.h"
+#include "sim/base/mapped.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 
@@ -84,12 +84,7 @@ std::vector<Side> inTurn(const TriangleSoup& soup, const std::vector<int>& sheet
     }
     std::ranges::stable_sort(placed, {}, &PlacedSide::angle);
     orderSameAngles(placed);
-    std::vector<Side> sides;
-    sides.reserve(placed.size());
-    for (const PlacedSide& each : placed) {
-        sides.push_back(each.side);
-    }
-    return sides;
+    return mapped(placed, &PlacedSide::side);
 }
 
 /// Numbers of the parts that hang together by edges of two triangles, by triangle.
@@ -143,15 +138,11 @@ void pairAround(const std::vector<Side>& turn, Partners& partners) {
     }
 }
 
-bool runAlike(const TriangleSoup& soup, int h, int g) {
-    return originOf(soup, h) == originOf(soup, g);
-}
-
 /// Leaves two that face opposite ways apart: nothing closes there.
 void dropContradictions(const TriangleSoup& soup, Partners& partners) {
     for (int h = 0; h < static_cast<int>(partners.size()); ++h) {
         const int g = partners[h];
-        if (g >= 0 && runAlike(soup, h, g)) {
+        if (g >= 0 && originOf(soup, h) == originOf(soup, g)) {
             partners[h] = -1;
             partners[g] = -1;
         }

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/boxes.h"
+#include "sim/base/mapped.h"
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/closest_point.h"
@@ -16,16 +18,6 @@ namespace {
 
 constexpr double kNear = 1e-5;  // of the diagonal
 
-std::vector<Side> openSides(const TriangleSoup& soup) {
-    std::vector<Side> open;
-    forEachEdge(sidesByEdge(soup.triangles), [&](const Side* begin, const Side* end) {
-        if (end - begin == 1) {
-            open.push_back(*begin);
-        }
-    });
-    return open;
-}
-
 std::vector<int> verticesOf(const std::vector<Side>& sides) {
     std::vector<int> vertices;
     for (const Side& side : sides) {
@@ -36,24 +28,12 @@ std::vector<int> verticesOf(const std::vector<Side>& sides) {
     return vertices;
 }
 
-Bounds boundsOfSoup(const TriangleSoup& soup) {
-    Bounds bounds;
-    for (const Triangle& t : soup.triangles) {
-        for (const int v : t) {
-            bounds.add(soup.positions[v]);
-        }
-    }
-    return bounds;
-}
-
 /// Vertices by place.
 class Vertices {
   public:
     Vertices(const TriangleSoup& soup, const std::vector<int>& vertices)
         : boundsOf_([&soup](int v) {
-              Bounds bounds;
-              bounds.add(soup.positions[v]);
-              return bounds;
+              return Bounds{soup.positions[v], soup.positions[v]};
           }),
           tree_(vertices, boundsOf_) {}
 
@@ -72,31 +52,19 @@ class Vertices {
     BoxTree tree_;
 };
 
-Bounds boxAround(const Vec3& a, const Vec3& b, double distance) {
-    Bounds box;
-    box.add(a);
-    box.add(b);
-    box.widen(distance);
-    return box;
-}
-
 bool isEdge(const std::vector<std::pair<int, int>>& edges, int a, int b) {
     return std::ranges::binary_search(edges, std::pair(std::min(a, b), std::max(a, b)));
 }
 
 int joinVertices(TriangleSoup& soup, const std::vector<Side>& open, double near) {
     const std::vector<int> vertices = verticesOf(open);
-    std::vector<std::pair<int, int>> edges;
-    edges.reserve(open.size());
-    for (const Side& side : open) {
-        edges.emplace_back(side.low, side.high);
-    }
+    auto edges = mapped(open, [](const Side& side) { return std::pair(side.low, side.high); });
     std::ranges::sort(edges);
     Vertices places(soup, verticesOf(sidesByEdge(soup.triangles)));
     UnionFind sets(soup.positions.size());
     for (const int v : vertices) {
         const Vec3& at = soup.positions[v];
-        for (const int other : places.in(boxAround(at, at, near))) {
+        for (const int other : places.in(widened(Bounds{at, at}, near))) {
             const double distance = (soup.positions[other] - at).norm();
             if (other != v && distance <= near && !isEdge(edges, v, other)) {
                 sets.join(v, other);
@@ -112,11 +80,7 @@ int joinVertices(TriangleSoup& soup, const std::vector<Side>& open, double near)
             v = sets.root(v);
         }
     }
-    std::vector<char> keep;
-    for (const auto& [a, b, c] : soup.triangles) {
-        keep.push_back(a != b && b != c && c != a ? 1 : 0);
-    }
-    keepTriangles(soup, keep);
+    keepTriangles(soup, [&](int t) { return !repeatsCorner(soup.triangles[t]); });
     return joined;
 }
 
@@ -126,7 +90,7 @@ std::vector<int> verticesOn(const TriangleSoup& soup, int from, int to, Vertices
     const Vec3& a = soup.positions[from];
     const Vec3& b = soup.positions[to];
     std::vector<std::pair<double, int>> found;
-    for (const int v : places.in(boxAround(a, b, near))) {
+    for (const int v : places.in(widened(boxOf({a, b}), near))) {
         const Vec3& at = soup.positions[v];
         const double way = (at - a).dot(b - a) / (b - a).squaredNorm();
         if (v != from && v != to && way > 0 && way < 1 && distanceToSegment(at, a, b) <= near &&
@@ -135,12 +99,7 @@ std::vector<int> verticesOn(const TriangleSoup& soup, int from, int to, Vertices
         }
     }
     std::ranges::sort(found);
-    std::vector<int> vertices;
-    vertices.reserve(found.size());
-    for (const auto& [way, v] : found) {
-        vertices.push_back(v);
-    }
-    return vertices;
+    return mapped(found, [](const auto& each) { return each.second; });
 }
 
 /// Divides a triangle into a fan from the corner across.
@@ -149,20 +108,13 @@ void divide(TriangleSoup& soup, int halfEdge, const std::vector<int>& on) {
     const Triangle corners = soup.triangles[t];
     const TriangleAttributes attributes = attributesOf(soup.skin, t);
     const int corner = halfEdge % 3;
-    int from = corners[corner];
+    const int from = corners[corner];
     const int apex = corners[(corner + 2) % 3];
     std::vector<int> way = on;
     way.push_back(corners[(corner + 1) % 3]);
-    for (std::size_t i = 0; i < way.size(); ++i) {
-        if (i == 0) {
-            soup.triangles[t] = {from, way[i], apex};
-        } else {
-            soup.triangles.push_back({from, way[i], apex});
-            resizeAttributes(soup.skin, soup.triangles.size());
-        }
-        setAttributes(soup.skin, i == 0 ? t : static_cast<int>(soup.triangles.size()) - 1,
-                      attributes);
-        from = way[i];
+    soup.triangles[t] = {from, way[0], apex};
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        addTriangle(soup, {way[i - 1], way[i], apex}, attributes);
     }
 }
 
@@ -194,7 +146,10 @@ JoinedBorders joinNearBorders(TriangleSoup& soup) {
     if (open.empty()) {
         return joined;
     }
-    const double near = kNear * boundsOfSoup(soup).diagonal();
+    const auto boxOfTriangle = [&](const Triangle& t) {
+        return boxOf(t, [&](int v) { return soup.positions[v]; });
+    };
+    const double near = kNear * boxOf(soup.triangles, boxOfTriangle).diagonal();
     joined.vertices = joinVertices(soup, open, near);
     joined.edges = divideEdges(soup, near);
     return joined;

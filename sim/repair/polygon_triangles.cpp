@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/exact/triangulation.h"
 
 namespace kerf::repair {
@@ -26,24 +27,16 @@ std::vector<Vec2> seenAlongAxis(const std::vector<Vec3>& corners, const Vec3& no
     normal.cwiseAbs().maxCoeff(&axis);
     const int right = normal[axis] > 0 ? (axis + 1) % 3 : (axis + 2) % 3;
     const int up = 3 - axis - right;
-    std::vector<Vec2> points;
-    points.reserve(corners.size());
-    for (const Vec3& p : corners) {
-        points.emplace_back(p[right], p[up]);
-    }
-    return points;
+    return mapped(corners, [&](const Vec3& p) { return Vec2(p[right], p[up]); });
 }
 
 /// The polygon seen against its normal: a bent one shows most of itself.
 std::vector<Vec2> seenAgainstNormal(const std::vector<Vec3>& corners, const Vec3& normal) {
     const Vec3 right = normal.unitOrthogonal();
     const Vec3 up = normal.stableNormalized().cross(right);
-    std::vector<Vec2> points;
-    points.reserve(corners.size());
-    for (const Vec3& p : corners) {
-        points.emplace_back((p - corners[0]).dot(right), (p - corners[0]).dot(up));
-    }
-    return points;
+    return mapped(corners, [&](const Vec3& p) {
+        return Vec2((p - corners[0]).dot(right), (p - corners[0]).dot(up));
+    });
 }
 
 /// Whether corners at different places lie on each other in the picture.

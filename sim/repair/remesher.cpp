@@ -359,9 +359,7 @@ void Remesher::setTriangle(int t, const Triangle& corners) {
 
 int Remesher::addTriangle(const Triangle& corners, int like) {
     const int t = static_cast<int>(soup_.triangles.size());
-    soup_.triangles.push_back(corners);
-    resizeAttributes(soup_.skin, soup_.triangles.size());
-    setAttributes(soup_.skin, t, attributesOf(soup_.skin, like));
+    repair::addTriangle(soup_, corners, attributesOf(soup_.skin, like));
     free_.push_back(1);
     wanted_.push_back(wanted_[like]);
     for (const int v : corners) {
@@ -378,11 +376,7 @@ void Remesher::removeTriangle(int t) {
 }
 
 void Remesher::pack() {
-    std::vector<char> keep;
-    for (const Triangle& t : soup_.triangles) {
-        keep.push_back(t[0] >= 0 ? 1 : 0);
-    }
-    keepTriangles(soup_, keep);
+    keepTriangles(soup_, [this](int t) { return soup_.triangles[t][0] >= 0; });
     dropUnusedVertices(soup_);
 }
 

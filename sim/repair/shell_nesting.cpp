@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/union_find.h"
 #include "sim/mesh/winding.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
@@ -21,11 +21,17 @@ namespace kerf::repair {
 
 namespace {
 
-int addShell(SoupShells& shells) {
+void addShell(SoupShells& shells) {
     shells.volumes.push_back(0);
     shells.areas.push_back(0);
     shells.bounds.emplace_back();
-    return shells.size() - 1;
+}
+
+/// 0 to count - 1.
+std::vector<int> numbersBelow(std::size_t count) {
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
 bool liesIn(const Bounds& inner, const Bounds& outer) {
@@ -59,7 +65,7 @@ class CrossingShells {
 class RayTargets {
   public:
     explicit RayTargets(const TriangleSoup& soup)
-        : soup_(soup), tree_(allOf(soup.triangles.size()), boundsOf_) {}
+        : soup_(soup), tree_(numbersBelow(soup.triangles.size()), boundsOf_) {}
 
     /// How often each shell surrounds the point, of those that do.
     std::map<int, int> windings(const Vec3& point, const SoupShells& shells) {
@@ -79,12 +85,6 @@ class RayTargets {
     }
 
   private:
-    static std::vector<int> allOf(std::size_t count) {
-        std::vector<int> all(count);
-        std::iota(all.begin(), all.end(), 0);
-        return all;
-    }
-
     const TriangleSoup& soup_;
     BoxTree::BoundsOf boundsOf_ = [this](int t) { return boundsOf(soup_, t); };
     BoxTree tree_;
@@ -119,8 +119,7 @@ class Surroundings {
   private:
     /// By shell the larger ones whose boxes hold its own.
     std::vector<std::vector<int>> boxesAround() const {
-        std::vector<int> all(shells_.size());
-        std::iota(all.begin(), all.end(), 0);
+        const std::vector<int> all = numbersBelow(shells_.size());
         const BoxTree::BoundsOf boundsOf = [this](int shell) { return shells_.bounds[shell]; };
         BoxTree tree(all, boundsOf);
         std::vector<std::vector<int>> around(all.size());
@@ -174,8 +173,7 @@ class Nesting {
     }
 
     ShellNesting decide() {
-        std::vector<int> order(shells_.size());
-        std::iota(order.begin(), order.end(), 0);
+        std::vector<int> order = numbersBelow(shells_.size());
         std::ranges::sort(order, [&](int a, int b) { return shells_.isLarger(a, b); });
         for (const int shell : order) {
             signs_[shell] = isCavity(shell) ? -1 : 1;
@@ -240,27 +238,19 @@ bool SoupShells::isFlat(int shell) const {
 }
 
 SoupShells measureShells(const TriangleSoup& soup) {
-    const Vec3 middle = boundsOf(soup).center();  // where rounding is smallest
-    UnionFind vertices(soup.positions.size());
-    for (const auto& [a, b, c] : soup.triangles) {
-        vertices.join(a, b);
-        vertices.join(b, c);
-    }
+    const Vec3 middle = boxOf(soup.positions).center();  // where rounding is smallest
     SoupShells shells;
     shells.origin = floatOrigin(soup);
-    std::vector<int> shellOfRoot(soup.positions.size(), -1);
+    shells.ofTriangle = partsOf(soup);
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
-        int& shell = shellOfRoot[vertices.root(soup.triangles[t][0])];
-        if (shell < 0) {
-            shell = addShell(shells);
+        const int shell = shells.ofTriangle[t];
+        if (shell == shells.size()) {
+            addShell(shells);
         }
-        shells.ofTriangle.push_back(shell);
         const Corners at = cornersOf(soup, t);
         shells.volumes[shell] += tetrahedronVolume(at[0] - middle, at[1] - middle, at[2] - middle);
         shells.areas[shell] += triangleArea(at);
-        for (const Vec3& corner : at) {
-            shells.bounds[shell].add(corner);
-        }
+        shells.bounds[shell].add(boxOf(at));
     }
     return shells;
 }
@@ -268,9 +258,7 @@ SoupShells measureShells(const TriangleSoup& soup) {
 ShellNesting nestShells(const TriangleSoup& soup, const SoupShells& shells) {
     std::vector<std::vector<int>> around = Surroundings(soup, shells).all();
     if (std::ranges::all_of(around, [](const auto& each) { return each.empty(); })) {
-        ShellNesting apart{std::vector<char>(shells.size(), 0), std::vector<int>(shells.size())};
-        std::iota(apart.owner.begin(), apart.owner.end(), 0);
-        return apart;
+        return {std::vector<char>(shells.size(), 0), numbersBelow(shells.size())};
     }
     return Nesting(shells, std::move(around), CrossingShells(soup, shells)).decide();
 }

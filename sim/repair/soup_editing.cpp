@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf::repair {
@@ -20,6 +21,16 @@ std::vector<Side> sidesByEdge(const std::vector<Triangle>& triangles) {
     std::ranges::sort(sides, {},
                       [](const Side& s) { return std::tuple(s.low, s.high, s.halfEdge); });
     return sides;
+}
+
+std::vector<Side> openSides(const TriangleSoup& soup) {
+    std::vector<Side> open;
+    forEachEdge(sidesByEdge(soup.triangles), [&](const Side* begin, const Side* end) {
+        if (end - begin == 1) {
+            open.push_back(*begin);
+        }
+    });
+    return open;
 }
 
 Partners partnersOf(const std::vector<Side>& sides, std::size_t triangles) {
@@ -47,19 +58,7 @@ Corners cornersOf(const TriangleSoup& soup, int triangle) {
 }
 
 Bounds boundsOf(const TriangleSoup& soup, int triangle) {
-    Bounds bounds;
-    for (const Vec3& corner : cornersOf(soup, triangle)) {
-        bounds.add(corner);
-    }
-    return bounds;
-}
-
-Bounds boundsOf(const TriangleSoup& soup) {
-    Bounds bounds;
-    for (const Vec3& p : soup.positions) {
-        bounds.add(p);
-    }
-    return bounds;
+    return boxOf(cornersOf(soup, triangle));
 }
 
 bool isUsable(const TriangleSoup& soup, const Triangle& t) {
@@ -77,20 +76,25 @@ Triangle sortedCorners(Triangle t) {
     return t;
 }
 
-int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep) {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-        if (keep[t] != 0) {
+void addTriangle(TriangleSoup& soup, const Triangle& corners,
+                 const TriangleAttributes& attributes) {
+    soup.triangles.push_back(corners);
+    resizeAttributes(soup.skin, soup.triangles.size());
+    setAttributes(soup.skin, static_cast<int>(soup.triangles.size()) - 1, attributes);
+}
+
+int keepTriangles(TriangleSoup& soup, const std::function<bool(int t)>& keeps) {
+    const auto count = static_cast<int>(soup.triangles.size());
+    int kept = 0;
+    for (int t = 0; t < count; ++t) {
+        if (keeps(t)) {
             soup.triangles[kept] = soup.triangles[t];
-            setAttributes(soup.skin, static_cast<int>(kept),
-                          attributesOf(soup.skin, static_cast<int>(t)));
-            ++kept;
+            setAttributes(soup.skin, kept++, attributesOf(soup.skin, t));
         }
     }
-    const auto dropped = static_cast<int>(soup.triangles.size() - kept);
     soup.triangles.resize(kept);
     resizeAttributes(soup.skin, kept);
-    return dropped;
+    return count - kept;
 }
 
 void dropUnusedVertices(TriangleSoup& soup) {

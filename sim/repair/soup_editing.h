@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/mesh/triangle.h"
@@ -34,6 +35,9 @@ void forEachEdge(const std::vector<Side>& sides, F&& f) {
     }
 }
 
+/// The sides of edges that have one alone.
+std::vector<Side> openSides(const TriangleSoup& soup);
+
 /// The opposite half-edge of each, -1 if the edge does not have two sides.
 using Partners = std::vector<int>;
 Partners partnersOf(const std::vector<Side>& sides, std::size_t triangles);
@@ -46,8 +50,6 @@ int apexOf(const TriangleSoup& soup, int halfEdge);
 Corners cornersOf(const TriangleSoup& soup, int triangle);
 /// The box of a triangle, whose corners must all exist.
 Bounds boundsOf(const TriangleSoup& soup, int triangle);
-/// The box of all positions.
-Bounds boundsOf(const TriangleSoup& soup);
 /// Whether all corners of a triangle exist and are finite.
 bool isUsable(const TriangleSoup& soup, const Triangle& t);
 /// Whether two corners of a triangle are one vertex.
@@ -55,8 +57,10 @@ bool repeatsCorner(const Triangle& t);
 /// The vertices of a triangle in ascending order, to identify duplicates.
 Triangle sortedCorners(Triangle t);
 
-/// Removes the triangles for which `keep` is 0. Returns how many.
-int keepTriangles(TriangleSoup& soup, const std::vector<char>& keep);
+/// Adds a triangle with these attributes.
+void addTriangle(TriangleSoup& soup, const Triangle& corners, const TriangleAttributes& attributes);
+/// Removes the triangles that `keeps` does not name, in their order. Returns how many.
+int keepTriangles(TriangleSoup& soup, const std::function<bool(int t)>& keeps);
 
 /// Removes vertices without triangles.
 void dropUnusedVertices(TriangleSoup& soup);

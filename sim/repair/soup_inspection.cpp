@@ -4,6 +4,7 @@
 #include <iterator>
 #include <numeric>
 
+#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
@@ -138,7 +139,7 @@ int countFlat(const SoupShells& shells) {
 void countElements(const TriangleSoup& soup, MeshReport& report) {
     report.vertices = static_cast<int>(soup.positions.size());
     report.triangles = static_cast<int>(soup.triangles.size());
-    report.bounds = repair::boundsOf(soup);
+    report.bounds = boxOf(soup.positions);
     report.nonFiniteVertices = static_cast<int>(
         std::ranges::count_if(soup.positions, [](const Vec3& p) { return !p.allFinite(); }));
     report.outOfRangeIndices = static_cast<int>(std::ranges::count_if(

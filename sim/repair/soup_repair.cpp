@@ -20,12 +20,6 @@ namespace kerf::repair {
 
 namespace {
 
-/// The result of fillHolesEvenly().
-struct FilledHoles {
-    int holes = 0;
-    int triangles = 0;  ///< that were added
-};
-
 double lengthOf(const TriangleSoup& soup, const Side& side) {
     return (soup.positions[side.high] - soup.positions[side.low]).norm();
 }
@@ -59,13 +53,12 @@ std::vector<double> edgesAround(const TriangleSoup& soup, int first) {
 }
 
 /// fillHoles(), then divides the new triangles to the size of those around the hole, and smooths
-/// them.
-FilledHoles fillHolesEvenly(TriangleSoup& soup) {
+/// them. Returns how many holes.
+int fillHolesEvenly(TriangleSoup& soup) {
     const std::size_t before = soup.triangles.size();
-    FilledHoles filled;
-    filled.holes = fillHoles(soup).holes;
-    if (filled.holes == 0) {
-        return filled;
+    const int holes = fillHoles(soup).holes;
+    if (holes == 0) {
+        return 0;
     }
     Remesher::Order order;
     order.edge = edgesAround(soup, static_cast<int>(before));
@@ -73,8 +66,7 @@ FilledHoles fillHolesEvenly(TriangleSoup& soup) {
     std::fill_n(order.free.begin(), before, 0);
     order.hardAngle = 360;
     Remesher(soup, order).run();
-    filled.triangles = static_cast<int>(soup.triangles.size() - before);
-    return filled;
+    return holes;
 }
 
 constexpr int kMostRounds = 4;
@@ -132,11 +124,9 @@ class Repair {
     }
 
     void dropUnusable() {
-        std::vector<char> keep;
-        for (const Triangle& t : soup_.triangles) {
-            keep.push_back(isUsable(soup_, t) && !repeatsCorner(t) ? 1 : 0);
-        }
-        const int dropped = keepTriangles(soup_, keep);
+        const int dropped = keepTriangles(soup_, [this](int t) {
+            return isUsable(soup_, soup_.triangles[t]) && !repeatsCorner(soup_.triangles[t]);
+        });
         note("dropped # triangle with a repeated or missing corner",
              "dropped # triangles with a repeated or missing corner", dropped);
         for (Vec3& p : soup_.positions) {
@@ -161,7 +151,7 @@ class Repair {
             keep[t] = dissolve(t, sides) ? 1 : 0;
             ++dissolved;
         }
-        keepTriangles(soup_, keep);
+        keepTriangles(soup_, [&](int t) { return keep[t] != 0; });
         note("dissolved # triangle without area", "dissolved # triangles without area", dissolved);
     }
 
@@ -259,18 +249,13 @@ class Repair {
 
     std::vector<char> openParts(const std::vector<int>& parts, std::size_t count) const {
         std::vector<char> open(count, 0);
-        forEachEdge(sidesByEdge(soup_.triangles), [&](const Side* begin, const Side* end) {
-            if (end - begin == 1) {
-                open[parts[begin->triangle()]] = 1;
-            }
-        });
+        for (const Side& side : openSides(soup_)) {
+            open[parts[side.triangle()]] = 1;
+        }
         return open;
     }
 
-    void fill() {
-        const FilledHoles filled = fillHolesEvenly(soup_);
-        note("filled # hole", "filled # holes", filled.holes);
-    }
+    void fill() { note("filled # hole", "filled # holes", fillHolesEvenly(soup_)); }
 
     /// Sheets that filling has only doubled. False where there is nothing else, so that no repair
     /// will help.
@@ -290,12 +275,7 @@ class Repair {
 
     void dropParts(const std::vector<int>& parts, const std::vector<char>& which, const char* one,
                    const char* many) {
-        std::vector<char> keep;
-        keep.reserve(parts.size());
-        for (const int part : parts) {
-            keep.push_back(which[part] != 0 ? 0 : 1);
-        }
-        keepTriangles(soup_, keep);
+        keepTriangles(soup_, [&](int t) { return which[parts[t]] == 0; });
         note(one, many,
              static_cast<int>(std::ranges::count_if(which, [](char w) { return w != 0; })));
     }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
@@ -34,16 +35,6 @@ constexpr double kBend = 1e-3;
 constexpr double kDrawBack = 1e-3;  // fans that meet in a vertex draw back so much of an edge
 constexpr std::size_t kMostCrossings = 1'000'000;
 constexpr double kSheet = 6;  // squared borders over the area; a square has 16, a hemisphere 6.3
-
-std::vector<Side> bordersOf(const TriangleSoup& soup) {
-    std::vector<Side> borders;
-    forEachEdge(sidesByEdge(soup.triangles), [&](const Side* begin, const Side* end) {
-        if (end - begin == 1) {
-            borders.push_back(*begin);
-        }
-    });
-    return borders;
-}
 
 /// What the triangles around a vertex say, each weighed by its angle there.
 struct NormalsAround {
@@ -94,12 +85,10 @@ struct NormalsAround {
 /// Adds a triangle with what these corners of triangle t have.
 void add(TriangleSoup& soup, const Triangle& corners, int t, const std::array<int, 3>& like) {
     const TriangleAttributes own = attributesOf(soup.skin, t);
-    soup.triangles.push_back(corners);
-    resizeAttributes(soup.skin, soup.triangles.size());
-    setAttributes(soup.skin, static_cast<int>(soup.triangles.size()) - 1,
-                  {{own.uvs[like[0]], own.uvs[like[1]], own.uvs[like[2]]},
-                   {own.colors[like[0]], own.colors[like[1]], own.colors[like[2]]},
-                   own.material});
+    addTriangle(soup, corners,
+                {{own.uvs[like[0]], own.uvs[like[1]], own.uvs[like[2]]},
+                 {own.colors[like[0]], own.colors[like[1]], own.colors[like[2]]},
+                 own.material});
 }
 
 /// Two digits of it, as people are told it.
@@ -111,7 +100,7 @@ double rounded(double thickness) {
 class Sheets {
   public:
     explicit Sheets(const TriangleSoup& welded)
-        : soup_(welded), diagonal_(boundsOf(welded).diagonal()), problem_(prepare()) {}
+        : soup_(welded), diagonal_(boxOf(welded.positions).diagonal()), problem_(prepare()) {}
 
     Thickening thicken(TriangleSoup& soup, double wanted) {
         if (!problem_.empty() || sheets_.empty()) {
@@ -198,7 +187,7 @@ class Sheets {
     /// `before`: the triangles with the vertices that were parted.
     void findSheets(const std::vector<Triangle>& before) {
         const std::vector<int> parts = partsOf(soup_);
-        borders_ = bordersOf(soup_);
+        borders_ = openSides(soup_);
         for (const Side& side : borders_) {
             sheets_.insert(parts[side.triangle()]);
         }
@@ -312,7 +301,7 @@ Thickening thicken(TriangleSoup& soup, double thickness) {
 }
 
 bool isSheet(const TriangleSoup& soup) {
-    const std::vector<Side> borders = bordersOf(soup);
+    const std::vector<Side> borders = openSides(soup);
     UnionFind loops(soup.positions.size());
     for (const Side& side : borders) {
         loops.join(side.low, side.high);

@@ -352,12 +352,8 @@ void takeObject(const fs::path& file, ImportedModel& model, int object) {
                              " is wanted, but it has " + counted(count, "object", "objects") +
                              "; name another one in \"object\", or none");
         }
-        std::vector<char> keep;
-        for (const int own : soup.objects) {
-            keep.push_back(own + 1 == object ? 1 : 0);
-        }
-        if (!keep.empty()) {
-            repair::keepTriangles(soup, keep);
+        if (!soup.objects.empty()) {
+            repair::keepTriangles(soup, [&](int t) { return soup.objects[t] + 1 == object; });
             repair::dropUnusedVertices(soup);
             dropUnusedLooks(model);
         }

@@ -14,6 +14,7 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/temporary_folder.h"
 #include "app/files/jobs/own_programs.h"
+#include "sim/base/mapped.h"
 #include "sim/base/text.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/surface_mesh.h"
@@ -191,7 +192,7 @@ TriangleSoup exchanged(const TriangleSoup& soup, const CrossingPieces& pieces,
     }
     std::vector<char> keep = outside(all, pieces, soup.triangles.size());
     keep.resize(now.triangles.size(), 1);
-    repair::keepTriangles(now, keep);
+    repair::keepTriangles(now, [&](int t) { return keep[t] != 0; });
     repair::dropUnusedVertices(now);
     return now;
 }
@@ -247,11 +248,9 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
 }
 
 std::vector<std::string> unionsToMake(const TriangleSoup& welded) {
-    std::vector<std::string> clauses;
-    for (const std::vector<int>& group : CrossingPieces(welded).groups()) {
-        clauses.push_back("unite " + textOf(group) + " that cross");
-    }
-    return clauses;
+    return mapped(CrossingPieces(welded).groups(), [](const std::vector<int>& group) {
+        return "unite " + textOf(group) + " that cross";
+    });
 }
 
 }  // namespace kerf::app
