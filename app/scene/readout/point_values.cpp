@@ -1,9 +1,6 @@
 #include "app/scene/readout/point_values.h"
 
-#include <Eigen/Dense>
-#include <cmath>
-
-#include "sim/mesh/triangle.h"
+#include "sim/mesh/triangle_quality.h"
 
 namespace kerf::app {
 namespace {
@@ -11,24 +8,14 @@ namespace {
 /// Strain and change of area, each times the area at rest, and that area.
 using Sums = Vec3;
 
-/// Squared lengths of two sides, and their product.
-Eigen::Matrix2d gram(const Corners& c) {
-    Eigen::Matrix<double, 3, 2> sides;
-    sides << c[1] - c[0], c[2] - c[0];
-    return sides.transpose() * sides;
-}
-
 Sums strainsOf(const SurfaceMesh& mesh, int triangle) {
-    const Corners restCorners = restCornersOf(mesh, triangle);
-    const Eigen::Matrix2d rest = gram(restCorners);
-    const Eigen::Matrix2d now = gram(cornersOf(mesh, triangle));
-    if (!(rest.determinant() > 0)) {
+    const Corners rest = restCornersOf(mesh, triangle);
+    const Corners now = cornersOf(mesh, triangle);
+    const double area = triangleArea(rest);
+    if (!(area > 0)) {
         return Sums::Zero();
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> stretches(now, rest);
-    const auto strains = stretches.eigenvalues().cwiseMax(0).cwiseSqrt().array() - 1;
-    const double area = std::sqrt(std::max(now.determinant(), 0.0) / rest.determinant()) - 1;
-    return triangleArea(restCorners) * Sums(strains.abs().maxCoeff(), area, 1);
+    return area * Sums(largestStrain(rest, now), triangleArea(now) / area - 1, 1);
 }
 
 /// Around a vertex, over one kind of surface.
