@@ -19,6 +19,7 @@
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"
 #include "gpu/context.h"
+#include "sim/base/mapped.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -167,10 +168,8 @@ std::string lineAbout(const Study& study, std::size_t number, const fs::path& ou
 /// Each run is a program of its own, the same that a cluster would start.
 void runPending(const Study& study, const Numbers& pending, const SweepArguments& arguments,
                 std::ostream& out) {
-    std::vector<std::vector<std::string>> children;
-    for (const std::size_t number : pending) {
-        children.push_back(childArguments(arguments, number));
-    }
+    const auto children =
+        mapped(pending, [&](std::size_t number) { return childArguments(arguments, number); });
     runChildren(children, arguments.jobs, [&](std::size_t i, const ChildOutcome& outcome) {
         if (outcome.exitCode == kExitNoOpenGl) {
             throw gpu::ContextError("Run " + std::to_string(pending[i]) + ": " +

@@ -8,6 +8,7 @@
 #include "app/doctor/findings.h"
 #include "gpu/buffer.h"
 #include "gpu/program.h"
+#include "sim/base/mapped.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
@@ -19,13 +20,10 @@ void append(std::vector<DriverFinding>& all, std::vector<DriverFinding> more) {
 }
 
 std::vector<DriverFinding> limitFindings(const std::vector<gpu::DriverLimit>& limits) {
-    std::vector<DriverFinding> findings;
-    findings.reserve(limits.size());
-    for (const gpu::DriverLimit& limit : limits) {
-        findings.push_back({fmt::format("Limit: {}", limit.phrase), fmt::format("{}", limit.has),
-                            fmt::format("at least {}", limit.needs), limit.has >= limit.needs});
-    }
-    return findings;
+    return mapped(limits, [](const gpu::DriverLimit& limit) -> DriverFinding {
+        return {fmt::format("Limit: {}", limit.phrase), fmt::format("{}", limit.has),
+                fmt::format("at least {}", limit.needs), limit.has >= limit.needs};
+    });
 }
 
 /// Runs a part. What the driver can't do is a finding, and the other parts still run.

@@ -149,9 +149,7 @@ void holdPlots(State& s) {
 }
 
 void freePins(State& s) {
-    Bounds everywhere;
-    everywhere.add(Vec3::Constant(-kEverywhere));
-    everywhere.add(Vec3::Constant(kEverywhere));
+    const Bounds everywhere{Vec3::Constant(-kEverywhere), Vec3::Constant(kEverywhere)};
     if (!s.scene->simulation().pinnedVertices().empty()) {
         s.execute(Pin{everywhere, false});
     }

@@ -13,6 +13,7 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/session/session_json.h"
+#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -81,14 +82,15 @@ std::vector<Deviation> comparePositions(const PieceTrace& expected, const PieceT
         if (now != found.end()) {
             deviations.push_back({step, pieces.size() == now->second.size()
                                             ? farthest(pieces, now->second)
-                                            : distance(boxAround(pieces), boxAround(now->second))});
+                                            : distance(boxOf(pieces, &PieceBox::box),
+                                                       boxOf(now->second, &PieceBox::box))});
         }
     }
     return deviations;
 }
 
 double diagonalOf(const PieceTrace& pieces) {
-    return pieces.empty() ? 0 : boxAround(pieces.begin()->second).diagonal();
+    return pieces.empty() ? 0 : boxOf(pieces.begin()->second, &PieceBox::box).diagonal();
 }
 
 // --- Volume and counts --------------------------------------------------------------------------

@@ -109,12 +109,4 @@ int lastStepOf(const PieceTrace& pieces) {
     return pieces.empty() ? -1 : pieces.rbegin()->first;
 }
 
-Bounds boxAround(const std::vector<PieceBox>& pieces) {
-    Bounds box;
-    for (const PieceBox& piece : pieces) {
-        box.add(piece.box);
-    }
-    return box;
-}
-
 }  // namespace kerf::app

@@ -43,7 +43,4 @@ PieceTrace thinnedOut(const PieceTrace& pieces);
 /// The last of these steps; -1 for none.
 int lastStepOf(const PieceTrace& pieces);
 
-/// The box around all pieces.
-Bounds boxAround(const std::vector<PieceBox>& pieces);
-
 }  // namespace kerf::app

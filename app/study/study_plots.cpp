@@ -10,7 +10,7 @@
 #include "app/files/io/csv.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
-#include "sim/base/text.h"
+#include "sim/base/mapped.h"
 #include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
@@ -212,11 +212,7 @@ ui::PlotSpec panelOf(const DrawnRun& run, std::size_t q, const ui::PlotRange& ra
 
 std::vector<ui::PlotSpec> panelsOf(std::span<const DrawnRun> runs, std::size_t q,
                                    const ui::PlotRange& range) {
-    std::vector<ui::PlotSpec> panels;
-    for (const DrawnRun& run : runs) {
-        panels.push_back(panelOf(run, q, range));
-    }
-    return panels;
+    return mapped(runs, [&](const DrawnRun& run) { return panelOf(run, q, range); });
 }
 
 std::string pictureName(std::size_t q, std::size_t page) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "sim/base/boxes.h"
+
 namespace kerf::app {
 namespace {
 
@@ -64,9 +66,7 @@ Bounds boxBetween(const ViewFrame& view, const Vec2& from, const Vec2& to, const
         }
         return Vec3(ray.origin + std::clamp(way, -most, most) * ray.direction);
     };
-    Bounds box;
-    box.add(onPlane(from));
-    box.add(onPlane(to));
+    Bounds box = boxOf({onPlane(from), onPlane(to)});
     const double margin = kBoxMargin * body.diagonal();
     box.low[axis] = body.low[axis] - margin;
     box.high[axis] = body.high[axis] + margin;

@@ -20,10 +20,7 @@ Bounds focusOf(const SceneView& scene) {
     if (!scene.restBounds.empty()) {
         return scene.restBounds;
     }
-    Bounds unit;
-    unit.add(Vec3::Constant(-0.5));
-    unit.add(Vec3::Constant(0.5));
-    return unit;
+    return {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
 }
 
 /// Parallel rays come, near enough, from very far away.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/boxes.h"
+
 namespace kerf::render {
 namespace {
 
@@ -35,10 +37,7 @@ class PictureRectangle {
 
     void add(const Blade& blade, double margin) {
         for (const Vec3& end : {blade.a, blade.b}) {
-            Bounds around;
-            around.add(end);
-            around.widen(margin);
-            add(around);
+            add(widened(Bounds{end, end}, margin));
         }
     }
 

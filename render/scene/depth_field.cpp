@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::render {
 namespace {
@@ -28,11 +30,9 @@ class Measurement {
     }
 
     DepthField run() {
-        for (int t = 0; t < mesh_.triangleSlots(); ++t) {
-            if (mesh_.alive(t)) {
-                splat(t);
-                countCrossings(t);
-            }
+        for (const int t : livingTriangles(mesh_)) {
+            splat(t);
+            countCrossings(t);
         }
         for (int pass = 0; pass < 8; ++pass) {
             sweep(pass & 1 ? -1 : 1, pass & 2 ? -1 : 1, pass & 4 ? -1 : 1);
@@ -43,12 +43,8 @@ class Measurement {
 
   private:
     void layGrid(int resolution) {
-        Bounds bounds;
-        for (int t = 0; t < mesh_.triangleSlots(); ++t) {
-            for (int c = 0; c < 3 && mesh_.alive(t); ++c) {
-                bounds.add(corner(t, c));
-            }
-        }
+        const Bounds bounds =
+            boxOf(livingTriangles(mesh_), [this](int t) { return boxOf(restCornersOf(mesh_, t)); });
         const Vec3 extent = bounds.high - bounds.low;
         field_.spacing = std::max(extent.maxCoeff(), 1e-9) / (resolution - 2 * kPaddingCells - 1);
         for (int i = 0; i < 3; ++i) {

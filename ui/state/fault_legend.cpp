@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/mapped.h"
 #include "ui/base/item_rects.h"
 #include "ui/base/picture_painter.h"
 #include "ui/base/widgets.h"
@@ -12,12 +13,9 @@
 namespace kerf::ui {
 
 std::vector<FaultRow> faultRows(const std::vector<render::Marks>& marks) {
-    std::vector<FaultRow> rows;
-    rows.reserve(marks.size());
-    for (const render::Marks& each : marks) {
-        rows.push_back({each.label, each.color});
-    }
-    return rows;
+    return mapped(marks, [](const render::Marks& each) -> FaultRow {
+        return {each.label, each.color};
+    });
 }
 
 void drawFaultRows(const std::vector<FaultRow>& rows) {

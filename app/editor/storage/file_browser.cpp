@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <span>
 #include <system_error>
@@ -16,6 +15,7 @@
 #include "app/regression/expectation.h"
 #include "app/session/material.h"
 #include "app/session/session.h"
+#include "sim/base/mapped.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -29,11 +29,9 @@ enum OpenKind { kEverything, kModels, kSessions, kAllFiles };
 
 template <class Info>
 std::vector<std::string> kindsOf(std::span<const Info> formats) {
-    std::vector<std::string> kinds;
-    for (const Info& info : formats) {
-        kinds.push_back(std::string(info.name) + " (" + std::string(info.extension) + ")");
-    }
-    return kinds;
+    return mapped(formats, [](const Info& info) {
+        return fmt::format("{} ({})", info.name, info.extension);
+    });
 }
 
 std::vector<std::string> kindsOf(FilePurpose purpose) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
+#include "sim/base/boxes.h"
 #include "ui/base/theme.h"
 
 namespace kerf::app {
@@ -42,10 +42,7 @@ Vec3 outOfOther(const std::vector<Bounds>& bounds, std::size_t core) {
 /// Away from the middle of all. None goes down: there may be a floor.
 void shiftApart(const std::vector<Bounds>& bounds, double apart,
                 std::vector<render::PieceLook>& looks) {
-    Bounds all;
-    for (const Bounds& piece : bounds) {
-        all.add(piece);
-    }
+    const Bounds all = boxOf(bounds);
     double lowest = 0;
     for (std::size_t p = 0; p < looks.size(); ++p) {
         if (!bounds[p].empty()) {
@@ -76,8 +73,7 @@ Bounds shownBounds(const std::vector<Bounds>& bounds, const std::vector<render::
     for (std::size_t p = 0; p < looks.size(); ++p) {
         const Bounds piece = shifted(bounds[p], looks[p].shift);
         if (!piece.empty()) {
-            shown.add(piece.low);
-            shown.add(piece.high);
+            shown.add(piece);
         }
     }
     return shown;

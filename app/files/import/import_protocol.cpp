@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/files/io/errors.h"
+#include "sim/base/boxes.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -328,10 +329,7 @@ void checkImportedPositions(const TriangleSoup& soup) {
             counted(bad, "vertex has a coordinate that is", "vertices have coordinates that are") +
             " not a finite number; the file is damaged, export it again");
     }
-    Bounds bounds;
-    for (const Vec3& p : soup.positions) {
-        bounds.add(p);
-    }
+    const Bounds bounds = boxOf(soup.positions);
     const double extent = (bounds.high - bounds.low).maxCoeff();
     const double farthest =
         std::max(bounds.high.cwiseAbs().maxCoeff(), bounds.low.cwiseAbs().maxCoeff());

@@ -1,10 +1,9 @@
 #include "app/files/import/model_units.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
+#include "sim/base/boxes.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 
@@ -100,11 +99,7 @@ UnitGuess guessUnits(const std::filesystem::path& file, const Bounds& own,
 
 Bounds placedBounds(std::span<const Vec3> own, const Placement& placement) {
     const PlacementMap map(placement);
-    Bounds placed;
-    for (const Vec3& point : own) {
-        placed.add(map.toScene(point));
-    }
-    return placed;
+    return boxOf(own, [&](const Vec3& point) { return map.toScene(point); });
 }
 
 Placement standing(const UnitGuess& guess, std::span<const Vec3> own) {

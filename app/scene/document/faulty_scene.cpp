@@ -1,10 +1,8 @@
 #include "app/scene/document/faulty_scene.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/files/import/model_units.h"
 #include "render/scene/body_look.h"
+#include "sim/base/boxes.h"
 
 namespace kerf::app {
 namespace {
@@ -23,14 +21,6 @@ std::vector<Vec3> drawnPoints(const TriangleSoup& soup) {
     return points;
 }
 
-Bounds boundsOf(const std::vector<Vec3>& points) {
-    Bounds bounds;
-    for (const Vec3& p : points) {
-        bounds.add(p);
-    }
-    return bounds;
-}
-
 /// In the scene, upright and in metres.
 TriangleSoup placed(const FoundFaults& found, const std::filesystem::path& file) {
     const std::vector<Vec3> points = drawnPoints(found.soup);
@@ -38,7 +28,7 @@ TriangleSoup placed(const FoundFaults& found, const std::filesystem::path& file)
     if (points.empty()) {
         return soup;
     }
-    const PlacementMap map(standing(guessUnits(file, boundsOf(points), found.units), points));
+    const PlacementMap map(standing(guessUnits(file, boxOf(points), found.units), points));
     for (Vec3& p : soup.positions) {
         p = map.toScene(p);
     }
@@ -48,7 +38,7 @@ TriangleSoup placed(const FoundFaults& found, const std::filesystem::path& file)
 }  // namespace
 
 FaultyScene::FaultyScene(const FoundFaults& found, const std::filesystem::path& file)
-    : bounds_(boundsOf(drawnPoints(placed(found, file)))),
+    : bounds_(boxOf(drawnPoints(placed(found, file)))),
       body_(placed(found, file)),
       marks_(std::make_shared<const std::vector<render::Marks>>(marksOf(found))) {}
 

@@ -7,6 +7,7 @@
 #include "app/scene/timeline/hooks.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
+#include "sim/base/mapped.h"
 #include "sim/run/parts/snapshot.h"
 #include "sim/run/parts/stroke_record.h"
 #include "sim/run/undo/undo_history.h"
@@ -130,10 +131,7 @@ void SceneTimeline::takeOver() {
 }
 
 void SceneTimeline::releaseHandsButHooks() {
-    std::vector<int> numbers;
-    for (const Hands::Hand& hand : body_.simulation.hands()) {
-        numbers.push_back(hand.number);
-    }
+    std::vector<int> numbers = mapped(body_.simulation.hands(), &Hands::Hand::number);
     std::erase_if(numbers, isHook);
     for (const int number : numbers) {
         perform(Release{number});

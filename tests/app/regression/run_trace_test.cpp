@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/boxes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
@@ -28,7 +29,7 @@ TEST(RunCourse, PiecesAreReadAsTheyWereWritten) {
 }
 
 TEST(RunCourse, TheBoxAroundAllPiecesHoldsEachOfThem) {
-    const Bounds box = boxAround(someCourse().at(0));
+    const Bounds box = boxOf(someCourse().at(0), &PieceBox::box);
     EXPECT_EQ(box.low, Vec3(-1, 0, 0));
     EXPECT_EQ(box.high, Vec3(1, 4, 3));
 }
