@@ -1,11 +1,9 @@
 #include "gpu/program_binaries.h"
 
 #include <glad/gl.h>
+#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -97,11 +95,8 @@ ProgramBinaries& ProgramBinaries::ours() {
 
 fs::path ProgramBinaries::fileOf(const std::string& sources) const {
     const std::string all = maker_ + sources;
-    std::array<char, 40> name{};
-    std::snprintf(name.data(), name.size(), "%016llx%016llx",
-                  static_cast<unsigned long long>(hashOf(all, kFirstSeed)),
-                  static_cast<unsigned long long>(hashOf(all, kSecondSeed)));
-    return folder_ / name.data();
+    return folder_ /
+           fmt::format("{:016x}{:016x}", hashOf(all, kFirstSeed), hashOf(all, kSecondSeed));
 }
 
 bool ProgramBinaries::load(std::uint32_t program, const std::string& sources) const {

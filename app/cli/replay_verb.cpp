@@ -2,7 +2,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -104,9 +103,7 @@ ReplayResult runHeadless(const Session& session, const ReplayArguments& argument
 }
 
 std::string percent(double ratio) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f %%", 100 * ratio);
-    return text;
+    return fmt::format("{:.2f} %", 100 * ratio);
 }
 
 /// What came of comparing the screenshots with a folder of references.

@@ -2,11 +2,11 @@
 
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <utility>
@@ -271,13 +271,7 @@ double numberAt(int type, const void* value) {
 
 std::string numberOf(const Slide& slide) {
     char text[64];
-    if (slide.type == ImGuiDataType_Double) {
-        std::snprintf(text, sizeof text, slide.format.c_str(),
-                      *static_cast<const double*>(slide.value));
-    } else {
-        std::snprintf(text, sizeof text, slide.format.c_str(),
-                      *static_cast<const int*>(slide.value));
-    }
+    ImGui::DataTypeFormatString(text, sizeof text, slide.type, slide.value, slide.format.c_str());
     return text;
 }
 
@@ -292,11 +286,9 @@ std::map<ImGuiID, TypedNumber> typedNumbers;
 std::string rangeOf(const Slide& slide, double typed) {
     const double low = numberAt(slide.type, slide.low);
     const double high = numberAt(slide.type, slide.high);
-    char text[96];
     const bool inside = typed >= low && typed <= high;
-    std::snprintf(text, sizeof text, inside ? "%g to %g" : "%g to %g; Enter takes %g", low, high,
-                  std::clamp(typed, low, high));
-    return text;
+    return fmt::format("{:g} to {:g}", low, high) +
+           (inside ? "" : fmt::format("; Enter takes {:g}", std::clamp(typed, low, high)));
 }
 
 /// Takes the number that was typed, unless by Escape. Returns whether that changed it.

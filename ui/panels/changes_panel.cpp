@@ -1,6 +1,5 @@
 #include <imgui.h>
-
-#include <cstdio>
+#include <spdlog/fmt/fmt.h>
 
 #include "sim/base/text.h"
 #include "ui/base/widgets.h"
@@ -44,9 +43,9 @@ void drawRows(const PanelModel& model, std::vector<Action>& actions) {
     }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            char text[32];
-            std::snprintf(text, sizeof text, "%8.3f s  ", changes.rows[i].time);
-            drawState(model, text + changes.rows[i].name, static_cast<std::size_t>(i) + 1, actions);
+            drawState(model,
+                      fmt::format("{:8.3f} s  {}", changes.rows[i].time, changes.rows[i].name),
+                      static_cast<std::size_t>(i) + 1, actions);
         }
     }
 }
@@ -71,14 +70,12 @@ std::string nameOfStart(const ChangeList& changes) {
 }
 
 void drawMemory(const ChangeList& changes) {
-    char text[64];
-    std::snprintf(text, sizeof text, "Undo memory: %.0f of %.0f MB",
-                  static_cast<double>(changes.bytes) / kBytesPerMegabyte,
-                  static_cast<double>(changes.budget) / kBytesPerMegabyte);
-    const double share = changes.budget > 0 ? static_cast<double>(changes.bytes) /
-                                                  static_cast<double>(changes.budget)
-                                            : 0;
-    ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text);
+    const auto used = static_cast<double>(changes.bytes);
+    const auto budget = static_cast<double>(changes.budget);
+    const std::string text = fmt::format("Undo memory: {:.0f} of {:.0f} MB",
+                                         used / kBytesPerMegabyte, budget / kBytesPerMegabyte);
+    const double share = budget > 0 ? used / budget : 0;
+    ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text.c_str());
     itemTooltip(
         "Memory used for undo. When it is full, the oldest changes can no longer be undone.");
 }

@@ -1,6 +1,6 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
-#include <cstdio>
 #include <string>
 
 #include "ui/base/item_rects.h"
@@ -10,12 +10,6 @@
 
 namespace kerf::ui {
 namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// Draws the lines of a card, from its corner down.
 class CardPainter {
@@ -37,8 +31,8 @@ class CardPainter {
     /// "paper    160.5 frames/s    vol. 98.0 %"
     void figures(const char* who, const RunFigures& figures, ImU32 color) {
         left(who, palette().dimText);
-        at(0.62F, formatted("%.1f frames/s", figures.fps), color);
-        right(formatted("vol. %.1f %%", figures.volume), color);
+        at(0.62F, fmt::format("{:.1f} frames/s", figures.fps), color);
+        right(fmt::format("vol. {:.1f} %", figures.volume), color);
         next();
     }
     void sentence(const char* who, const char* text) {
@@ -83,8 +77,8 @@ void drawGround(const ExperimentCard& card) {
 
 std::string tooltipOf(const ExperimentCard& card) {
     std::string text = (card.open ? "Open now. Click to restart it." : "Open this experiment.");
-    text += "\nPaper: time step " + formatted("%.3f s", card.timeStep) + ", " +
-            std::to_string(card.iterations) + " iterations.";
+    text +=
+        fmt::format("\nPaper: time step {:.3f} s, {} iterations.", card.timeStep, card.iterations);
     if (card.ours) {
         text += "\nHere: averages over " + std::string(card.open ? "this run" : "the last run") +
                 ", now with " + std::to_string(card.ourTriangles) + " triangles.";

@@ -1,9 +1,9 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "sim/solve/sweep_strength.h"
@@ -69,14 +69,8 @@ std::string_view paperValue(std::string_view name) {
     return "";
 }
 
-std::string numberText(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 std::string rangeText(const ParamInfo& info) {
-    std::string text = "Range: " + numberText(info.low) + " to " + numberText(info.high);
+    std::string text = fmt::format("Range: {:g} to {:g}", info.low, info.high);
     if (!info.unit.empty()) {
         text += " " + unitText(info);
     }

@@ -1,9 +1,8 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 #include "sim/base/quantity_text.h"
 #include "ui/base/item_rects.h"
@@ -73,17 +72,13 @@ bool rowButton(int index, std::vector<Action>& actions) {
 }
 
 std::string coordinates(const Vec3& v) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.3g %.3g %.3g", v.x(), v.y(), v.z());
-    return text;
+    return fmt::format("{:.3g} {:.3g} {:.3g}", v.x(), v.y(), v.z());
 }
 
 /// The columns that are there on demand. Sums come once time stands.
 void drawDetails(const PieceRow& piece) {
-    char text[32];
     ImGui::TableNextColumn();
-    std::snprintf(text, sizeof text, "%.2f", 100 * piece.shareOfAll);
-    textRight(text);
+    textRight(fmt::format("{:.2f}", 100 * piece.shareOfAll));
     ImGui::TableNextColumn();
     textRight(piece.sums ? areaText(piece.sums->skinArea + piece.sums->cutArea) : "-");
     if (piece.sums) {
@@ -98,7 +93,6 @@ void drawDetails(const PieceRow& piece) {
 
 /// True while the pointer is on the row.
 bool drawRow(int index, const PieceRow& piece, bool details, std::vector<Action>& actions) {
-    char text[32];
     ImGui::TableNextRow();
     ImGui::PushID(index);
     ImGui::TableNextColumn();
@@ -111,8 +105,7 @@ bool drawRow(int index, const PieceRow& piece, bool details, std::vector<Action>
     ImGui::TableNextColumn();
     textRight(volumeText(piece.volume));
     ImGui::TableNextColumn();
-    std::snprintf(text, sizeof text, "%.2f", 100 * piece.share);
-    textRight(text);
+    textRight(fmt::format("{:.2f}", 100 * piece.share));
     if (details) {
         drawDetails(piece);
     }

@@ -1,9 +1,9 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
@@ -18,9 +18,7 @@ bool isChosen(const Settings& settings, const char* id) {
 }
 
 PlotReference paperValue(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "paper %.1f", value);
-    return {value, text};
+    return {value, fmt::format("paper {:.1f}", value)};
 }
 
 std::optional<PlotReference> referenceOf(const PlotKind& kind, const PlotsState& plots) {

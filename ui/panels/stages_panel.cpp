@@ -1,7 +1,7 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <array>
-#include <cstdio>
 #include <span>
 
 #include "ui/base/widgets.h"
@@ -34,15 +34,13 @@ double sumOfMeans(const History& history) {
     return sum;
 }
 
-void numberCell(const char* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
+void numberCell(const std::string& text) {
     ImGui::TableNextColumn();
     textRight(text);
 }
 
 void millisecondsCell(double value) {
-    numberCell(value >= 99.95 ? "%.0f" : value >= 9.995 ? "%.1f" : "%.2f", value);
+    numberCell(fmt::format("{:.{}f}", value, value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2));
 }
 
 void explainCut(const SubdivisionCounts& counts) {
@@ -95,7 +93,7 @@ void drawRow(const StageText& row, std::span<const TimeColumn> times, const Hist
     }
     const double sum = sumOfMeans(history);
     if (row.reading != Reading::frameMs && sum > 0) {
-        numberCell("%.0f %%", 100 * series.mean() / sum);
+        numberCell(fmt::format("{:.0f} %", 100 * series.mean() / sum));
     }
 }
 

@@ -1,8 +1,9 @@
 #include "ui/plots/plot_math.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace kerf::ui {
 namespace {
@@ -130,9 +131,7 @@ const SeriesBucket& nearestBucket(std::span<const SeriesBucket> buckets, double 
 }
 
 std::string fixedText(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
+    return fmt::format("{:.{}f}", value, decimals);
 }
 
 std::string numberText(double value, int decimals) {
@@ -143,9 +142,7 @@ std::string numberText(double value, int decimals) {
     if (value == 0 || (size < 1 ? decimals <= kLong && !vanishes : size < kLarge)) {
         return fixedText(value, value == 0 && decimals > kLong ? 0 : decimals);
     }
-    char text[64];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
+    return fmt::format("{:.4g}", value);
 }
 
 }  // namespace kerf::ui

@@ -1,10 +1,9 @@
 #include "ui/state/field_legend.h"
 
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "sim/base/quantity_text.h"
 #include "ui/base/item_rects.h"
@@ -45,9 +44,7 @@ std::string fieldText(render::SurfaceField field, double value) {
     if (render::infoOf(field).isLength) {
         return value == 0 ? "0" : lengthText(value);
     }
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g %%", 100 * value);
-    return text.data();
+    return fmt::format("{:.3g} %", 100 * value);
 }
 
 void drawColors(const render::ColorMap& map, float left, float top, float width, float height) {

@@ -1,7 +1,8 @@
 #include "app/scene/document/size_effect.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "sim/base/quantity_text.h"
 
@@ -16,12 +17,10 @@ constexpr double kStepsOfAFall = 5;  // through the own height: fewer are no mot
 
 /// With one digit that counts: "400 kPa".
 std::string pascals(double value) {
-    char text[32];
     const double digit = std::pow(10, std::floor(std::log10(value)));
     const bool kilo = value < 1e6;
-    std::snprintf(text, sizeof text, kilo ? "%g kPa" : "%g MPa",
-                  digit * std::round(value / digit) / (kilo ? 1e3 : 1e6));
-    return text;
+    return fmt::format("{:g} {}", digit * std::round(value / digit) / (kilo ? 1e3 : 1e6),
+                       kilo ? "kPa" : "MPa");
 }
 
 /// How the weight of a column of this height bears on its foot.
