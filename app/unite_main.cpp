@@ -15,7 +15,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "app/files/import/shell_protocol.h"
 #include "app/files/jobs/process_limits.h"

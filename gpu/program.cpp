@@ -1,7 +1,6 @@
 #include "gpu/program.h"
 
 #include <glad/gl.h>
-#include <spdlog/spdlog.h>
 
 #include <array>
 #include <cassert>

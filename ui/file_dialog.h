@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ui/state/action.h"
-#include "ui/state/panel_model.h"
 
 namespace kerf::ui {
 

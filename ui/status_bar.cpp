@@ -1,7 +1,6 @@
 #include <imgui.h>
 
 #include "sim/base/text.h"
-#include "ui/base/theme.h"
 #include "ui/over_view.h"
 #include "ui/state/action_table.h"
 

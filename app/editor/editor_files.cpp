@@ -9,7 +9,6 @@
 #include "app/files/io/file_io.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
-#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/exit_codes.h"
-#include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/regression/expectation_writer.h"
 #include "app/session/session.h"

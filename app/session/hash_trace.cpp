@@ -1,9 +1,6 @@
 #include "app/session/hash_trace.h"
 
-#include <algorithm>
-
 #include "app/files/io/csv.h"
-#include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,7 +1,5 @@
 #include "app/study/study_run.h"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 
 #include "app/files/export/export.h"

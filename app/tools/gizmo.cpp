@@ -1,7 +1,5 @@
 #include "app/tools/gizmo.h"
 
-#include <spdlog/spdlog.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
-#include "app/scene/readout/cut_preview.h"
 #include "app/tools/scalpel.h"
 #include "app/tools/tool_marks.h"
 #include "app/tools/tool_table.h"

@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "render/passes/surface_pass.h"

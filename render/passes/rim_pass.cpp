@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <array>
 
 #include "render/passes/surface_pass.h"
 #include "shaders/shared/render_bindings.h"

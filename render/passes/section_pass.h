@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 
 #include "gpu/program.h"
 #include "render/passes/frame.h"

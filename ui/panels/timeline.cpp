@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "ui/base/item_rects.h"
 #include "ui/base/theme.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/files/jobs/background_job.h"
-#include "ui/state/panel_model.h"
+#include "ui/state/question.h"
 
 namespace kerf::app {
 

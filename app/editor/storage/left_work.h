@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "app/files/jobs/background_job.h"
 #include "app/journal/journal_folder.h"

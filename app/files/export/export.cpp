@@ -1,10 +1,8 @@
 #include "app/files/export/export.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <tuple>
 #include <vector>

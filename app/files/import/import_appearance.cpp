@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <string_view>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

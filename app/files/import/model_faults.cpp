@@ -1,6 +1,5 @@
 #include "app/files/import/model_faults.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

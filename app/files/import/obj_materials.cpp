@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "app/files/import/import_appearance.h"
 #include "app/files/io/text_lines.h"

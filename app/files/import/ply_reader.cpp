@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <span>
 #include <sstream>
 #include <type_traits>
 #include <utility>

@@ -12,7 +12,6 @@
 #include <new>
 
 #include "app/files/io/errors.h"
-#include "app/files/io/memory_means.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
-#include <string>
 #include <utility>
 
 namespace kerf::app {

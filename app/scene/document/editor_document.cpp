@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "app/scene/document/editor_budgets.h"
 #include "app/session/material.h"

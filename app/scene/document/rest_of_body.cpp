@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/session/scene_view.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/start/prepared_body.h"
 

@@ -1,6 +1,5 @@
 #include "app/scene/document/stored_ends.h"
 
-#include <cstdint>
 #include <stdexcept>
 
 #include "app/files/io/errors.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
