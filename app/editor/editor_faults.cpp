@@ -11,9 +11,9 @@
 #include "app/files/import/model_units.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/scene_timeline.h"
+#include "sim/base/boxes.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
-#include "sim/repair/soup_editing.h"
 #include "ui/base/unit_text.h"
 #include "ui/state/action_table.h"
 
@@ -70,7 +70,7 @@ std::string fileLength(double length, const ModelFault& fault, const OpeningOrde
         return fmt::format("{:g} file units", length);
     }
     const UnitGuess guess =
-        guessUnits(order.file, repair::boundsOf(fault.found()->soup), fault.found()->units);
+        guessUnits(order.file, boxOf(fault.found()->soup.positions), fault.found()->units);
     return lengthText(length * infoOf(guess.unit).metres);
 }
 

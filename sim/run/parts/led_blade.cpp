@@ -51,10 +51,11 @@ Blade LedBlade::edgeAt(const Blade& to, double lag) const {
     if (lag <= 0 || !trail_) {
         return to;
     }
-    const Vec3 string = cut::across(to, cut::pointOn(*edge_, 0.5) - cut::pointOn(to, 0.5));
-    const double length = string.norm();
-    const Vec3 behind = length > lag ? Vec3(string * (lag / length)) : string;
-    return {to.a + behind, to.b + behind};
+    const auto follow = [&](const Vec3& from, const Vec3& end) -> Vec3 {
+        const Vec3 string = cut::across(to, from - end);
+        return end + string * std::min(1.0, lag / std::max(string.norm(), lag));
+    };
+    return {follow(edge_->a, to.a), follow(edge_->b, to.b)};
 }
 
 Blade LedBlade::nextPose() const {

@@ -48,6 +48,15 @@ TEST(LedBlade, ItsEdgeFollowsACircleThatIsSmallerThanItsBody) {
     EXPECT_NEAR(edgeAfter(places).norm(), std::sqrt(1 - kLag * kLag), 0.005);
 }
 
+TEST(LedBlade, ItsEdgeStaysWhileTheBladeTurnsWithinTheLag) {
+    const Blade upright{{0, 0, -0.5}, {0, 0, 0.5}};
+    const Blade turned{{0.09, 0, -0.5}, {-0.09, 0, 0.5}};
+    LedBlade blade;
+    blade.moveTo(upright, kWidth, upright);
+    const Blade edge = blade.edgeAt(turned, kLag);
+    EXPECT_LT(edge.a.head<2>().norm() + edge.b.head<2>().norm(), 0.01);
+}
+
 TEST(LedBlade, DrawnBackItsEdgeStaysUntilTheLagIsTakenUpAgain) {
     EXPECT_LT((edgeAfter({{0, 0, 0}, {0.9, 0, 0}, {0.6, 0, 0}}) - Vec3(0.7, 0, 0)).norm(), 1e-12);
     EXPECT_LT((edgeAfter({{0, 0, 0}, {0.9, 0, 0}, {0.2, 0, 0}}) - Vec3(0.4, 0, 0)).norm(), 1e-12);
