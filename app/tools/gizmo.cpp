@@ -1,5 +1,7 @@
 #include "app/tools/gizmo.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

@@ -224,16 +224,21 @@ void Practice::open(EditorScene& scene, const std::string& person) {
 void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceMesh& mesh,
                        bool closed) {
     const Vec3 into = task_->into.normalized();
-    for (std::size_t i = 0; i + (closed ? 0 : 1) < anchors.size(); ++i) {
-        const SurfaceAnchor& to = anchors[(i + 1) % anchors.size()];
-        const Trace line{Kind::line, anchors[i].position(mesh), to.position(mesh),
-                         areaNormal(cornersOf(mesh, anchors[i].triangle()))};
-        const Vec3 aside = task_->limits.deviation.value_or(0) *
-                           (line.to - line.from).cross(into).stableNormalized();
-        traces_.push_back(line);
-        for (const Vec3& offset : {aside, Vec3(-aside)}) {
-            if (!offset.isZero(0)) {
-                traces_.push_back({Kind::band, line.from + offset, line.to + offset, line.normal});
+    const double width = task_->limits.deviation.value_or(0);
+    const std::size_t count = anchors.size();
+    const auto at = [&](std::size_t i) { return anchors[i % count].position(mesh); };
+    const auto aside = [&](std::size_t i) -> Vec3 {
+        const Vec3 way =
+            at(closed || i + 1 < count ? i + 1 : i) - at(closed || i > 0 ? i + count - 1 : i);
+        return width * way.cross(into).stableNormalized();
+    };
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+        const Vec3 normal = areaNormal(cornersOf(mesh, anchors[i].triangle()));
+        traces_.push_back({Kind::line, at(i), at(i + 1), normal});
+        for (const double side : {-1.0, 1.0}) {
+            if (width > 0) {
+                traces_.push_back(
+                    {Kind::band, at(i) + side * aside(i), at(i + 1) + side * aside(i + 1), normal});
             }
         }
     }
@@ -284,9 +289,11 @@ bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
     if (lastPerson_ != settings.person) {
         openLast(settings.person);
     }
-    if (score_ && (deeds_ != scene.recorder().deeds() || scene.timeline().inThePast())) {
+    if (score_ && (deeds_ != scene.recorder().deeds() || scene.timeline().inThePast() ||
+                   scene.simulation().strokes().empty())) {
         score_.reset();  // of what is not there now
         revision_ = -1;
+        openLast(settings.person);
     }
     const bool begins =
         scene.stroke().drawing() && !cutting_ && scene.simulation().strokes().empty();

@@ -50,8 +50,8 @@ class LedBlade {
     const Blade& edge() const { return *edge_; }
     bool isPlaced() const { return trail_.has_value(); }
     bool isAt(const Blade& pose) const;
-    /// The cutting edge once the blade is commanded to `to`: its ends follow as if on strings of the
-    /// length `lag` [m].
+    /// The cutting edge once the blade is commanded to `to`: its ends follow as if on strings of
+    /// the length `lag` [m].
     Blade edgeAt(const Blade& to, double lag) const;
     /// Moves the blade to its commanded pose, and its edge to where it cuts. Its body trails at its
     /// whole `width` [m].

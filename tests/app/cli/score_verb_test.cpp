@@ -91,7 +91,8 @@ TEST_F(ScoreVerb, RefusesWhatHasNoScore) {
     test::writeText(pathOf("bad.json"), "{");
     refuse(pathOf("bad.json"), "bad.json: ");
     test::writeText(pathOf("plain.json"), R"({"steps": 3})");
-    refuse(pathOf("plain.json"), "plain.json: there is no score; give a session (*.kerf.json) with a task");
+    refuse(pathOf("plain.json"),
+           "plain.json: there is no score; give a session (*.kerf.json) with a task");
     test::writeText(pathOf("ann/bad.kerf.json"), "{");
     refuse(pathOf("ann"), pathOf("ann/bad.kerf.json"));
     std::filesystem::create_directories(pathOf("empty"));

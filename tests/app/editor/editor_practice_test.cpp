@@ -147,6 +147,19 @@ TEST_F(EditorPractice, ATryIsOfThePersonWhoseNameItHas) {
     EXPECT_TRUE(lastOf("Zoe")) << "a score of other types shows less";
 }
 
+TEST_F(EditorPractice, AgainMakesItTheLastTry) {
+    cutDown(0);
+    click("practice.finish");
+    frames(3);
+    ASSERT_TRUE(practice().finished);
+    EXPECT_FALSE(practice().hasLast);
+    click("practice.again");
+    settle();
+    frames(2);
+    EXPECT_FALSE(practice().finished);
+    EXPECT_TRUE(practice().hasLast);
+}
+
 TEST_F(EditorPractice, AnotherCutOrUndoTakesTheScoreAway) {
     cutDown(0);
     tap(Key::enter, {.shift = true});
