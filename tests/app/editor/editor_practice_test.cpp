@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/scene/document/editor_document.h"
+#include "app/scene/editor_scene.h"
 #include "app/session/task_run.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
