@@ -129,11 +129,11 @@ void requireFree(const fs::path& file, const std::vector<fs::path>& others) {
 }
 
 int runScore(const ScoreArguments& arguments, std::ostream& out) {
-    std::vector<fs::path> files = filesAt(arguments.paths);
+    const std::vector<fs::path> files = filesAt(arguments.paths);
     requireFree(arguments.csv, files);
-    files.push_back(arguments.csv);
     requireFree(arguments.html, files);
-    const std::vector<Scored> tries = scoreAll(filesAt(arguments.paths));
+    requireFree(arguments.html, {arguments.csv});
+    const std::vector<Scored> tries = scoreAll(files);
     if (!arguments.csv.empty()) {
         writeOutputFile(arguments.csv, scoresAsCsv(tries));
     }

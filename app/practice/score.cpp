@@ -101,11 +101,12 @@ std::optional<double> limitOf(const FigureRow& row, const Task& task) {
     return row.isAsked(task) ? limit : std::nullopt;
 }
 
+Bounds boxOfLines(const Task& task) {
+    return boxOf(task.lines, [](const TaskLine& line) { return boxOf(line.points); });
+}
+
 Vec3 pivotOf(const Task& task, const SurfaceMesh& uncut) {
-    Bounds lines;
-    for (const TaskLine& line : task.lines) {
-        lines.add(boxOf(line.points));
-    }
+    const Bounds lines = boxOfLines(task);
     return (lines.empty() ? boxOf(uncut.restPositions()) : lines).center();
 }
 

@@ -43,6 +43,8 @@ struct TaskRun {
     int changes = 0;  ///< of parameters, after the start
 };
 
+/// The box of the lines [m], empty without any.
+Bounds boxOfLines(const Task& task);
 /// The middle of the lines, or of the body without any: about it a hand is measured.
 Vec3 pivotOf(const Task& task, const SurfaceMesh& uncut);
 /// Measures and judges a try. The same input gives the same bits.

@@ -17,6 +17,7 @@
 #include "app/session/scene_origin.h"
 #include "app/session/session_json.h"
 #include "app/session/task_run.h"
+#include "sim/base/mapped.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/start/prepared_body.h"
 
@@ -40,11 +41,12 @@ std::filesystem::path scoreFile(const std::filesystem::path& session) {
 
 /// How the files of a person's tries begin, in letters that any file system takes.
 std::string fileNameOf(const std::string& task, const std::string& person) {
-    std::string name = task + '\n' + person + '\n';
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return c < 0x80 && c != '\n' && std::isalnum(c) == 0; }, '-');
-    std::ranges::replace(name, '\n', '_');
-    return name;
+    const auto plain = [](std::string name) {
+        std::ranges::replace_if(
+            name, [](unsigned char c) { return c < 0x80 && std::isalnum(c) == 0; }, '-');
+        return name;
+    };
+    return plain(task) + "_" + plain(person) + "_";
 }
 
 /// Anchors along a line of the task, where a ray along `into` meets the uncut body.
@@ -226,20 +228,21 @@ void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceM
     const Vec3 into = task_->into.normalized();
     const double width = task_->limits.deviation.value_or(0);
     const std::size_t count = anchors.size();
-    const auto at = [&](std::size_t i) { return anchors[i % count].position(mesh); };
-    const auto aside = [&](std::size_t i) -> Vec3 {
-        const Vec3 way =
-            at(closed || i + 1 < count ? i + 1 : i) - at(closed || i > 0 ? i + count - 1 : i);
-        return width * way.cross(into).stableNormalized();
-    };
+    const std::vector<Vec3> at =
+        mapped(anchors, [&](const SurfaceAnchor& anchor) { return anchor.position(mesh); });
+    std::vector<Vec3> aside;  // to the edge of the band
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 way = at[closed || i + 1 < count ? (i + 1) % count : i] -
+                         at[closed || i > 0 ? (i + count - 1) % count : i];
+        aside.emplace_back(width * way.cross(into).stableNormalized());
+    }
     for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+        const std::size_t next = (i + 1) % count;
         const Vec3 normal = areaNormal(cornersOf(mesh, anchors[i].triangle()));
-        traces_.push_back({Kind::line, at(i), at(i + 1), normal});
-        for (const double side : {-1.0, 1.0}) {
-            if (width > 0) {
-                traces_.push_back(
-                    {Kind::band, at(i) + side * aside(i), at(i + 1) + side * aside(i + 1), normal});
-            }
+        traces_.push_back({Kind::line, at[i], at[next], normal});
+        if (width > 0) {
+            traces_.push_back({Kind::band, at[i] - aside[i], at[next] - aside[next], normal});
+            traces_.push_back({Kind::band, at[i] + aside[i], at[next] + aside[next], normal});
         }
     }
 }

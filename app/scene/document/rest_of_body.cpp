@@ -1,7 +1,6 @@
 #include "app/scene/document/rest_of_body.h"
 
-#include <algorithm>
-
+#include "app/practice/score.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/start/prepared_body.h"
 
@@ -26,10 +25,7 @@ std::vector<ModelFigures> figuresOf(const UncutBody& uncut) {
 }
 
 std::optional<Bounds> boundsOfLines(const std::optional<Task>& task) {
-    Bounds bounds;
-    for (const TaskLine& line : task ? task->lines : std::vector<TaskLine>{}) {
-        std::ranges::for_each(line.points, [&](const Vec3& point) { bounds.add(point); });
-    }
+    const Bounds bounds = task ? boxOfLines(*task) : Bounds{};
     return bounds.empty() ? std::nullopt : std::optional(bounds);
 }
 

@@ -53,7 +53,7 @@ Blade LedBlade::edgeAt(const Blade& to, double lag) const {
     }
     const auto follow = [&](const Vec3& from, const Vec3& end) -> Vec3 {
         const Vec3 string = cut::across(to, from - end);
-        return end + string * std::min(1.0, lag / std::max(string.norm(), lag));
+        return end + string * (lag / std::max(string.norm(), lag));
     };
     return {follow(edge_->a, to.a), follow(edge_->b, to.b)};
 }
