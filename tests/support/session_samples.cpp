@@ -109,6 +109,8 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"ShortTaskLine", sessionWith(R"("task": {"name": "t", "lines": [{"points": [[0, 0, 0]]}]})"), "task.lines[0].points: a line has two points at least."},
         {"TaskLineThatStands", sessionWith(R"("task": {"name": "t", "lines": [{"points": [[0, 0, 0], [1, 0, 0], [1, 0, 0]]}]})"), "task.lines[0].points: two points in a row are the same."},
         {"TaskAlongItsLine", sessionWith(R"("task": {"name": "t", "lines": [{"points": [[0, 0, 0], [1, 0, 0]]}], "into": [1, 0.01, 0]})"), "task.into: it points along a line; give a direction into the body."},
+        {"TaskWithoutExpertsPath", sessionWith(R"("task": {"name": "t", "take": 1, "economy": 0.5})"), "task.economy: it needs the `path` of an expert."},
+        {"TaskWithoutBand", sessionWith(R"("task": {"name": "t", "take": 1, "depth": 0.1, "in_band": 0.5})"), "task.in_band: it needs a `depth` and a `band` about it."},
         {"TaskWithoutDirection", sessionWith(R"("task": {"name": "t", "lines": [{"points": [[0, 0, 0], [1, 0, 0]]}], "into": [0, 0, 0]})"), "task.into: it has no direction."},
         {"TaskSparesNoModel", sessionWith(R"("task": {"name": "t", "lines": [{"points": [[0, 0, 0], [1, 0, 0]]}], "spare": [3]})"), "task.spare[0]: there is no model 3; the session has 1 model, numbered from 0."},
         {"TaskTakesWhatItCuts", sessionWith(R"("task": {"name": "t", "take": 0})"), "task.model: it is to be cut, so it can't be spared or taken out."},
