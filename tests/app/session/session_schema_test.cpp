@@ -66,8 +66,9 @@ std::vector<std::string> validSessions() {
     return texts;
 }
 
-// What a schema can't tell, by words of the reader's sentence: comparisons of values, and names
-// that lead out of a folder, or to a file of the replay, on a detour.
+// What a schema can't tell, by words of the reader's sentence: comparisons of values, what some
+// value needs beside it, and names that lead out of a folder, or to a file of the replay, on a
+// detour.
 constexpr std::array kBeyondSchemas{"a and b are the same point",
                                     "low to be no higher than high",
                                     "eye and target are the same",
@@ -75,6 +76,13 @@ constexpr std::array kBeyondSchemas{"a and b are the same point",
                                     "not a file inside the output",
                                     "is written by the replay itself",
                                     "can't lie in",
+                                    "there is nothing to do",
+                                    "a line has two points at least",
+                                    "two points in a row are the same",
+                                    "it points along a line",
+                                    "it has no direction",
+                                    "it needs the `path` of an expert",
+                                    "it needs a `depth` and a `band`",
                                     "material: /folder/",
                                     "material: folder/"};
 
@@ -161,11 +169,13 @@ TEST_F(SessionSchema, AcceptsWhatTheReaderAccepts) {
 }
 
 // Of the mistakes that the tests of the reader know, those that are none by the schema.
-const std::set<std::string> kComparisons{
-    "BoxUpsideDown",        "NoLength",           "EyeAtTarget",
-    "UpAlongView",          "EventAfterTheEnd",   "IdleTask",
-    "ShortTaskLine",        "TaskLineThatStands", "TaskAlongItsLine",
-    "TaskWithoutDirection", "TaskSparesNoModel",  "TaskTakesWhatItCuts"};
+const std::set<std::string> kComparisons{"BoxUpsideDown",     "NoLength",
+                                         "EyeAtTarget",       "UpAlongView",
+                                         "EventAfterTheEnd",  "IdleTask",
+                                         "ShortTaskLine",     "TaskLineThatStands",
+                                         "TaskAlongItsLine",  "TaskWithoutDirection",
+                                         "TaskSparesNoModel", "TaskTakesWhatItCuts",
+                                         "TaskWithoutBand",   "TaskWithoutExpertsPath"};
 const std::set<std::string> kDetours{"FileAbove", "FileInFile"};
 const std::set<std::string> kNoDocuments{"Empty",   "NaN",           "HugeNumber",
                                          "TwoKeys", "TwoKeysInside", "TwoKeysDeepInside",
