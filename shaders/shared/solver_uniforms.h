@@ -52,7 +52,7 @@ struct SolverUniforms {
     uint piece_count;
     uint pull_count;      // vertices that hands hold
     float runaway_speed;  // a vertex that is faster is lost [m/s]; set by SolverBody
-    uint unused;          // a multiple of 16 bytes, as GLSL has it
+    float fold_speed;     // recoverySpeed() in sim/body/solver_uniforms.h [m/s]
 };
 
 SHARED_END

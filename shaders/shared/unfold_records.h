@@ -11,19 +11,12 @@ SHARED_CONST float kFoldEnds = 0.0f;
 SHARED_CONST float kSquashBegins = 0.5f;
 SHARED_CONST float kSquashEnds = 0.2f;
 
-// On skin that is entirely folded constraints are not damped, and what they ask for at X goes back
-// no faster than this [m/s]. Without that bound single vertices of an opened slit reached 15 m/s.
-SHARED_CONST float kFoldCreep = 1.0f;
-
 // Of the spring that unfolds: its rate [1/s], and its damping, which is critical at 2 and more than
 // that here, so that what unfolds creeps. While a blade cuts, and otherwise: a damping that is so
 // much firmer holds against loads, but beside the blade it left ends of slits inside.
 SHARED_CONST float kUnfoldRate = 3000.0f;
 SHARED_CONST float kUnfoldDamping = 4.0f;
 SHARED_CONST float kFirmUnfoldDamping = 32.0f;
-// Of what it draws no vertex is farther from its goal, as far as the spring knows, than it comes at
-// this speed [m/s] within its time, damping / rate.
-SHARED_CONST float kUnfoldSpeed = 1.0f;
 
 // Where a vertex and its neighbours would lie as they do at rest, and how they would move as one
 // rigid body.

@@ -39,6 +39,10 @@ bool holdsVolume(const Params& params);
 /// Whether an unloaded piece has its rest shape: edges, bends and ISPCs are all on.
 bool keepsShape(const Params& params);
 
+/// At which folded skin and the front of a slit go back to where they belong, at most: 1 m/s, but
+/// no less than a tenth of the speed of a wave in a bar. So large bodies are not left behind [m/s].
+double recoverySpeed(const Params& params);
+
 /// Iterations as a number: auto ones are those of the defaults where there is no body to choose
 /// for.
 int numberOfIterations(const Params& params);

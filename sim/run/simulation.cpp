@@ -198,7 +198,7 @@ void Simulation::State::prefetchCut() {
 }
 
 void Simulation::State::moveBody() {
-    FrontHold front(body, input.params.timeStep);
+    FrontHold front(body, input.params);
     body.solver.collisions().setBlade(stroke.bladeMotion());
     body.solver.collisions().setEdge(stroke.pressingEdge());
     body.solver.collisions().feelBlade(body.feelsBlade || stroke.feels());

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kRidge = 1e-3;  // of the trace, towards the identity
 constexpr std::size_t kLeastSamples = 4;
-constexpr double kMaxCatchUpSpeed = 1;  // relative to the material [m/s]
-constexpr double kSkinReach = 0.8;      // skin nearer than this share of an edge pushes inwards
+constexpr double kSkinReach = 0.8;  // skin nearer than this share of an edge pushes inwards
 
 struct MaterialPoint {
     Vec3 position = Vec3::Zero();
@@ -95,11 +94,10 @@ std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
     return surface.samplesAround(std::move(places), edge);
 }
 
-Vec3 limited(const Vec3& velocity, const Vec3& material) {
+Vec3 limited(const Vec3& velocity, const Vec3& material, double most) {
     const Vec3 relative = velocity - material;
     const double speed = relative.norm();
-    return speed > kMaxCatchUpSpeed ? Vec3(material + relative * (kMaxCatchUpSpeed / speed))
-                                    : velocity;
+    return speed > most ? Vec3(material + relative * (most / speed)) : velocity;
 }
 
 /// By piece, then copies of one vertex together.
@@ -140,7 +138,8 @@ std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFram
         const Vec3 free = now.position + in.timeStep * now.velocity;
         const Vec3 target =
             in.surface.insidePosition(rest, free, kSkinReach * in.edgeLength).value_or(free);
-        anchors.push_back({v, limited((target - in.mesh.position(v)) / in.timeStep, now.velocity)});
+        anchors.push_back(
+            {v, limited((target - in.mesh.position(v)) / in.timeStep, now.velocity, in.mostSpeed)});
     }
     return anchors;
 }

@@ -86,7 +86,7 @@ UnfoldGoal goalOf(uint v, uvec2 range) {
     }
     vec4 spin = spinOf(angularMomentum, squares, mixed);
     vec4 rotation = bestRotation(sx, sy, sz);
-    float reach = kUnfoldSpeed * unfoldDamping() / kUnfoldRate;
+    float reach = uniforms.fold_speed * unfoldDamping() / kUnfoldRate;
     float longest = reach;
     bool free = true;
     for (uint i = 0u; i < count; ++i) {

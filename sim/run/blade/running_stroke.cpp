@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/pausing.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/parts/led_blade.h"
 
@@ -162,15 +163,15 @@ std::optional<BladeMotion> RunningStroke::bladeMotion() const {
     return pushes ? input_.blade.motion(push(), body_.front()) : std::nullopt;
 }
 
-FrontHold::FrontHold(RunningBody& body, double timeStep) : body_(body) {
+FrontHold::FrontHold(RunningBody& body, const Params& params) : body_(body), params_(params) {
     if (body_.mesh().openStroke() >= 0) {
-        carryHidden(timeStep);
+        carryHidden();
         return;
     }
     if (!standsInMaterial(body_.cutter->rung())) {
         return;
     }
-    anchors_ = findFrontAnchors(body_.cutter->rung(), frame(timeStep));
+    anchors_ = findFrontAnchors(body_.cutter->rung(), frame());
     for (const Anchor& anchor : anchors_) {
         body_.solver.masses().anchor(anchor.vertex, anchor.velocity.cast<float>());
     }
@@ -182,8 +183,8 @@ void FrontHold::release() {
     }
 }
 
-void FrontHold::carryHidden(double timeStep) {
-    std::vector<Anchor> found = findHiddenAnchors(body_.updater->hiddenVertices(), frame(timeStep));
+void FrontHold::carryHidden() {
+    std::vector<Anchor> found = findHiddenAnchors(body_.updater->hiddenVertices(), frame());
     std::ranges::sort(found, {}, &Anchor::vertex);
     std::vector<std::uint32_t> vertices;
     std::vector<Vec3f> velocities;
@@ -196,9 +197,13 @@ void FrontHold::carryHidden(double timeStep) {
     }
 }
 
-AnchorFrame FrontHold::frame(double timeStep) const {
-    return {body_.mesh(), body_.updater->pieceOfMeshVertex(), body_.cutter->edgeLengthAtFront(),
-            body_.cutter->strokeSurface(), timeStep};
+AnchorFrame FrontHold::frame() const {
+    return {body_.mesh(),
+            body_.updater->pieceOfMeshVertex(),
+            body_.cutter->edgeLengthAtFront(),
+            body_.cutter->strokeSurface(),
+            params_.timeStep,
+            recoverySpeed(params_)};
 }
 
 }  // namespace kerf

@@ -62,15 +62,16 @@ class RunningStroke {
 /// the open cut, hidden vertices follow the body instead. See findFrontAnchors().
 class FrontHold {
   public:
-    /// The body must outlive it. `timeStep`: the coming one [s].
-    FrontHold(RunningBody& body, double timeStep);
+    /// The body and the parameters of the coming step must outlive it.
+    FrontHold(RunningBody& body, const Params& params);
     void release();
 
   private:
-    AnchorFrame frame(double timeStep) const;
-    void carryHidden(double timeStep);
+    AnchorFrame frame() const;
+    void carryHidden();
 
     RunningBody& body_;
+    const Params& params_;
     std::vector<Anchor> anchors_;
 };
 
