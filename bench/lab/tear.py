@@ -30,7 +30,7 @@ DENSITIES = 10, 20000  # that a body may have [kg/m^3]
 STARTS_AT = 0.65  # of the toughness: the energy release rate from which on it is pulled slowly
 MOST_RELEASE = 4  # of the toughness: then it has not torn
 MOST_OPENING = 15  # of that at which it was to tear
-MOST_STEPS = 4000
+MOST_STEPS = 8000
 SIZE = (640, 360)  # of pictures [pixels]
 FILES = ("summary.json", "report.md", "release.png")
 

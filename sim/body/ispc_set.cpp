@@ -4,19 +4,12 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
 
 namespace kerf {
 
 namespace {
-
-Bounds restBounds(const SurfaceMesh& mesh) {
-    Bounds bounds;
-    for (const Vec3& p : mesh.restPositions()) {
-        bounds.add(p);
-    }
-    return bounds;
-}
 
 std::vector<int> newWalls(const SurfaceMesh& mesh, std::span<const int> changed) {
     std::vector<int> walls;
@@ -68,7 +61,7 @@ void IspcSet::makeRoom() {
 }
 
 void IspcSet::refillGrid(const BodyModel& model) {
-    grid_ = SegmentGrid(restBounds(mesh_), static_cast<int>(model.ispcs.size()));
+    grid_ = SegmentGrid(boxOf(mesh_.restPositions()), static_cast<int>(model.ispcs.size()));
     for (std::size_t slot = 0; slot < model.ispcs.size(); ++slot) {
         addToGrid(model.ispcs[slot], rayOf_[slot]);
     }

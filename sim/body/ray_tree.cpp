@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
@@ -26,12 +27,8 @@ void RayTree::update(std::span<const int> triangles) {
 }
 
 Bounds RayTree::boundsOf(int triangle) const {
-    Bounds box;
-    for (const int v : mesh_.triangle(triangle)) {
-        box.add(mesh_.restPosition(v));
-    }
-    box.widen(4 * kHitBorder * box.diagonal());
-    return box;
+    const Bounds box = boxOf(restCornersOf(mesh_, triangle));
+    return widened(box, 4 * kHitBorder * box.diagonal());
 }
 
 RayHit RayTree::intersect(const BoxRay& ray, int triangle) const {

@@ -10,6 +10,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "shaders/shared/contact_records.h"
+#include "sim/base/mapped.h"
 #include "sim/body/body_model.h"
 #include "sim/contact/contact_solver.h"
 
@@ -71,12 +72,7 @@ std::vector<uint> orderOf(const std::vector<std::array<uint, 4>>& triangles,
                           static_cast<uint>(keys.size()));
     }
     std::ranges::sort(keys);
-    std::vector<uint> order;
-    order.reserve(keys.size());
-    for (const auto& [key, t] : keys) {
-        order.push_back(t);
-    }
-    return order;
+    return mapped(keys, [](const auto& key) { return key.second; });
 }
 
 /// As the triangles that touch them, then those that none touches.

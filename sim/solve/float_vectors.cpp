@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/base/boxes.h"
+
 namespace kerf {
 
 std::vector<shared::vec4> packed(const std::vector<Vec3f>& values) {
@@ -18,11 +20,7 @@ std::vector<Vec3f> unpacked(std::span<const shared::vec4> values) {
 }
 
 Bounds boundsOf(const std::vector<Vec3f>& values) {
-    Bounds box;
-    for (const Vec3f& u : values) {
-        box.add(u.cast<double>());
-    }
-    return box;
+    return boxOf(values, [](const Vec3f& u) -> Vec3 { return u.cast<double>(); });
 }
 
 }  // namespace kerf

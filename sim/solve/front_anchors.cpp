@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <iterator>
 #include <tuple>
-#include <utility>
+
+#include "sim/base/mapped.h"
 
 namespace kerf {
 
@@ -86,12 +87,7 @@ std::vector<int> innerFrontVertices(const SurfaceMesh& mesh, const std::vector<R
 std::vector<cut::SurfaceSample> samplesAround(const SurfaceMesh& mesh,
                                               const cut::StrokeSurface& surface,
                                               const std::vector<int>& front, double edge) {
-    std::vector<Vec3> places;
-    places.reserve(front.size());
-    for (const int v : front) {
-        places.push_back(mesh.restPosition(v));
-    }
-    return surface.samplesAround(std::move(places), edge);
+    return surface.samplesAround(mapped(front, [&](int v) { return mesh.restPosition(v); }), edge);
 }
 
 Vec3 limited(const Vec3& velocity, const Vec3& material, double most) {

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "sim/base/mapped.h"
 #include "sim/base/pausing.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gathered_records.h"
@@ -48,12 +49,7 @@ auto materialRecordOf(const Constraint& constraint, const BodyModel& model) {
 
 template <class Constraint>
 auto recordsOf(const BodyModel& model, const std::vector<Constraint>& list) {
-    std::vector<std::decay_t<decltype(recordOf(list[0]))>> records;
-    records.reserve(list.size());
-    for (const Constraint& constraint : list) {
-        records.push_back(materialRecordOf(constraint, model));
-    }
-    return records;
+    return mapped(list, [&](const Constraint& c) { return materialRecordOf(c, model); });
 }
 
 template <class Constraint>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"

@@ -6,7 +6,6 @@
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/deviation.h"
-#include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/placement.h"
 
 namespace kerf::cut {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/base/mapped.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -20,11 +22,8 @@ std::vector<SectorTriangle> sectorsAround(const SurfaceMesh& mesh, const SharedS
                                           int vertex) {
     std::vector<int> spokes;
     mesh.forEachOutgoing(vertex, [&](int h) { spokes.push_back(h); });
-    std::vector<bool> starts;
-    starts.reserve(spokes.size());
-    for (const int h : spokes) {
-        starts.push_back(isFeatureSpoke(mesh, star, h));
-    }
+    const std::vector<bool> starts =
+        mapped(spokes, [&](int h) { return isFeatureSpoke(mesh, star, h); });
     const int n = static_cast<int>(spokes.size());
     const auto firstFeature = std::find(starts.begin(), starts.end(), true);
     const int first =

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/cleanup/limits.h"
 #include "sim/mesh/triangle.h"
 
@@ -151,11 +152,8 @@ VolumeEquation equationIn(const Workspace& workspace, const Shape& shape, const 
 
 /// Moves rings that share their way. Returns the volume that remains.
 double placeTogether(const Workspace& workspace, const Shape& shape, std::vector<OneRing>& rings) {
-    std::vector<VolumeEquation> equations;
-    equations.reserve(rings.size());
-    for (const OneRing& ring : rings) {
-        equations.push_back(equationIn(workspace, shape, ring));
-    }
+    const std::vector<VolumeEquation> equations =
+        mapped(rings, [&](const OneRing& ring) { return equationIn(workspace, shape, ring); });
     const Displacement together =
         displaceTogether(equations, workspace.edgeLength(), shape.longestWay, shape.tolerable);
     for (OneRing& ring : rings) {
@@ -224,12 +222,7 @@ bool liesAtRest(const SurfaceMesh& mesh, const OneRing& ring) {
 }
 
 std::vector<Vec3> placesIn(const Shape& shape, const std::vector<OneRing>& rings) {
-    std::vector<Vec3> places;
-    places.reserve(rings.size());
-    for (const OneRing& ring : rings) {
-        places.push_back(ring.*shape.place);
-    }
-    return places;
+    return mapped(rings, shape.place);
 }
 
 /// How far each ring's vertex has gone from its place before.

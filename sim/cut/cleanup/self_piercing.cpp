@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/boxes.h"
+#include "sim/base/mapped.h"
 #include "sim/base/predicates.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/exact/piercing.h"
@@ -38,11 +40,8 @@ struct Placed {
 
 Placed placed(const Triangle& vertices, const Triangle& points, const Corners& corners,
               int stroke) {
-    Placed result{vertices, points, corners, stroke, areaNormal(corners), longestEdge(corners), {}};
-    for (const Vec3& p : corners) {
-        result.bounds.add(p);
-    }
-    return result;
+    return {vertices,      points, corners, stroke, areaNormal(corners), longestEdge(corners),
+            boxOf(corners)};
 }
 
 Triangle pointsOf(const SurfaceMesh& mesh, const Triangle& corners) {
@@ -223,22 +222,12 @@ std::vector<Placed> surroundings(const SurfaceMesh& mesh, Exchange& exchange) {
         });
     }
     sortUnique(around);
-    std::vector<Placed> result;
-    result.reserve(around.size());
-    for (const int t : around) {
-        result.push_back(placed(mesh, t));
-    }
-    return result;
+    return mapped(around, [&](int t) { return placed(mesh, t); });
 }
 
 int piercingsBefore(const SurfaceMesh& mesh, const Exchange& exchange,
                     const std::vector<Placed>& around) {
-    std::vector<Placed> before;
-    before.reserve(exchange.slots.size());
-    for (const int t : exchange.slots) {
-        before.push_back(placed(mesh, t));
-    }
-    return intersections(before, around);
+    return intersections(mapped(exchange.slots, [&](int t) { return placed(mesh, t); }), around);
 }
 
 bool addsPiercings(const SurfaceMesh& mesh, Exchange exchange) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {
@@ -188,11 +189,9 @@ class DuplicateEdges {
             Edge ends;
             int vertex = -1;
         };
-        std::vector<Middle> middles;
-        middles.reserve(edges.size());
-        for (const int h : edges) {
-            middles.push_back({wallApexes(h), {mesh_.origin(h), mesh_.target(h)}});
-        }
+        std::vector<Middle> middles = mapped(edges, [this](int h) -> Middle {
+            return {wallApexes(h), {mesh_.origin(h), mesh_.target(h)}};
+        });
         for (std::size_t i = 0; i < edges.size(); ++i) {
             Middle& middle = middles[i];
             if (!runs(edges[i], middle.ends.first, middle.ends.second)) {

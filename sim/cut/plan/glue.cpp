@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/exact/vertex_numbers.h"
 
@@ -125,13 +126,10 @@ class Gluing {
     }
 
     std::vector<Directed> numberOutline(const CutCurves& curves, const Outline& outline) {
-        std::vector<Directed> edges;
-        edges.reserve(outline.edges.size());
-        for (const OutlineEdge& edge : outline.edges) {
-            edges.push_back({numbers_[cornerId(mesh_, curves, edge.from)],
-                             numbers_[cornerId(mesh_, curves, edge.to)]});
-        }
-        return edges;
+        return mapped(outline.edges, [&](const OutlineEdge& edge) -> Directed {
+            return {numbers_[cornerId(mesh_, curves, edge.from)],
+                    numbers_[cornerId(mesh_, curves, edge.to)]};
+        });
     }
 
     DirectedEdges tableOf(int first, int end) const {

@@ -1,6 +1,5 @@
 #include "sim/cut/plan/plan.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "sim/base/pausing.h"

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/blade_line.h"
 
 namespace kerf::cut {
@@ -26,12 +27,9 @@ constexpr double kLeastSpacing = 0.5;
 
 /// From the rung to the blade, by node.
 std::vector<Vec3> motions(const std::vector<RungNode>& rung, const Blade& blade) {
-    std::vector<Vec3> result;
-    result.reserve(rung.size());
-    for (const RungNode& node : rung) {
-        result.push_back(pointOn(blade, std::clamp(node.s, 0.0, 1.0)) - node.position);
-    }
-    return result;
+    return mapped(rung, [&](const RungNode& node) -> Vec3 {
+        return pointOn(blade, std::clamp(node.s, 0.0, 1.0)) - node.position;
+    });
 }
 
 Vec3 longest(const std::vector<Vec3>& vectors) {

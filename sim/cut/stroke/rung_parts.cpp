@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/mapped.h"
 #include "sim/cut/blade_line.h"
 
 namespace kerf::cut {
@@ -29,12 +30,9 @@ Vec3 forwards(const Blade& blade, const Vec3& heading) {
 std::vector<double> progress(const Blade& blade, const Vec3& heading,
                              const std::vector<RungNode>& rung) {
     const Vec3 direction = forwards(blade, heading);
-    std::vector<double> result;
-    result.reserve(rung.size());
-    for (const RungNode& node : rung) {
-        result.push_back((pointOn(blade, node.s) - node.position).dot(direction));
-    }
-    return result;
+    return mapped(rung, [&](const RungNode& node) {
+        return (pointOn(blade, node.s) - node.position).dot(direction);
+    });
 }
 
 class Parts {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::cut {
@@ -32,14 +33,11 @@ long askFinder(const CandidateSearch& search) {
 }
 
 long askAll(const CandidateSearch& search) {
-    long tests = 0;
-    for (int t = 0; t < search.mesh.triangleSlots(); ++t) {
-        if (search.mesh.alive(t)) {
-            search.isNear(t);
-            ++tests;
-        }
+    const std::vector<int> living = livingTriangles(search.mesh);
+    for (const int t : living) {
+        search.isNear(t);
     }
-    return tests;
+    return static_cast<long>(living.size());
 }
 
 /// The paper's search over adjacent triangles.
@@ -167,10 +165,7 @@ BroadPhase::BroadPhase(const SurfaceMesh& mesh, TriangleFinder& finder, const Bl
 /// Everything within `margin` of the strip, in place of what was taken before.
 void BroadPhase::take(double margin) const {
     tookAll_ = margin >= margin_;
-    box_ = {};
-    for (const Vec3& p : points_) {
-        box_.add(toFrame(p));
-    }
+    box_ = boxOf(points_, [this](const Vec3& p) { return toFrame(p); });
     box_.widen(margin);
     binSize_ = std::max(leastBinSize_, (box_.high.x() - box_.low.x()) / kMostBins);
     OrientedBox reach = orientedBoxAlong(frame_.transpose(), points_);
@@ -191,10 +186,8 @@ void BroadPhase::take(double margin) const {
 
 /// Whether the triangle is near.
 bool BroadPhase::add(int triangle) const {
-    Bounds bounds;
-    for (const int v : mesh_.triangle(triangle)) {
-        bounds.add(toFrame(mesh_.position(v)));
-    }
+    const Bounds bounds =
+        boxOf(mesh_.triangle(triangle), [this](int v) { return toFrame(mesh_.position(v)); });
     const bool near = bounds.overlaps(box_);
     if (near) {
         entries_.push_back({triangle, bounds, binOf(bounds.low.x())});
@@ -250,11 +243,7 @@ std::vector<int> BroadPhase::cover(std::span<const Vec3> points, double pad) con
 }
 
 Bounds BroadPhase::reachOf(std::span<const Vec3> points, double pad) const {
-    Bounds bounds;
-    for (const Vec3& p : points) {
-        bounds.add(toFrame(p));
-    }
-    return widened(bounds, pad);
+    return widened(boxOf(points, [this](const Vec3& p) { return toFrame(p); }), pad);
 }
 
 Bounds BroadPhase::widened(Bounds box, double pad) const {

@@ -1,10 +1,10 @@
 #include "sim/cut/surface/stroke_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
@@ -28,10 +28,8 @@ bool isNear(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double r
 
 StrokeSurface::StrokeSurface(const SurfaceMesh& mesh)
     : mesh_(mesh), vertexCount_(mesh.vertexCount()), triangles_(mesh.triangleSlots()) {
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        if (mesh.alive(t)) {
-            triangles_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
-        }
+    for (const int t : livingTriangles(mesh)) {
+        triangles_[t] = {mesh.triangle(t), mesh.wallLabel(t)};
     }
 }
 
@@ -78,18 +76,12 @@ void StrokeSurface::follow(std::span<const int> triangles, double restMotion) {
 }
 
 Bounds StrokeSurface::restBounds(int slot) const {
-    Bounds bounds;
-    for (const int v : triangles_[slot].corners) {
-        bounds.add(mesh_.restPosition(v));
-    }
-    return bounds;
+    return boxOf(triangles_[slot].corners, [this](int v) { return mesh_.restPosition(v); });
 }
 
 /// Ascending.
 std::vector<int> StrokeSurface::trianglesNear(const Vec3& rest, double reach) const {
-    Bounds around;
-    around.add(rest);
-    around.widen(reach);
+    const Bounds around = widened(Bounds{rest, rest}, reach);
     std::vector<int> found;
     tree().find([this](int slot) { return restBounds(slot); },
                 [&](const Bounds& box) { return box.overlaps(around); },

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/base/boxes.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -21,11 +23,8 @@ struct Cluster {
 };
 
 Cluster clusterOf(std::vector<Vec3> places) {
-    Cluster cluster{std::move(places), {}};
-    for (const Vec3& p : cluster.places) {
-        cluster.box.add(p);
-    }
-    return cluster;
+    const Bounds box = boxOf(places);
+    return {std::move(places), box};
 }
 
 /// The half on the low side leaves it.

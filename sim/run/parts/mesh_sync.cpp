@@ -4,8 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/base/pausing.h"
 #include "sim/base/sort_unique.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
@@ -14,14 +16,6 @@ namespace {
 // Of its half size: how much wider than asked the box is within which triangles are collected once
 // one was asked for that nobody foresaw.
 constexpr double kWidening = 0.5;
-
-Bounds boundsOf(const SurfaceMesh& mesh, int t) {
-    Bounds bounds;
-    for (const int v : mesh.triangle(t)) {
-        bounds.add(mesh.position(v));
-    }
-    return bounds;
-}
 
 }  // namespace
 
@@ -133,7 +127,7 @@ std::vector<int> MeshSync::near(const OrientedBox& box) {
     }
     std::vector<int> found;
     std::ranges::copy_if(triangles_, std::back_inserter(found), [&](int t) {
-        return mesh_->alive(t) && mayMeet(box, boundsOf(*mesh_, t));
+        return mesh_->alive(t) && mayMeet(box, boxOf(cornersOf(*mesh_, t)));
     });
     return found;
 }
@@ -143,7 +137,8 @@ void MeshSync::lookAround(const OrientedBox& box) {
     known_ = box;
     known_->half *= 1 + kWidening;
     triangles_ = livingTriangles(*mesh_);
-    std::erase_if(triangles_, [this](int t) { return !mayMeet(*known_, boundsOf(*mesh_, t)); });
+    std::erase_if(triangles_,
+                  [this](int t) { return !mayMeet(*known_, boxOf(cornersOf(*mesh_, t))); });
 }
 
 void MeshSync::update(std::span<const int> triangles) {

@@ -2,6 +2,7 @@
 
 #include "gpu/program.h"
 #include "shaders/shared/small_body_bindings.h"
+#include "sim/base/boxes.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/box_surface.h"
@@ -40,10 +41,7 @@ BodyState approachingStateOf(const SurfaceMesh& mesh) {
 }
 
 Bounds approachingVelocities() {
-    Bounds velocities;
-    velocities.add(Vec3(0, -kSpeed, 0));
-    velocities.add(Vec3(0, kSpeed, 0));
-    return velocities;
+    return boxOf({Vec3(0, -kSpeed, 0), Vec3(0, kSpeed, 0)});
 }
 
 KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {

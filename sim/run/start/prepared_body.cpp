@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
+#include "sim/base/mapped.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf {
@@ -11,12 +12,7 @@ namespace kerf {
 namespace {
 
 std::vector<int> firstVertices(std::span<const PlacedModel> models) {
-    std::vector<int> first;
-    first.reserve(models.size());
-    for (const PlacedModel& model : models) {
-        first.push_back(model.firstVertex);
-    }
-    return first;
+    return mapped(models, &PlacedModel::firstVertex);
 }
 
 }  // namespace

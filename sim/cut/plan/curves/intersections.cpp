@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "sim/base/boxes.h"
 #include "sim/base/sort_unique.h"
 #include "sim/cut/plan/curves/curve_nodes.h"
 #include "sim/cut/plan/strip/front_profile.h"
@@ -91,10 +92,7 @@ class Intersector {
     // Most triangles of a strip lie inside the body, near nothing but walls behind the front.
     void intersectStripTriangle(int s) {
         const Triangle& ids = strip_.triangles[s];
-        Bounds box;
-        for (const int node : ids) {
-            box.add(inFrame_[node]);
-        }
+        const Bounds box = boxOf(ids, [this](int node) { return inFrame_[node]; });
         in_.broadPhase.findEntries(box, drift_, ahead_, found_);
         if (found_.empty()) {
             return;

@@ -1,6 +1,5 @@
 #include "sim/cut/plan/input/slit_opening.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

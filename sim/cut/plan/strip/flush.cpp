@@ -1,6 +1,5 @@
 #include "sim/cut/plan/strip/flush.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>

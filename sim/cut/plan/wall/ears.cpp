@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 
+#include "sim/base/mapped.h"
+
 namespace kerf::cut {
 
 namespace {
@@ -38,13 +40,7 @@ class EarCutter {
     }
 
   private:
-    static std::vector<int> nodesOf(const Loop& loop) {
-        std::vector<int> result;
-        for (const OutlineEdge& edge : loop) {
-            result.push_back(edge.from);
-        }
-        return result;
-    }
+    static std::vector<int> nodesOf(const Loop& loop) { return mapped(loop, &OutlineEdge::from); }
 
     const Vec2& at(int node) const { return nodes_[node].layout; }
 
@@ -61,11 +57,7 @@ class EarCutter {
 
     // The nearest hole first, or a bridge could run across one that is not joined yet.
     void bridgeAll(const std::vector<Loop>& loops) {
-        std::vector<std::vector<int>> holes;
-        holes.reserve(loops.size());
-        for (const Loop& loop : loops) {
-            holes.push_back(nodesOf(loop));
-        }
+        std::vector<std::vector<int>> holes = mapped(loops, nodesOf);
         while (!holes.empty()) {
             std::size_t nearest = 0;
             Bridge best;
