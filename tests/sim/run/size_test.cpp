@@ -59,6 +59,7 @@ class SizeTest : public test::SimulationTest {
     /// By vertex, in sizes.
     std::vector<Vec3> places() {
         std::vector<Vec3> places;
+        places.reserve(simulation->mesh().vertexCount());
         for (int v = 0; v < simulation->mesh().vertexCount(); ++v) {
             places.emplace_back(simulation->mesh().position(v) / size_);
         }
