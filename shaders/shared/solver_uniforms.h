@@ -50,9 +50,9 @@ struct SolverUniforms {
     uint vertex_count;   // the counts of the body model; 0 where only parameters are known
     uint triangle_count;
     uint piece_count;
-    uint pull_count;      // vertices that hands hold
-    float runaway_speed;  // a vertex that is faster is lost [m/s]; set by SolverBody
-    float fold_speed;     // recoverySpeed() in sim/body/solver_uniforms.h [m/s]
+    uint pull_count;       // vertices that hands hold
+    float runaway_speed;   // a vertex that is faster is lost [m/s]; set by SolverBody
+    float catch_up_speed;  // catchUpSpeed() in sim/body/solver_uniforms.h [m/s]
 };
 
 SHARED_END

@@ -51,12 +51,12 @@ float dampingOf(float weight, float compliance, float fold, uint type) {
 }
 
 // What an impulse is to answer to: C, and its rate times gamma. Where the skin is folded what C was
-// at X goes back at fold_speed at most, in the way of a vertex of which each metre changes C by
+// at X goes back at catch_up_speed at most, in the way of a vertex of which each metre changes C by
 // `perWay`.
 float dampedError(float error, float rate, float gamma, float fold, float perWay) {
     float damped = error + gamma * rate;
 #ifdef UNFOLDS
-    float most = uniforms.fold_speed * uniforms.substep * perWay / max(fold, 1e-6);
+    float most = uniforms.catch_up_speed * uniforms.substep * perWay / max(fold, 1e-6);
     float bounded = clamp(error - rate, -most, most) + (1.0 + gamma) * rate;
     return fold > 0.0 ? bounded : damped;
 #else

@@ -110,7 +110,7 @@ double sweepStiffness(double stiffness, int sweeps) {
     return 1 - std::pow(1 - std::clamp(stiffness, 0.0, 1.0), 1.0 / sweeps);
 }
 
-double recoverySpeed(const Params& params) {
+double catchUpSpeed(const Params& params) {
     constexpr double kLeast = 1;
     constexpr double kOfWave = 0.1;  // that runs along a bar
     return std::max(kLeast, kOfWave * std::sqrt(params.youngsModulus / params.density));
@@ -129,7 +129,7 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
     u.friction = static_cast<float>(params.friction);
     u.lift_speed = static_cast<float>(params.depenetrationSpeed);
     u.floor_height = static_cast<float>(params.floor.value_or(0.0));
-    u.fold_speed = static_cast<float>(recoverySpeed(params));
+    u.catch_up_speed = static_cast<float>(catchUpSpeed(params));
     u.active_parts = activeParts(params);
     return u;
 }

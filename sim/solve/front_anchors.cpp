@@ -134,8 +134,8 @@ std::vector<Anchor> anchorsOf(const std::vector<int>& vertices, const AnchorFram
         const Vec3 free = now.position + in.timeStep * now.velocity;
         const Vec3 target =
             in.surface.insidePosition(rest, free, kSkinReach * in.edgeLength).value_or(free);
-        anchors.push_back(
-            {v, limited((target - in.mesh.position(v)) / in.timeStep, now.velocity, in.mostSpeed)});
+        anchors.push_back({v, limited((target - in.mesh.position(v)) / in.timeStep, now.velocity,
+                                      in.catchUpSpeed)});
     }
     return anchors;
 }

@@ -20,8 +20,8 @@ struct AnchorFrame {
     const std::vector<int>& pieceOfVertex;  ///< of all vertices of the mesh
     double edgeLength = 0;                  ///< about the front, as the cutter maps walls [m]
     const cut::StrokeSurface& surface;
-    double timeStep = 0;   ///< [s]
-    double mostSpeed = 0;  ///< relative to the material, at which a vertex catches up [m/s]
+    double timeStep = 0;      ///< [s]
+    double catchUpSpeed = 0;  ///< of a vertex relative to the material, at most [m/s]
 };
 
 /// The front of an unfinished slit is in uncut material, which a surface mesh does not model: with

@@ -113,7 +113,7 @@ std::vector<Record> sharedRecords() {
                AT(damping_ratio), AT(compliance[0]), AT(share[0]), AT(count[0]), AT(sweep_room[0]),
                AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),
                AT(sweeps), AT(vertex_count), AT(triangle_count), AT(piece_count), AT(pull_count),
-               AT(runaway_speed), AT(fold_speed)),
+               AT(runaway_speed), AT(catch_up_speed)),
         RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),
     };
 }

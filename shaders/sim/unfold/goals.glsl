@@ -86,7 +86,8 @@ UnfoldGoal goalOf(uint v, uvec2 range) {
     }
     vec4 spin = spinOf(angularMomentum, squares, mixed);
     vec4 rotation = bestRotation(sx, sy, sz);
-    float reach = uniforms.fold_speed * unfoldDamping() / kUnfoldRate;
+    // What the spring knows of the way: what it covers at that speed in its time.
+    float reach = uniforms.catch_up_speed * unfoldDamping() / kUnfoldRate;
     float longest = reach;
     bool free = true;
     for (uint i = 0u; i < count; ++i) {

@@ -203,7 +203,7 @@ AnchorFrame FrontHold::frame() const {
             body_.cutter->edgeLengthAtFront(),
             body_.cutter->strokeSurface(),
             params_.timeStep,
-            recoverySpeed(params_)};
+            catchUpSpeed(params_)};
 }
 
 }  // namespace kerf

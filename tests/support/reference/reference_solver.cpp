@@ -46,7 +46,7 @@ struct Damping {
 /// As in shaders/sim/pull_direction.glsl.
 Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay,
                   std::uint32_t type) {
-    const double creep = uniforms.fold_speed * uniforms.substep * perWay;
+    const double creep = uniforms.catch_up_speed * uniforms.substep * perWay;
     return {uniforms.damping_ratio * (1 - fold),
             fold > 0 ? creep / fold : std::numeric_limits<double>::infinity(),
             (uniforms.active_parts & shared::kTrueModulusPart) != 0, uniforms.sweep_room[type]};

@@ -146,7 +146,7 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
         }
         masses[v] = sums[v] > 0 && inverseMass[v] > 0 ? 1 / (inverseMass[v] * sums[v]) : 0.0;
     }
-    const double reach = uniforms.fold_speed * dampingOf(uniforms) / shared::kUnfoldRate;
+    const double reach = uniforms.catch_up_speed * dampingOf(uniforms) / shared::kUnfoldRate;
     std::vector<Vec3> changes(count, Vec3::Zero());
     for (std::size_t v = 0; v < count; ++v) {
         const std::vector<std::uint32_t> members = membersAt(model, v);
