@@ -181,7 +181,7 @@ constexpr float kLeastTabs = 4;    // lines
 void drawControls(const PanelModel& model, const Rect& rect, std::vector<Action>& actions) {
     beginPanel("controls", rect, true);
     drawMenuBar(model, actions);
-    drawTransport(model.transport, model.session.playback, actions);
+    drawTransport(model, actions);
     const Division division = Division::ofTheRest();
     const float upper = std::max(division.upper(1 - model.settings.piecesShare, kLeastPieces),
                                  division.height - piecesHeight(model.pieces, model.display));

@@ -27,11 +27,19 @@ void drawRunner(double seconds) {
     ImGui::Dummy({width, height});
 }
 
-void drawCancel(std::vector<Action>& actions) {
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Cancel"));
+/// In a window of its own, over the box at `place`: what is pressed beside it is the view's.
+void drawCancel(const ImVec2& place, std::vector<Action>& actions) {
+    ImGui::SetNextWindowPos(place);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin("work.cancel", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
     if (button("Cancel", "work.cancel")) {
         actions.emplace_back(CancelWork{});
     }
+    ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -62,7 +70,7 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     ImGui::Begin("work", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_AlwaysAutoResize);
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     ImGui::TextUnformatted(work.title.c_str());
     if (work.all > 0) {
         const double share = std::min(1.0, work.done / work.all);
@@ -73,11 +81,16 @@ void drawWork(const WorkState& work, const Rect& view, std::vector<Action>& acti
     ImGui::AlignTextToFramePadding();
     if (work.mayEnd) {
         ImGui::TextDisabled("%s%s", work.stage.c_str(), timeText(work).c_str());
-        drawCancel(actions);
     } else {
         ImGui::TextDisabled("%s", work.stage.c_str());
     }
+    const ImVec2 end = ImGui::GetItemRectMin();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
     ImGui::End();
+    if (work.mayEnd) {
+        drawCancel({right - buttonWidth("Cancel"), end.y - ImGui::GetStyle().FramePadding.y},
+                   actions);
+    }
 }
 
 }  // namespace kerf::ui

@@ -21,6 +21,7 @@ namespace kerf::app {
 namespace {
 
 constexpr double kForever = 1e9;        // [s]
+constexpr double kHiddenPause = 0.016;  // between two frames that nobody sees [s]
 constexpr double kWorkPause = 0.05;     // between two pictures while a thread works [s]
 constexpr double kWorkPictures = 0.25;  // the same while a step is under way and nothing moves [s]
 constexpr int kMostSeekSteps = 1000;    // between two pictures, while they are fast
@@ -111,22 +112,39 @@ void showMessages(State& s) {
     }
 }
 
+/// Steps that are due by the clock.
+int dueSteps(const State& s, EditorScene& scene) {
+    return scene.timeline().playing || scene.hands().pulling() ? s.clock.due() : 0;
+}
+
 /// Begins the steps that are due, if any.
 void beginSteps(State& s) {
     EditorScene& scene = *s.scene;
     if (!scene.running()) {
-        s.clock.stop();
+        if (s.clock.stop()) {
+            s.redraw.panels();
+        }
         s.scene.stops = false;
         return;
     }
     s.view.display.join();
     scene.timeRunsWhileCutting = s.panels.settings.now.timeRunsWhileCutting;
-    const int passed = s.clock.takeDue(scene.simulation().params().timeStep);
-    const int due = scene.timeline().playing || scene.hands().pulling() ? passed : 0;
+    if (s.clock.byTheClock()) {
+        scene.hands().limitSpeed(HeldHands::usualSpeed(scene.rest().bounds().diagonal()));
+    }
+    s.clock.passTime(scene.simulation().params().timeStep);
     const int needed = scene.strokeSteps();
-    const int most = std::max(due, std::min(scene.timeline().seekSteps(), kMostSeekSteps));
+    const int most =
+        std::max(dueSteps(s, scene), std::min(scene.timeline().seekSteps(), kMostSeekSteps));
     s.scene.begin(SceneWork::steps,
                   [&s, needed, most](EditorScene& now) { s.clock.run(now, needed, most); });
+}
+
+/// Whether more steps are to be done before the next picture: they can't keep up with the clock,
+/// or with a stroke.
+bool runsBehind(State& s, EditorScene& scene) {
+    return s.clock.byTheClock() &&
+           (dueSteps(s, scene) > 0 || (scene.strokeSteps() > 0 && s.clock.isSlow()));
 }
 
 /// Continues compiling kernels while idle.
@@ -170,7 +188,8 @@ void drawScene(State& s) {
     const render::FieldRange range = s.picture.fieldRange();
     const bool seeks = now && now.seekSteps() > 0 && s.clock.byTheClock();
     if (!now || (now.isWhole() && !(seeks && s.picture.hasBody()))) {
-        const bool rests = now && now.running() && s.clock.byTheClock() && s.picture.rests();
+        const bool rests = now && now.running() && (s.clock.due() > 0 || s.clock.isSlow()) &&
+                           s.clock.byTheClock() && !s.redraw.stepsAreDue();
         s.picture.draw(now, s.view, s.panels.covered(s.view.width, s.view.height),
                        s.redraw.takeScene(!rests));
     } else {
@@ -188,6 +207,9 @@ void advance(State& s, double elapsedSeconds) {
         std::exchange(s.scene.onceSought, nullptr)();
     }
     s.workOff();
+    if (s.clock.byTheClock() && s.redraw.stepsPending() && s.redraw.stepsAreDue()) {
+        return;  // this picture is of them
+    }
     if (s.scene != nullptr && !s.scene.underWay()) {
         beginSteps(s);
     }
@@ -230,6 +252,12 @@ void Editor::setScale(float scale) {
     }
 }
 
+void Editor::hide(bool hidden) {
+    if (std::exchange(state_->redraw.hidden, hidden) && !hidden) {
+        state_->redraw.scene();
+    }
+}
+
 void Editor::keepPlace(const ui::WindowPlace& place) {
     SettingsFile& settings = state_->panels.settings;
     if (settings.problem().empty()) {  // else it is the user's to mend
@@ -256,7 +284,9 @@ void Editor::State::sparingly(const std::function<void()>& doWork) {
 
 void Editor::State::makePicture(double elapsedSeconds) {
     State& s = *this;
+    const Stopwatch watch;
     gpu::requireContext();
+    s.redraw.end();
     s.toast.elapse(elapsedSeconds);
     s.takeInput(elapsedSeconds);
     s.view.camera.advance(elapsedSeconds);
@@ -267,9 +297,11 @@ void Editor::State::makePicture(double elapsedSeconds) {
     if (s.scene == nullptr && s.work.opening() == nullptr && !s.view.faulty && !s.panels.asked) {
         s.panels.startOpen = true;
     }
-    if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
+    if (EditorScene* const now = s.scene.atRest();
+        now && s.guide.follow(*now, s.view, s.clock.byTheClock() && !s.pace.isOn())) {
         s.redraw.panels();
     }
+    const double before = watch.seconds();
     advance(s, elapsedSeconds);
     s.keepWork(elapsedSeconds);
     s.offerLeftWork();
@@ -279,8 +311,9 @@ void Editor::State::makePicture(double elapsedSeconds) {
             (s.redraw.*row.shows)();
         }
     }
-    s.redraw.sincePicture.restart();
-    if (s.redraw.drawsAll || s.redraw.screenshotWanted || s.keeping.pictureDue() == 0.0) {
+    s.redraw.begin(before);
+    const bool seen = s.redraw.drawsAll && !s.redraw.hidden;
+    if (seen || s.redraw.screenshotWanted || s.keeping.pictureDue() == 0.0) {
         s.draw();
     } else {
         s.redraw.putOff();
@@ -292,12 +325,21 @@ void Editor::State::makePicture(double elapsedSeconds) {
 
 bool Editor::workOn() {
     State& s = *state_;
+    s.redraw.end();
     const bool picturesWait = !s.queue.empty() || s.redraw.pending() || s.view.camera.flying();
-    if (!s.scene.underWay() || picturesWait || s.redraw.sincePicture.seconds() > kWorkPictures) {
+    const bool isLong = s.scene.seconds() > kWorkPictures;
+    if (picturesWait || (isLong && s.redraw.sincePicture() > kWorkPictures)) {
         return false;
     }
+    if (EditorScene* const now = s.scene.atRest()) {
+        if (!now->running() || !s.scene.waiting.empty() || s.redraw.stepsAreDue() ||
+            !runsBehind(s, *now)) {
+            return false;
+        }
+        s.sparingly([&] { beginSteps(s); });
+    }
     s.sparingly([&] { s.goOn(); });
-    return true;
+    return s.scene != nullptr;
 }
 
 void Editor::lookAtFiles() {
@@ -312,7 +354,7 @@ double Editor::idleSeconds() const {
     const bool runs = s.scene.underWay() || !s.scene.waiting.empty() || (scene && scene.running());
     if (!s.queue.empty() || runs || s.redraw.pending() || s.redraw.stepsPending() ||
         s.view.camera.flying()) {
-        return 0;
+        return s.redraw.hidden && s.clock.due() == 0 ? kHiddenPause : 0;
     }
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
@@ -411,10 +453,14 @@ void Editor::State::goOn() {
     if (!steps) {
         return;
     }
-    const std::optional<double> seconds = clock.measure();
-    scene->readout().addPicture(seconds, picture.takeSceneMilliseconds());
-    if (seconds) {
+    if (!redraw.takeShown() && !clock.starts()) {
+        return;  // more steps before the next picture
+    }
+    const FrameTime time = clock.measure();
+    scene->readout().addPicture(time, picture.takeSceneMilliseconds());
+    if (time.all > 0) {
         panels.experiments.note(*scene);
+        pace.follow(*scene, time);
     }
 }
 

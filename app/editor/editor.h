@@ -35,12 +35,14 @@ class Editor {
     void resize(int width, int height);
     /// Changes the scale of the display, when the window moves to another one; 1 = 96 dpi.
     void setScale(float scale);
+    /// Draws no frame but for a picture that was asked for, while nobody sees the window.
+    void hide(bool hidden);
     /// Keeps the place of the window in the settings, when it closes.
     void keepPlace(const ui::WindowPlace& place);
     /// Makes one frame, `elapsedSeconds` after the previous one.
     void frame(double elapsedSeconds);
-    /// Continues the scene's work, if no frame is due before it is done. False if one is, or
-    /// without work.
+    /// Continues the scene's work, and begins more steps while they can't keep up with the clock,
+    /// if no frame is due before that. False if one is, or without work.
     bool workOn();
     /// Looks whether the files of the open models were changed by other programs; about once a
     /// second. An offer to reload them is shown by the next frame.

@@ -196,6 +196,10 @@ void reset(State& s) {
     s.scene->reset();
 }
 
+void keepPace(State& s) {
+    s.pace.toggle(*s.scene);
+}
+
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
     if (s.scene->recorder().recording()) {
@@ -354,6 +358,7 @@ constexpr std::array kOtherHandlers{
             [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
     Handler{ActionId::faster, Needs::scene,
             [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
+    Handler{ActionId::keepPace, Needs::body, keepPace},
     Handler{ActionId::record, Needs::body, toggleRecording},
     Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->timeline().toggleLoop(); }},
     Handler{ActionId::addPicture, Needs::body, addPicture},

@@ -53,7 +53,8 @@ ui::WorkState seekWork(const BusyScene& now, int steps) {
 /// A stroke by its poses; and what else takes long.
 ui::WorkState sceneWork(const State& s) {
     const BusyScene now = s.scene.meanwhile();
-    const double perStep = std::max(s.clock.secondsPerStep(), s.scene.seconds());
+    const double known = s.clock.secondsPerStep();
+    const double perStep = std::max(known, s.scene.seconds());
     if (!now) {
         return {};
     }
@@ -73,7 +74,10 @@ ui::WorkState sceneWork(const State& s) {
         return {.title = "Updating the model", .stage = "Please wait", .mayEnd = false};
     }
     if (s.scene.isAt(SceneWork::steps) && perStep > kQuietSeconds) {
-        return {"Computing", fmt::format("{:.1f} s per step", perStep), s.scene.seconds(), perStep};
+        const bool overdue = s.scene.seconds() >= known;
+        return {"Computing",
+                overdue ? "A step of this model takes long" : fmt::format("{:.1f} s a step", known),
+                s.scene.seconds(), overdue ? 0 : known};
     }
     return {};
 }
@@ -95,6 +99,8 @@ void Editor::State::describeScene() {
     if (scene != nullptr) {
         scene->describe(panels.told);
         sceneHistory.describe(*scene, panels.told.changes);
+        panels.told.transport.paceCost =
+            pace.cost(scene->readout().sweeps(), scene->simulation().params());
     }
     panels.told.help.hint = guide.hint(scene.get(), view);
     panels.experiments.describe(scene.get(), panels.told);
@@ -127,6 +133,10 @@ void Editor::State::describe(bool withOverlay) {
     model.tools = view.tools.settings();
     model.view.measures = view.tools.get<MeasureTool>().rows();
     model.transport.speed = clock.speed();
+    model.transport.keepsPace = pace.isOn();
+    if (pace.isOn()) {
+        model.parameters.sweeps = nullptr;  // What it costs is told beside the speed.
+    }
     chooser.describe(model);
     materials.describe(model);
     model.work = work.state();

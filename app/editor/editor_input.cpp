@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <limits>
 
 #include "app/editor/editor_state.h"
+#include "app/scene/held_hands.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {
@@ -106,6 +108,11 @@ void Editor::State::takeInput(double elapsedSeconds) {
         const bool practises = now.document().session.task.has_value();
         now.stroke().keepTime(practises ? now.timeStep() : 0);
         now.stroke().elapse(practises || !now.playing() ? elapsedSeconds : 0);
+        const bool runs =
+            now.pulling() || now.playing() || panels.settings.now.timeRunsWhileCutting;
+        now.stroke().limitStep(runs && !practises && clock.byTheClock()
+                                   ? HeldHands::usualSpeed(now.diagonal()) * now.timeStep()
+                                   : std::numeric_limits<double>::infinity());
     }
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {

@@ -103,7 +103,8 @@ void BladeStroke::elapse(double seconds) {
 }
 
 int BladeStroke::stepsFor(double length, double seconds) {
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / scale_->maxStep)));
+    const double farthest = std::min(scale_->maxStep, farthest_);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / farthest)));
     owed_ += keepsTime() ? std::min(seconds, kMostRest) / timeStep_ : 0;
     const int queued = std::max(steps, static_cast<int>(owed_));
     owed_ = std::max(0.0, owed_ - queued);

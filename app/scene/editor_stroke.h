@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -69,6 +70,8 @@ class BladeStroke {
     /// From now on strokes take as many steps of this length [s] as the hand takes time, and keep
     /// how long it is away between them; 0: as many as the way needs.
     void keepTime(double timeStep) { timeStep_ = timeStep; }
+    /// From now on the blade moves at most that far in a step [m], beside the stroke's own limit.
+    void limitStep(double farthest) { farthest_ = farthest; }
     /// Adds the real time [s] of a frame, before what happened in it.
     void elapse(double seconds);
     /// After the release of the button.
@@ -103,8 +106,9 @@ class BladeStroke {
     std::vector<Blade> way_;            ///< on from there, not queued yet
     double elapsed_ = 0;                ///< since the last pose was queued, or the last lift [s]
     double timeStep_ = 0;               ///< see keepTime() [s]
-    double owed_ = 0;                   ///< steps that the hand took time for, not queued yet
-    double away_ = 0;                   ///< of the hand before this stroke [s]
+    double farthest_ = std::numeric_limits<double>::infinity();  ///< see limitStep() [m]
+    double owed_ = 0;  ///< steps that the hand took time for, not queued yet
+    double away_ = 0;  ///< of the hand before this stroke [s]
     std::deque<Command> queue_;
     std::size_t given_ = 0;      ///< poses taken since the queue was last empty
     std::optional<Blade> done_;  ///< the last pose that was taken, until the lift

@@ -1,6 +1,7 @@
 #include "app/scene/held_hands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/scene/timeline/scene_timeline.h"
@@ -83,13 +84,42 @@ void HeldHands::settle() {
 }
 
 void HeldHands::move() {
-    for (const auto& [hand, to] : std::exchange(dragTo_, {})) {
-        timeline_.perform(Drag{hand, to});
+    std::erase_if(dragTo_, [this](const auto& drag) { return moveOn(drag.first, drag.second); });
+    if (letsGo_ && !dragTo_.contains(kPersonsHand)) {
+        letGo();
     }
     settling_ = std::max(0, settling_ - 1);
 }
 
+bool HeldHands::moveOn(int hand, const Vec3& to) {
+    const std::vector<Hands::Hand>& hands = body_.simulation.hands();
+    const auto at = std::ranges::find(hands, hand, &Hands::Hand::number);
+    const Vec3 way = at == hands.end() ? Vec3(Vec3::Zero()) : Vec3(to - at->to);
+    const double farthest = speed_ * body_.simulation.params().timeStep;
+    const bool arrives = way.norm() <= farthest;
+    timeline_.perform(Drag{hand, arrives ? to : Vec3(at->to + farthest / way.norm() * way)});
+    return arrives;
+}
+
+double HeldHands::ahead() const {
+    double most = 0;
+    for (const Hands::Hand& hand : body_.simulation.hands()) {
+        if (const auto drag = dragTo_.find(hand.number); drag != dragTo_.end()) {
+            most = std::max(most, (drag->second - hand.to).norm());
+        }
+    }
+    return most;
+}
+
+void HeldHands::letGoThere() {
+    letsGo_ = pulling_ && std::isfinite(speed_) && dragTo_.contains(kPersonsHand);
+    if (!letsGo_) {
+        letGo();
+    }
+}
+
 void HeldHands::letGo() {
+    letsGo_ = false;
     dragTo_.erase(kPersonsHand);
     if (std::exchange(pulling_, false)) {
         if (timeline_.perform(Release{kPersonsHand}).empty()) {
@@ -106,7 +136,7 @@ void HeldHands::letGoForGood() {
 }
 
 void HeldHands::forget() {
-    pulling_ = false;
+    pulling_ = letsGo_ = false;
     dragTo_.clear();
     settling_ = 0;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <variant>
@@ -18,6 +20,10 @@ struct SceneBody;
 class HeldHands {
   public:
     static constexpr int kPersonsHand = 0;  ///< its number among the hands
+    /// How fast a hand moves in simulated time, at most, whatever the pointer does while the body
+    /// is in slow motion [m/s]: 1 m/s, the peak speed of a person who reaches for something without
+    /// haste; about a body of more than a metre its `diagonal` [m] in a second.
+    static double usualSpeed(double diagonal) { return std::max(1.0, diagonal); }
 
     /// Both must outlive it.
     HeldHands(SceneBody& body, SceneTimeline& timeline) : body_(body), timeline_(timeline) {}
@@ -29,11 +35,17 @@ class HeldHands {
     double reachAt(const Vec3& at, double wanted);
     /// Hooks both lips of a cut. Returns the first of the two hooks, or one sentence.
     std::variant<int, std::string> hook(const Incision& incision);
+    /// From now on hands move no faster than that [m/s].
+    void limitSpeed(double speed) { speed_ = speed; }
     /// Moves a hand to a place in the coming steps [m].
     void dragTo(const Vec3& to, int hand = kPersonsHand) { dragTo_[hand] = to; }
     /// Releases the user's hand; hooks hold on, and time runs until they have arrived.
     void letGo();
-    bool pulling() const { return pulling_ || settling_ > 0; }
+    /// The same, once the hand is where it was dragged to.
+    void letGoThere();
+    bool pulling() const { return pulling_ || settling_ > 0 || !dragTo_.empty(); }
+    /// How far the places that hands were dragged to are from where they are, at most [m].
+    double ahead() const;
     /// Runs time for a while, so that the body follows hooks and pins.
     void settle();
     /// The hooks of all retractors, by number.
@@ -51,9 +63,14 @@ class HeldHands {
     void forget();
 
   private:
+    /// Moves a hand on its way; whether it has arrived.
+    bool moveOn(int hand, const Vec3& to);
+
     SceneBody& body_;
     SceneTimeline& timeline_;
+    double speed_ = std::numeric_limits<double>::infinity();  ///< at most [m/s]
     bool pulling_ = false;
+    bool letsGo_ = false;         ///< the user's hand, once it has arrived
     int settling_ = 0;            ///< steps of time left for what was released or hooked
     std::map<int, Vec3> dragTo_;  ///< targets of hands, until commanded
 };

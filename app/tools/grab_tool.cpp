@@ -34,13 +34,16 @@ class GrabTool : public Tool {
 
     std::string release(const ToolContext& c) override {
         if (held_) {
-            c.scene->hands().letGo();
+            c.scene->hands().letGoThere();
             held_.reset();
         }
         return "";
     }
 
-    void cancel(const ToolContext& c) override { release(c); }
+    void cancel(const ToolContext& c) override {
+        held_.reset();
+        c.scene->hands().letGo();
+    }
     bool holds() const override { return held_.has_value(); }
 
     void addTo(ui::Overlay& overlay, const ToolContext& c) const override {

@@ -63,10 +63,14 @@ void runLoop(Window& window, Editor& editor) {
         }
         editor.resize(window.width(), window.height());
         editor.setScale(window.scale());
+        const bool hidden = window.hidden();
+        editor.hide(hidden);
         editor.frame(watch.restart());
         window.setTitle(editor.title());
         window.setCursor(editor.cursor());
-        window.show(editor.picture());
+        if (!hidden) {
+            window.show(editor.picture());
+        }
     }
 }
 

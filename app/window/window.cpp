@@ -383,6 +383,11 @@ bool Window::closing() const {
     return glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 
+bool Window::hidden() const {
+    return glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE ||
+           glfwGetWindowAttrib(state_->window, GLFW_VISIBLE) == GLFW_FALSE;
+}
+
 void Window::stayOpen() {
     glfwSetWindowShouldClose(state_->window, GLFW_FALSE);
 }

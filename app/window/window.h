@@ -45,6 +45,8 @@ class Window {
     void setCursor(ui::Cursor cursor);
     /// Whether the user requested to close the window.
     bool closing() const;
+    /// Whether nobody sees it: it is minimised.
+    bool hidden() const;
     /// Cancels that request.
     void stayOpen();
     /// Whether the window was resized or uncovered since the last call (true the first time).

@@ -51,4 +51,11 @@ std::string massText(double kilograms) {
     return textIn(kUnits, kilograms);
 }
 
+std::string realTimeText(double factor) {
+    char text[48];
+    std::snprintf(text, sizeof text, factor < 0.095 ? "%.1gx real time" : "%.2gx real time",
+                  factor);
+    return text;
+}
+
 }  // namespace kerf

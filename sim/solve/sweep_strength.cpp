@@ -207,9 +207,7 @@ bool SweepStrength::isTooLittle(const Params& params) const {
         return false;
     }
     if (params.iterations == kAutoIterations) {
-        Params most = params;
-        most.iterations = mostIterations();
-        return error(most) > params.iterationError;
+        return leastError(params) > params.iterationError;
     }
     return carried(params) < (hasTrueModulus(params) ? kEnoughOfTrue : kEnoughOfPlain);
 }
@@ -221,6 +219,12 @@ double SweepStrength::error(const Params& params) const {
     const double waves = wavesPerSpeed_ * std::sqrt(params.youngsModulus / params.density);
     return kOfStiffness * (1 - carried(params)) + kOfBends * thickness_ * thickness_ * ofBends +
            kOfWaves * waves * substep;
+}
+
+double SweepStrength::leastError(const Params& params) const {
+    Params most = params;
+    most.iterations = mostIterations();
+    return error(most);
 }
 
 int SweepStrength::iterationsFor(const Params& params, double speed) const {

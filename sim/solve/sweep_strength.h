@@ -45,6 +45,8 @@ class SweepStrength {
     /// which a wave crosses the body. Bends are weighted by their energy under a uniform curvature.
     /// Fitted to `kerf experiment iterations`.
     double error(const Params& params) const;
+    /// error() with the most iterations that there are.
+    double leastError(const Params& params) const;
     /// The least number of iterations whose error() is at most params.iterationError, and which
     /// suit a body that meets something at this speed [m/s]: a substep moves it by a small share of
     /// an edge, and at the speed of sound, which deforms it deeply, they are those of the defaults.

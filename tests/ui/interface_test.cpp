@@ -594,6 +594,22 @@ TEST_F(InterfaceTest, WorkIsGivenUpOnlyWhereItMayEnd) {
     EXPECT_FALSE(interface->itemRects().contains("work.cancel"));
 }
 
+/// A stroke may begin under the box.
+TEST_F(InterfaceTest, TheBoxOfWorkTakesPressesOnItsButtonAlone) {
+    model.work = {.title = "Cutting", .stage = "Step 3 of 60", .done = 3, .all = 60};
+    update({});
+    update({});
+    const Rect button = interface->itemRects().at("work.cancel");
+    moveTo(button.x + button.width / 2, button.y + button.height / 2);
+    EXPECT_TRUE(interface->ownsPointer());
+    for (const double beside : {20.0, 100.0, 200.0}) {
+        moveTo(button.x - beside, button.y + button.height / 2);
+        EXPECT_FALSE(interface->ownsPointer()) << beside;
+        moveTo(button.x - beside, button.y - 10);
+        EXPECT_FALSE(interface->ownsPointer()) << beside;
+    }
+}
+
 // Dear ImGui's own lines end behind each dot: "1.41 cm to 2." and "65 cm".
 TEST_F(InterfaceTest, LinesEndInNoNumberAndNotBeforeItsUnit) {
     update({});

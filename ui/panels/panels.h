@@ -17,9 +17,8 @@ namespace kerf::ui {
 /// drawn.
 void drawMenuBar(const PanelModel& model, std::vector<Action>& actions);
 
-/// Draws the buttons that play, pause, step, reset and record, and the simulated time.
-void drawTransport(const TransportState& transport, const PlaybackState& playback,
-                   std::vector<Action>& actions);
+/// Draws the buttons that play, pause, step, reset and record, the simulated time and its pace.
+void drawTransport(const PanelModel& model, std::vector<Action>& actions);
 
 /// Draws the heading of a collapsible section. `id` is its name in Settings::folded. Returns false
 /// if collapsed: then draw nothing of it.
@@ -89,6 +88,8 @@ void drawPlots(const PlotsState& state, const TransportState& transport, const S
 /// Draws the time by stage: last, mean, smallest, largest, and the share of all stages, as in the
 /// paper's table 3.
 void drawStages(const History& history, const SubdivisionCounts& subdivisions);
+/// The shares of the stages in a line: "Deform 62 %, Collide 9 %".
+std::string sharesOfStages(const History& history);
 
 /// Draws the list of changes, oldest first, and the memory that their undo takes. A click goes to
 /// that change.

@@ -352,12 +352,13 @@ std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
         return "";
     }
     if (parameters.now.iterations == kAutoIterations) {
-        return "Even the maximum is too few for this iteration error. Use a smaller time step.";
+        return fmt::format("The maximum leaves an error of about {:.0f} %.",
+                           100 * parameters.sweeps->leastError(parameters.now));
     }
     const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
-    const std::string advice =
-        enough ? "Use at least " + std::to_string(*enough) + "." : "Use a smaller time step.";
-    return "Too few for this stiffness: the body is softer than its modulus. " + advice;
+    return fmt::format("Too few for this stiffness: about {:.0f} % too soft.{}",
+                       100 * (1 - parameters.sweeps->carried(parameters.now)),
+                       enough ? fmt::format(" Use at least {}.", *enough) : "");
 }
 
 std::string sliderFormat(const ParamInfo& info) {

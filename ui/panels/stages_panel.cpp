@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
@@ -21,15 +22,17 @@ constexpr std::array kTexts{
     StageText{Reading::cutMs, "Cut", "Cutting the mesh: CPU time of a step"},
     StageText{Reading::renderMs, "Render", "Drawing the scene: GPU time of a frame"},
     StageText{Reading::otherMs, "Other",
-              "The rest of a frame: measuring and reading the body, panels, the window"},
+              "The rest of the steps of a frame: measuring and reading the body"},
+    StageText{Reading::windowMs, "Window",
+              "The rest of a frame: panels, and waiting until the driver has drawn all of it"},
     StageText{Reading::frameMs, "Frame", "Time between two frames while playing, including panels"},
 };
 
-/// Sum of the means of all rows but the frame's [ms].
-double sumOfMeans(const History& history) {
+/// Of all rows but the frame's [ms].
+double sumOfStages(const History& history) {
     double sum = 0;
     for (const StageText& row : kTexts) {
-        sum += row.reading == Reading::frameMs ? 0 : history[row.reading].mean();
+        sum += row.reading == Reading::frameMs ? 0 : history[row.reading].sum();
     }
     return sum;
 }
@@ -91,9 +94,9 @@ void drawRow(const StageText& row, std::span<const TimeColumn> times, const Hist
     for (const TimeColumn& time : times) {
         millisecondsCell((series.*time.value)());
     }
-    const double sum = sumOfMeans(history);
+    const double sum = sumOfStages(history);
     if (row.reading != Reading::frameMs && sum > 0) {
-        numberCell(fmt::format("{:.0f} %", 100 * series.mean() / sum));
+        numberCell(fmt::format("{:.0f} %", 100 * series.sum() / sum));
     }
 }
 
@@ -113,6 +116,18 @@ void drawHeader(std::span<const TimeColumn> times) {
 
 }  // namespace
 
+std::string sharesOfStages(const History& history) {
+    const double sum = sumOfStages(history);
+    std::string text;
+    for (const StageText& row : kTexts) {
+        const double share = sum > 0 ? history[row.reading].sum() / sum : 0;
+        if (row.reading != Reading::frameMs && share >= 0.005) {
+            text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", row.name, 100 * share);
+        }
+    }
+    return text;
+}
+
 void drawStages(const History& history, const SubdivisionCounts& subdivisions) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
                         {0.25F * ImGui::GetFontSize(), 0.2F * ImGui::GetFontSize()});
@@ -121,7 +136,7 @@ void drawStages(const History& history, const SubdivisionCounts& subdivisions) {
     if (ImGui::BeginTable("stages", columns,
                           ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed,
-                                ImGui::CalcTextSize("Collide").x);
+                                ImGui::CalcTextSize("Window").x);
         drawHeader(times);
         for (const StageText& row : kTexts) {
             drawRow(row, times, history, subdivisions);

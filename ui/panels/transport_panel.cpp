@@ -1,10 +1,13 @@
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
+#include "sim/base/quantity_text.h"
+#include "ui/base/item_rects.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
@@ -75,7 +78,48 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
         }
         ImGui::EndCombo();
     }
-    itemTooltip("Playback speed (- and =), as far as the computer keeps up");
+    itemTooltip("Wanted speed of time (- and =), as far as the computer keeps up");
+}
+
+/// What steps were chosen, and what the clock went to.
+std::string explainPace(const PanelModel& model) {
+    const TransportState& transport = model.transport;
+    const Params& params = model.parameters.now;
+    return fmt::format(
+        "Real-time factor: simulated seconds over seconds of the clock.\n"
+        "Step {:.3g} ms, {} iterations{}{}.\n{}",
+        1000 * params.timeStep, model.parameters.iterations,
+        params.iterations == kAutoIterations ? " (auto)" : "",
+        transport.paceCost.empty() ? "" : ": " + transport.paceCost,
+        sharesOfStages(*model.plots.history));
+}
+
+void drawPace(const PanelModel& model, float width, std::vector<Action>& actions) {
+    const TransportState& transport = model.transport;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", transport.realTimeFactor
+                                  ? realTimeText(*transport.realTimeFactor).c_str()
+                                  : "real time: not run yet");
+    noteItem("transport.pace");
+    if (ImGui::IsItemHovered()) {
+        itemTooltip(explainPace(model));
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##pace", transport.keepsPace ? "Keep pace" : "Accurate")) {
+        if (ImGui::Selectable("Accurate", !transport.keepsPace) && transport.keepsPace) {
+            actions.emplace_back(ActionId::keepPace);
+        }
+        itemTooltip("Iterations as set: auto keeps to the iteration error, however long it takes");
+        if (ImGui::Selectable("Keep pace", transport.keepsPace) && !transport.keepsPace) {
+            actions.emplace_back(ActionId::keepPace);
+        }
+        itemTooltip("Steps as large and iterations as few as it takes to keep up with the clock");
+        ImGui::EndCombo();
+    }
+    noteItem("transport.keepPace");
+    itemTooltip(transport.keepsPace ? "Keep pace: " + transport.paceCost
+                                    : std::string("Accurate steps, or steps that keep pace"));
 }
 
 /// In a narrow panel words need the room more than what is around them.
@@ -102,8 +146,9 @@ void drawTransportButtons(const TransportState& transport, std::vector<Action>& 
 
 }  // namespace
 
-void drawTransport(const TransportState& transport, const PlaybackState& playback,
-                   std::vector<Action>& actions) {
+void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
+    const TransportState& transport = model.transport;
+    const PlaybackState& playback = model.session.playback;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
     drawTransportButtons(transport, actions);
@@ -113,6 +158,7 @@ void drawTransport(const TransportState& transport, const PlaybackState& playbac
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(transport.speed, actions);
+    drawPace(model, 1.6F * width, actions);
     const bool played = playback.played;
     if (played || transport.recording) {
         drawAddButton(width, actions);

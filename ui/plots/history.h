@@ -29,7 +29,9 @@ enum class Reading : std::uint8_t {
     framesPerSecond,
     frameMs,  ///< from picture to picture
     renderMs,
-    otherMs,  ///< of a frame, beside the stages of its steps and drawing the scene
+    otherMs,         ///< of the steps of a frame, beside their stages
+    windowMs,        ///< of a frame, beside its steps and drawing the scene
+    realTimeFactor,  ///< simulated seconds over seconds of the clock, from picture to picture
     // Of the plotted point, if any:
     pointStrain,  ///< the larger principal strain [%]
     pointArea,    ///< change of area [%]
@@ -69,7 +71,7 @@ struct CurveKind {
 
 /// A plot that can be chosen.
 struct PlotKind {
-    static constexpr std::size_t kMostCurves = 6;
+    static constexpr std::size_t kMostCurves = 7;
 
     const char* id;                       ///< its name in Settings::plots and in files
     const char* title;                    ///< "Volume, % of rest"
@@ -82,6 +84,11 @@ struct PlotKind {
 
 /// All plots in their order on the screen.
 inline constexpr std::array kPlots{
+    PlotKind{.id = "real_time",
+             .title = "Real-time factor",
+             .curves = {{"factor", Reading::realTimeFactor, Hue::vermillion}},
+             .minSpan = 0.01,
+             .readoutDecimals = 3},
     PlotKind{.id = "frames",
              .title = "Frames per second",
              .curves = {{"frames/s", Reading::framesPerSecond}},
@@ -94,7 +101,8 @@ inline constexpr std::array kPlots{
                         {"deform", Reading::deformMs},
                         {"cut", Reading::cutMs, Hue::vermillion},
                         {"collide", Reading::collideMs, Hue::green, CurveStyle::dashed},
-                        {"other", Reading::otherMs, Hue::orange, CurveStyle::dotted}},
+                        {"other", Reading::otherMs, Hue::orange, CurveStyle::dotted},
+                        {"window", Reading::windowMs, Hue::purple, CurveStyle::dotted}},
              .readoutDecimals = 2},
     PlotKind{.id = "volume",
              .title = "Volume, % of rest",

@@ -34,6 +34,7 @@ class Series {
     double last() const { return last_; }
     /// The mean of all values; 0 while empty.
     double mean() const { return count_ > 0 ? sum_ / count_ : 0; }
+    double sum() const { return sum_; }
     /// The lowest value; 0 while empty.
     double min() const { return min_; }
     /// The highest value; 0 while empty.

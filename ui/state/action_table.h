@@ -49,6 +49,7 @@ enum class ActionId : std::uint8_t {
     finishTry,
     slower,
     faster,
+    keepPace,
     record,
     loop,
     addPicture,

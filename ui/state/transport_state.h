@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 namespace kerf::ui {
 
 /// The state of time.
@@ -9,7 +12,11 @@ struct TransportState {
     bool seeking = false;   ///< steps are computed to go to another one
     bool pulling = false;   ///< a hand moves the body while time is paused
     bool stroking = false;  ///< the pointer draws a stroke, or poses of one are still to come
-    double speed = 1;       ///< of simulated time against the clock
+    double speed = 1;       ///< wanted, of simulated time against the clock
+    /// Simulated seconds over seconds of the clock, lately; none before time ran.
+    std::optional<double> realTimeFactor;
+    bool keepsPace = false;  ///< step and iterations follow the clock
+    std::string paceCost;    ///< what that costs: "about 20 % too soft"
     int step = 0;
     double time = 0;         ///< simulated, since the last restart [s]
     bool restarted = false;  ///< there was one

@@ -29,6 +29,7 @@ class BusyScene {
     double timeStep() const { return scene_->simulation().params().timeStep; }
     const UndoHistory& history() const { return scene_->simulation().history(); }
     const render::Camera& homeView() const { return scene_->rest().homeView(); }
+    double diagonal() const { return scene_->rest().bounds().diagonal(); }  ///< at rest [m]
     const Bounds& bounds() const { return scene_->simulation().bounds(); }
     /// What the home view has room for [m].
     Bounds homeBounds() const { return scene_->rest().lines().value_or(bounds()); }

@@ -11,7 +11,7 @@
 namespace kerf::app {
 namespace {
 
-constexpr double kMostDue = 4;                // steps, at speed 1
+constexpr double kMostBehind = 0.1;           // by which steps may be late; the rest is dropped [s]
 constexpr double kStepBudgetSeconds = 0.012;  // more than one step only while they are this fast
 constexpr double kNeededBudgetSeconds = 0.1;  // the same for steps without which a hand waits
 constexpr double kSeekBudgetSeconds = 0.2;    // the same for those that are not drawn
@@ -27,16 +27,13 @@ void StepClock::elapse(double seconds) {
     sinceShown_ += seconds;
 }
 
-int StepClock::takeDue(double timeStep) {
+void StepClock::passTime(double timeStep) {
     const double elapsed = std::exchange(sinceDue_, 0);
     const double more = byTheClock_ ? elapsed / timeStep : 1;
-    due_ = std::min(due_ + speed_ * more, kMostDue * std::max(1.0, speed_));
-    const int whole = static_cast<int>(due_);
-    due_ -= whole;
-    return whole;
+    due_ = std::min(due_ + speed_ * more, std::max(1.0, speed_) * (1 + kMostBehind / timeStep));
 }
 
-void StepClock::run(EditorScene& scene, int needed, int due) {
+void StepClock::run(EditorScene& scene, int needed, int most) {
     const WorkWatch watch;
     int done = 0;
     const bool seeks = scene.timeline().seekSteps() > 0;
@@ -46,26 +43,33 @@ void StepClock::run(EditorScene& scene, int needed, int due) {
                                             : kStepBudgetSeconds;
         return !byTheClock_ || done == 0 || watch.seconds() < budget;
     };
-    for (; done < std::max(needed, due) && mayGoOn(); ++done) {
+    for (; done < std::max(needed, most) && mayGoOn(); ++done) {
         scene.step();
     }
+    due_ = std::max(0.0, due_ - done);
+    stepSeconds_ += watch.seconds();
     secondsPerStep_ = done > 0 ? watch.seconds() / done : secondsPerStep_;
+}
+
+bool StepClock::isSlow() const {
+    return byTheClock_ && secondsPerStep_ > kStepBudgetSeconds;
 }
 
 double StepClock::portion() const {
     return byTheClock_ ? portion_ : std::numeric_limits<double>::infinity();
 }
 
-void StepClock::stop() {
+bool StepClock::stop() {
     due_ = 0;
     sinceDue_ = 0;
-    ranBefore_ = false;
+    return std::exchange(ranBefore_, false);
 }
 
-std::optional<double> StepClock::measure() {
+FrameTime StepClock::measure() {
     const double seconds = std::exchange(sinceShown_, 0);
+    const double steps = std::exchange(stepSeconds_, 0);
     const bool isFrame = std::exchange(ranBefore_, true) && seconds > 0;
-    return isFrame ? std::optional(seconds) : std::nullopt;
+    return isFrame ? FrameTime{seconds, steps} : FrameTime{};
 }
 
 }  // namespace kerf::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include "app/scene/readout/editor_readings.h"
 
 namespace kerf::app {
 
@@ -23,28 +23,34 @@ class StepClock {
 
     /// Adds the time between two frames [s].
     void elapse(double seconds);
-    /// Steps due since the last call; delays by slow frames are dropped.
-    int takeDue(double timeStep);
-    /// Runs up to `needed` steps, and up to `due` ones while they are faster still.
-    void run(EditorScene& scene, int needed, int due);
+    /// Lets the time since the last call become due; delays beyond a tenth of a second are dropped.
+    void passTime(double timeStep);
+    /// Whole steps that are due.
+    int due() const { return static_cast<int>(due_); }
+    /// Runs up to `needed` steps, and up to `most` while they are faster still.
+    void run(EditorScene& scene, int needed, int most);
+    /// Whether steps take so long that pictures should wait for several of them.
+    bool isSlow() const;
     /// How long the scene may work between two frames [s]; infinite if not by the clock.
     double portion() const;
     /// How long a step took when one was last run [s].
     double secondsPerStep() const { return secondsPerStep_; }
-    /// Pauses: nothing is due, and the next visible steps end no frame.
-    void stop();
+    /// Pauses: nothing is due, and the next visible steps end no frame. Whether time ran until now.
+    bool stop();
 
-    /// Records that new steps are visible. Returns the frame time [s], unless paused since the last
-    /// ones.
-    std::optional<double> measure();
+    /// Whether nothing was measured since the last pause.
+    bool starts() const { return !ranBefore_; }
+    /// Records that new steps are visible. Returns the time since the last ones.
+    FrameTime measure();
 
   private:
     bool byTheClock_;
     double portion_;
     double speed_ = 1;
-    double due_ = 0;         ///< steps
-    double sinceDue_ = 0;    ///< [s]
-    double sinceShown_ = 0;  ///< [s]
+    double due_ = 0;          ///< steps
+    double sinceDue_ = 0;     ///< [s]
+    double sinceShown_ = 0;   ///< [s]
+    double stepSeconds_ = 0;  ///< in steps, since measure() [s]
     double secondsPerStep_ = 0;
     bool ranBefore_ = false;
 };

@@ -43,12 +43,6 @@ void EditorPicture::fit(const EditorView& view) {
     }
 }
 
-bool EditorPicture::rests() const {
-    constexpr double kQuick = 0.05;  // [s]
-    constexpr double kRest = 3;      // of what it takes longer
-    return sinceDrawn_.seconds() < kRest * (drawSeconds_ - kQuick);
-}
-
 void EditorPicture::keep(const EditorView& view) {
     fit(view);
     if (drawn_) {
@@ -68,12 +62,9 @@ void EditorPicture::draw(const BusyScene& scene, const EditorView& view,
     }
     if (Shot shot{view.frame(), view.display, std::move(covered), view.bright, true, ledTo(scene)};
         changed || drawn_ != shot) {
-        const Stopwatch watch;
         sceneTimer_.begin();
         drawScene(scene, shot, false);
         sceneTimer_.end();
-        drawSeconds_ = watch.seconds();
-        sinceDrawn_.restart();
         drawn_ = std::move(shot);
     }
     renderer_.target().blitColorTo(target_);  // The panels move while the scene stands still.

@@ -9,7 +9,6 @@
 #include "gpu/framebuffer.h"
 #include "gpu/timer.h"
 #include "render/renderer.h"
-#include "sim/base/stopwatch.h"
 
 namespace kerf::app {
 
@@ -34,9 +33,6 @@ class EditorPicture {
     void drawModel(const render::SceneView& model, const EditorView& view, bool changed);
     /// Draws the scene of the last frame.
     void keep(const EditorView& view);
-    /// Whether steps should continue before they are shown: if drawing takes long, most of the time
-    /// is for steps.
-    bool rests() const;
     /// Whether the last frame shows the body that was set last.
     bool hasBody() const { return drawn_.has_value(); }
     /// The frame, over which the panels are drawn.
@@ -78,8 +74,6 @@ class EditorPicture {
     double sceneMilliseconds_ = 0;
     gpu::Framebuffer target_;
     render::FieldRange fieldRange_;
-    double drawSeconds_ = 0;  ///< drawing time of the last scene
-    Stopwatch sinceDrawn_;
     std::optional<Shot> drawn_;  ///< the picture of the scene that the renderer holds
 };
 

@@ -1,9 +1,16 @@
 #include "app/editor/view/first_steps.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <cmath>
 
+#include "app/scene/document/rest_of_body.h"
+#include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/held_hands.h"
+#include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_timeline.h"
+#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/run/parts/step_report.h"
 #include "ui/state/action_table.h"
@@ -14,7 +21,13 @@ using ui::ActionId;
 using ui::actionOf;
 using ui::Hint;
 
-constexpr double kLately = 0.2;  // simulated time in which one advance follows another [s]
+constexpr double kLately = 0.2;     // simulated time in which one advance follows another [s]
+constexpr double kSlow = 0.25;      // real-time factor below which keeping pace is proposed
+constexpr double kFarAhead = 0.01;  // of a hand, as a share of the body's diagonal
+
+static bool isFarAhead(const EditorScene& scene) {
+    return scene.hands().ahead() > kFarAhead * scene.rest().bounds().diagonal();
+}
 
 void CutWatch::follow(bool cutting, int pieces, int triangles) {
     const MeshCounts now{pieces, triangles};
@@ -52,6 +65,8 @@ void FirstSteps::follow(const Situation& now) {
     played_ |= now.playing && now.session;
     const bool falls = now.playing && !now.weightless;
     weighed_ |= falls;
+    proposed_ |= proposes_ && !now.slow;
+    proposes_ = now.slow.has_value();
     wentOn_ |= fell_ && now.cutting;
     fell_ |= falls && now.parted();
 }
@@ -61,6 +76,11 @@ Hint FirstSteps::hint(const Situation& now) const {
         return {};
     }
     if (now.playing) {
+        if (now.slow && !proposed_) {
+            return {fmt::format("Time runs at {} here. Coarser steps keep pace better.",
+                                realTimeText(*now.slow)),
+                    {{ActionId::keepPace, "Keep pace"}}};
+        }
         const bool still = now.weightless && !now.session && !weighed_;
         return still ? Hint{"Gravity is off, so nothing falls.",
                             {{ActionId::toggleGravity, "Turn on gravity"}}}
@@ -151,12 +171,17 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.touching = view.tools.holdsBody();
     now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
+    const std::optional<double> factor = scene->readout().readings().realTimeFactor();
+    if (now.playing && mayKeepPace_ && factor < kSlow) {
+        now.slow = factor;
+    }
     now.outcome = cutWatch_.outcome();
     now.refusal = scene->simulation().refusalOfStroke();
     return now;
 }
 
-bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
+bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view, bool mayKeepPace) {
+    mayKeepPace_ = mayKeepPace && !scene.document().session.task && !scene.timeline().playingBack();
     const StrokeOutcome before = cutWatch_.outcome();
     Situation now = situationOf(&scene, view);
     cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);
@@ -181,8 +206,13 @@ ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) c
     if (!tip_.empty()) {
         return {tip_, {}};
     }
-    std::string tear = scene != nullptr ? whyItTears(*scene, view) : "";
-    return tear.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{tear, {}};
+    std::string told = scene != nullptr ? whyItTears(*scene, view) : "";
+    if (scene != nullptr && isFarAhead(*scene)) {
+        told += (told.empty() ? "" : " ") +
+                fmt::format("The body follows in slow motion: the hand is {} ahead.",
+                            lengthText(scene->hands().ahead()));
+    }
+    return told.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{told, {}};
 }
 
 }  // namespace kerf::app

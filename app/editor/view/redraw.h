@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/base/stopwatch.h"
 
@@ -15,18 +16,15 @@ class Redraw {
 
     const bool drawsAll;
     bool screenshotWanted = false;  ///< of the next picture
-    Stopwatch sincePicture;
+    bool hidden = false;            ///< nobody sees the window
 
     /// The body or its surroundings have changed: redraws the scene and the panels.
     void scene() {
         scene_ = true;
         panels();
     }
-    /// Steps have moved the body: redraws the panels, and the scene when steps are shown.
-    void steps() {
-        steps_ = true;
-        panels();
-    }
+    /// Steps have moved the body: redraws the scene, with the panels, when steps are shown.
+    void steps() { steps_ = true; }
     /// The content of the panels has changed.
     void panels() { updates_ = kSettleUpdates; }
     /// Counts an update of the panels. A `quiet` one had no input and no action.
@@ -37,9 +35,38 @@ class Redraw {
     bool takeScene(bool showSteps = true) {
         const bool wanted = scene_ || putOff_ || (showSteps && steps_);
         if (wanted) {
+            shown_ = shown_ || steps_;
             scene_ = steps_ = putOff_ = false;
+            drawing_ = true;
+            sinceScene_.restart();
         }
         return wanted;
+    }
+    /// Whether steps were shown since the last call.
+    bool takeShown() { return std::exchange(shown_, false); }
+    /// A picture is about to be drawn; what comes before that took `before` [s].
+    void begin(double before) {
+        before_ = before;
+        sincePicture_.restart();
+    }
+    /// It is on the screen.
+    void end() {
+        if (std::exchange(drawing_, false)) {
+            cost_ = before_ + sinceScene_.seconds();
+        }
+    }
+    /// Since the last picture was begun, perhaps of the panels alone [s].
+    double sincePicture() const { return sincePicture_.seconds(); }
+    /// Whether steps that can't keep up with the clock have run long enough for a picture of them:
+    /// pictures take a fifth of the time at most, and come 12 times a second unless they are cheap;
+    /// but once a second however much they cost.
+    bool stepsAreDue() const {
+        constexpr double kUsual = 1.0 / 12;  // [s]
+        constexpr double kCheap = 12;        // times its cost
+        constexpr double kLeast = 5;         // the same
+        constexpr double kMost = 1;          // beside its cost [s]
+        const double rest = std::max(kLeast * cost_, std::min(kCheap * cost_, kUsual));
+        return sinceScene_.seconds() >= std::min(rest, cost_ + kMost);
     }
     /// Postpones it to the next takeScene(); nothing is pending until then.
     void putOff() { putOff_ = takeScene(); }
@@ -55,6 +82,12 @@ class Redraw {
     bool scene_ = true;
     bool steps_ = false;
     bool putOff_ = false;
+    bool shown_ = false;
+    bool drawing_ = false;
+    Stopwatch sincePicture_;
+    Stopwatch sinceScene_;  ///< was begun to be drawn
+    double before_ = 0;     ///< [s]
+    double cost_ = 0;       ///< of its picture, with the panels [s]
     int updates_ = kSettleUpdates;
 };
 

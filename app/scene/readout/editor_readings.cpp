@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sim/mesh/invariants.h"
 
@@ -12,6 +14,7 @@ namespace {
 // Shares of the body's size: what counts as clear of the floor, and as back on it.
 constexpr double kClear = 0.02;
 constexpr double kTouching = 0.002;
+constexpr double kSettles = 1;  // within which the real-time factor takes up a new pace [s]
 
 /// When a reading takes its value from the report.
 enum class When {
@@ -57,17 +60,30 @@ constexpr std::array kFromReport{
     FromReport{Reading::lostPieces, When::addingUp, [](Report r) { return 1.0 * r.lostPieces; }},
 };
 
+/// The times of a picture of a running scene.
+struct PictureTimes {
+    FrameTime frame;
+    double renderMs = 0;
+    double stagesMs = 0;   ///< of its steps
+    double simulated = 0;  ///< since the picture before [s]
+};
+using Times = const PictureTimes&;
+
 /// A reading that comes from the pictures.
 struct FromPicture {
     Reading reading;
-    double (*value)(double elapsedSeconds, double renderMs, double otherMs);
+    double (*value)(Times);
 };
 constexpr std::array kFromPicture{
-    FromPicture{Reading::framesPerSecond,
-                [](double seconds, double, double) { return 1 / seconds; }},
-    FromPicture{Reading::frameMs, [](double seconds, double, double) { return 1000 * seconds; }},
-    FromPicture{Reading::renderMs, [](double, double renderMs, double) { return renderMs; }},
-    FromPicture{Reading::otherMs, [](double, double, double otherMs) { return otherMs; }},
+    FromPicture{Reading::framesPerSecond, [](Times t) { return 1 / t.frame.all; }},
+    FromPicture{Reading::frameMs, [](Times t) { return 1000 * t.frame.all; }},
+    FromPicture{Reading::renderMs, [](Times t) { return t.renderMs; }},
+    FromPicture{Reading::otherMs,
+                [](Times t) { return std::max(0.0, 1000 * t.frame.steps - t.stagesMs); }},
+    FromPicture{
+        Reading::windowMs,
+        [](Times t) { return std::max(0.0, 1000 * (t.frame.all - t.frame.steps) - t.renderMs); }},
+    FromPicture{Reading::realTimeFactor, [](Times t) { return t.simulated / t.frame.all; }},
 };
 
 /// A reading of the plotted point.
@@ -114,7 +130,7 @@ bool ImpactWatch::see(const std::vector<Bounds>& boxes, std::optional<double> fl
 
 void EditorReadings::addStep(double time, const Simulation& simulation) {
     addReport(time, simulation, true);
-    unexplainedMs_ -= simulation.report().times.sum();
+    stagesMs_ += simulation.report().times.sum();
     if (impacts_.see(simulation.pieceBounds(), simulation.params().floor,
                      simulation.bounds().diagonal())) {
         mark(time, "impact");
@@ -123,6 +139,7 @@ void EditorReadings::addStep(double time, const Simulation& simulation) {
 
 void EditorReadings::addJump(double time, const Simulation& simulation) {
     addReport(time, simulation, false);
+    pictured_.reset();
 }
 
 void EditorReadings::addReport(double time, const Simulation& simulation, bool stepped) {
@@ -148,19 +165,19 @@ void EditorReadings::addPieces(double time, const std::vector<Piece>& pieces) {
     }
 }
 
-/// A frame may be counted before all of its steps: what is explained too early is kept for the
-/// next.
-void EditorReadings::addPicture(double time, std::optional<double> elapsedSeconds,
-                                double renderMs) {
-    if (!elapsedSeconds) {
-        unexplainedMs_ = 0;
+void EditorReadings::addPicture(double time, const FrameTime& frame, double renderMs) {
+    const double before = std::exchange(pictured_, time).value_or(time);
+    const PictureTimes times{frame, renderMs, std::exchange(stagesMs_, 0), time - before};
+    if (frame.all <= 0) {
         return;
     }
-    unexplainedMs_ += 1000 * *elapsedSeconds - renderMs;
-    const double otherMs = std::max(0.0, unexplainedMs_);
-    unexplainedMs_ -= otherMs;
     for (const auto& [reading, valueIn] : kFromPicture) {
-        history_[reading].add(time, valueIn(*elapsedSeconds, renderMs, otherMs));
+        history_[reading].add(time, valueIn(times));
+    }
+    if (times.simulated > 0) {
+        const double factor = times.simulated / frame.all;
+        const double former = realTimeFactor_.value_or(factor);
+        realTimeFactor_ = former + (factor - former) * (1 - std::exp(-frame.all / kSettles));
     }
 }
 
@@ -182,6 +199,7 @@ void EditorReadings::forgetAfter(double time) {
     std::ranges::for_each(history_.piecePercent, forget);
     std::erase_if(history_.marks, [time](const ui::PlotMark& mark) { return mark.x > time; });
     impacts_ = {};
+    pictured_.reset();
 }
 
 std::optional<ui::RunFigures> EditorReadings::figures() const {

@@ -22,6 +22,13 @@ class ImpactWatch {
     std::vector<bool> clear_;  ///< of the floor, by piece
 };
 
+/// The time from one picture of a running scene to the next [s]; 0 where time stood still between
+/// them.
+struct FrameTime {
+    double all = 0;
+    double steps = 0;  ///< of it, in steps
+};
+
 /// The data of the plots and the stage table of a run since its start, by its time [s].
 class EditorReadings {
   public:
@@ -30,9 +37,8 @@ class EditorReadings {
     void addStep(double time, const Simulation& simulation);
     /// Takes the values of the state after undo or redo.
     void addJump(double time, const Simulation& simulation);
-    /// Takes the times of a frame, `elapsedSeconds` after the previous one; nothing where time
-    /// stood still between them.
-    void addPicture(double time, std::optional<double> elapsedSeconds, double renderMs);
+    /// Takes the times of a frame that shows `time`.
+    void addPicture(double time, const FrameTime& frame, double renderMs);
     /// Takes the values of the plotted point.
     void addPoint(double time, const PointValues& values);
     void forgetPoint();
@@ -42,6 +48,8 @@ class EditorReadings {
     void forgetAfter(double time);
 
     const ui::History& history() const { return history_; }
+    /// The real-time factor of about the last second in which time ran; none before that.
+    std::optional<double> realTimeFactor() const { return realTimeFactor_; }
     /// Mean frame rate and volume; none before the first step and the first frame.
     std::optional<ui::RunFigures> figures() const;
 
@@ -52,7 +60,9 @@ class EditorReadings {
 
     ui::History history_;
     ImpactWatch impacts_;
-    double unexplainedMs_ = 0;  ///< of the frames; less than 0 where steps were counted before them
+    double stagesMs_ = 0;                   ///< of the steps since the last frame
+    std::optional<double> pictured_;        ///< the time that frame showed; none after a jump
+    std::optional<double> realTimeFactor_;  ///< smoothed
 };
 
 }  // namespace kerf::app

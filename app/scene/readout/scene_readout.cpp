@@ -92,8 +92,8 @@ void SceneReadout::addPoint() {
     }
 }
 
-void SceneReadout::addPicture(std::optional<double> elapsedSeconds, double renderMs) {
-    readings_.addPicture(timeline_.time(), elapsedSeconds, renderMs);
+void SceneReadout::addPicture(const FrameTime& frame, double renderMs) {
+    readings_.addPicture(timeline_.time(), frame, renderMs);
 }
 
 // --- What is shown -----------------------------------------------------------------------------
@@ -157,6 +157,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.transport.step = simulation.stepCount();
     model.transport.restarted = timeline_.start().step > 0;
     model.transport.time = timeline_.time();
+    model.transport.realTimeFactor = readings_.realTimeFactor();
     describeChanges(model.changes);
     model.body.vertices = report.vertices;
     model.body.triangles = report.triangles;

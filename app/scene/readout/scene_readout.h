@@ -59,6 +59,8 @@ class SceneReadout {
     /// The document's faults as marks on the present body, where its triangles are undivided.
     const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
     const EditorReadings& readings() const { return readings_; }
+    /// What the iterations of the body are good for, as of the last description.
+    const SweepStrength& sweeps() const { return sweeps_; }
     /// The forces on the blade in the steps so far, where they are measured.
     const ForceTrace& forces() const { return forces_; }
 
@@ -77,9 +79,8 @@ class SceneReadout {
     void goBack(bool countsAnew);
     /// Plots the values of a point from now on, in place of another; none: of no point.
     void plot(std::optional<SurfaceAnchor> point);
-    /// Records a frame: the time since the previous one [s], nothing where time stood still between
-    /// them, and drawing time since then [ms].
-    void addPicture(std::optional<double> elapsedSeconds, double renderMs);
+    /// Records a frame, with the drawing time since the previous one [ms].
+    void addPicture(const FrameTime& frame, double renderMs);
 
   private:
     void addPoint();

@@ -46,9 +46,13 @@ TEST(Redraw, StepsWaitUntilTheyAreToBeShown) {
     Redraw redraw = drawn();
     redraw.steps();
     EXPECT_TRUE(redraw.stepsPending());
+    EXPECT_FALSE(redraw.pending()) << "the panels are drawn with them";
     EXPECT_FALSE(redraw.takeScene(false));
+    EXPECT_FALSE(redraw.takeShown());
     EXPECT_TRUE(redraw.takeScene(true));
     EXPECT_FALSE(redraw.stepsPending());
+    EXPECT_TRUE(redraw.takeShown());
+    EXPECT_FALSE(redraw.takeShown());
     redraw.steps();
     redraw.scene();
     EXPECT_TRUE(redraw.takeScene(false)) << "what else has changed shows at once, and they with it";

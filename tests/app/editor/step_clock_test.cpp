@@ -14,26 +14,39 @@ TEST(StepClock, TimeThatStoodIsNotCaughtUpWith) {
     clock.elapse(10);
     clock.stop();
     clock.elapse(kPicture);
-    EXPECT_EQ(clock.takeDue(kTimeStep), 2);
+    clock.passTime(kTimeStep);
+    EXPECT_EQ(clock.due(), 2);
 }
 
-TEST(StepClock, WhatASlowPictureLeavesBehindIsNotCaughtUpWith) {
+TEST(StepClock, MoreThanATenthOfASecondIsNotCaughtUpWith) {
+    for (const double step : {0.001, kTimeStep, 0.02}) {
+        StepClock clock(true, 1);
+        clock.elapse(10);
+        clock.passTime(step);
+        EXPECT_NEAR(clock.due() * step, 0.1, 1.01 * step)
+            << "a small step is no reason to fall behind";
+    }
+}
+
+TEST(StepClock, FasterTimeIsDueSooner) {
     StepClock clock(true, 1);
-    clock.elapse(10);
-    EXPECT_EQ(clock.takeDue(kTimeStep), 4);
+    clock.setSpeed(4);
     clock.elapse(kPicture);
-    EXPECT_LE(clock.takeDue(kTimeStep), 2);
+    clock.passTime(kTimeStep);
+    EXPECT_EQ(clock.due(), 8);
 }
 
 TEST(StepClock, APauseIsNoFrameTime) {
     StepClock clock(true, 1);
-    EXPECT_FALSE(clock.measure());
+    EXPECT_TRUE(clock.starts());
+    EXPECT_EQ(clock.measure().all, 0);
     clock.elapse(kPicture);
-    EXPECT_EQ(clock.measure(), kPicture);
+    EXPECT_EQ(clock.measure().all, kPicture);
     clock.elapse(1);
-    clock.stop();
+    EXPECT_TRUE(clock.stop());
+    EXPECT_FALSE(clock.stop()) << "it rested";
     clock.elapse(kPicture);
-    EXPECT_FALSE(clock.measure());
+    EXPECT_EQ(clock.measure().all, 0);
 }
 
 }  // namespace

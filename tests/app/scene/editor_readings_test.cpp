@@ -54,17 +54,48 @@ TEST_F(EditorReadingsTest, WhatNoStageCountsIsTheRestOfTheFrames) {
         readings.addStep(simulation.report().time, simulation);
     };
     step();
-    readings.addPicture(simulation.report().time, std::nullopt, 500);
+    readings.addPicture(simulation.report().time, {}, 500);
     stages = 0;
     step();
-    readings.addPicture(simulation.report().time, 0, 0);  // the step counts in the next frame
     step();
+    readings.addPicture(simulation.report().time, {60, 40}, 3);
+    const ui::History& history = readings.history();
+    EXPECT_EQ(history[ui::Reading::otherMs].buckets().size(), 1U);
+    EXPECT_NEAR(history[ui::Reading::otherMs].last(), 40'000 - stages, 1e-6);
+    EXPECT_NEAR(history[ui::Reading::windowMs].last(), 20'000 - 3, 1e-6);
     step();
-    readings.addPicture(simulation.report().time, 60, 3);
-    const ui::Series& other = readings.history()[ui::Reading::otherMs];
-    EXPECT_EQ(other.buckets().size(), 2U);
-    EXPECT_EQ(other.min(), 0);
-    EXPECT_NEAR(other.last(), 60'000 - 3 - stages, 1e-6);
+    readings.addPicture(simulation.report().time, {1e-9, 1e-9}, 3);
+    EXPECT_EQ(history[ui::Reading::otherMs].min(), 0) << "a timer of the driver may tell more";
+}
+
+/// Simulated seconds over seconds of the clock, but not across a jump in time.
+TEST_F(EditorReadingsTest, TheRealTimeFactorIsOfWhatTheClockSaw) {
+    Params params;
+    params.iterations = 4;
+    Simulation simulation(test::cubeSphere(4, 0.5), params);
+    EditorReadings readings;
+    EXPECT_FALSE(readings.realTimeFactor());
+    const auto picture = [&](int steps, double seconds) {
+        for (int i = 0; i < steps; ++i) {
+            simulation.step();
+            readings.addStep(simulation.report().time, simulation);
+        }
+        readings.addPicture(simulation.report().time, {seconds, seconds}, 0);
+    };
+    picture(1, 0);
+    EXPECT_FALSE(readings.realTimeFactor());
+    picture(4, 0.1);
+    const ui::Series& factor = readings.history()[ui::Reading::realTimeFactor];
+    EXPECT_NEAR(factor.last(), 4 * params.timeStep / 0.1, 1e-9);
+    EXPECT_NEAR(*readings.realTimeFactor(), factor.last(), 1e-9);
+    picture(4, 0.2);
+    EXPECT_NEAR(factor.last(), 4 * params.timeStep / 0.2, 1e-9);
+    EXPECT_GT(*readings.realTimeFactor(), factor.last())
+        << "it takes a new pace up within a second";
+    readings.addJump(0, simulation);
+    const double before = *readings.realTimeFactor();
+    picture(0, 0.1);
+    EXPECT_EQ(readings.realTimeFactor(), before);
 }
 
 TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
@@ -77,7 +108,7 @@ TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
     for (int i = 0; i < 60; ++i) {
         simulation.step();
         readings.addStep(simulation.report().time, simulation);
-        readings.addPicture(simulation.report().time, 0.02, 3);
+        readings.addPicture(simulation.report().time, {0.02, 0.01}, 3);
     }
     const ui::History& history = readings.history();
     EXPECT_EQ(history[ui::Reading::volumePercent].buckets().size(), 60U);

@@ -43,6 +43,27 @@ TEST(BladeStroke, KnowsTheStrokesThatWait) {
     EXPECT_EQ(stroke.waiting(), 0);
 }
 
+/// Where time runs, the blade keeps to the speed of a hand.
+TEST(BladeStroke, GoesNoFartherInAStepThanItsLimit) {
+    BladeStroke stroke;
+    const auto longest = [&] {
+        stroke.begin(space(), {-0.5, 0});
+        stroke.moveTo({0.5, 0});
+        stroke.end();
+        const std::vector<Blade> poses = drainPoses(stroke);
+        double most = 0;
+        for (std::size_t i = 1; i < poses.size(); ++i) {
+            most = std::max(most, space().distance(poses[i - 1], poses[i]));
+        }
+        return most;
+    };
+    const double free = longest();
+    stroke.limitStep(free / 7);
+    const double limited = longest();
+    EXPECT_LE(limited, free / 7 * (1 + 1e-9));
+    EXPECT_GE(limited, free / 8);
+}
+
 TEST(StrokeSpace, TheBladeLiesOnTheRayThroughThePointer) {
     const render::Camera camera;
     const Vec2 ndc(0.3, -0.2);
