@@ -77,7 +77,7 @@ if(KERF_PYTHON)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")  # a module is for one minor version
   string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 endif()
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "cut soft 3D models in real time")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "cut soft 3D models while they move")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Kerf is a desktop editor in which a blade is dragged through an ordinary
 triangle mesh. The mesh opens while the blade moves, its pieces sag and

@@ -292,7 +292,7 @@ void toggleQuality(State& s) {
 void showAbout(State& s) {
     const std::filesystem::path& settings = s.panels.settings.file();
     s.panels.asked = {{.title = "About Kerf",
-                       .text = "Kerf " KERF_VERSION " cuts soft 3D models in real time.\n\n"
+                       .text = "Kerf " KERF_VERSION " cuts soft 3D models while they move.\n\n"
                                "Renderer: " +
                                s.panels.device + "\nDriver: " + s.panels.driver + "\nSettings: " +
                                (settings.empty() ? "not saved" : settings.string()),

@@ -11,6 +11,7 @@
 #include "app/journal/journal_folder.h"
 #include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
+#include "app/window/editor_loop.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/context_loss.h"
@@ -41,37 +42,6 @@ EditorOptions optionsFor(const Window& window) {
     options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
-}
-
-/// Draws while something moves, and else waits: a still picture costs nothing.
-void runLoop(Window& window, Editor& editor) {
-    Stopwatch watch;
-    Stopwatch sinceLook;
-    while (!editor.closing()) {
-        window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
-        if (sinceLook.seconds() >= kLongestWait) {
-            sinceLook.restart();
-            editor.lookAtFiles();
-        }
-        if (window.closing()) {
-            window.stayOpen();
-            editor.askToLeave();
-        }
-        const bool damaged = window.takeDamage();
-        if (!damaged && (editor.idleSeconds() > watch.seconds() || editor.workOn())) {
-            continue;
-        }
-        editor.resize(window.width(), window.height());
-        editor.setScale(window.scale());
-        const bool hidden = window.hidden();
-        editor.hide(hidden);
-        editor.frame(watch.restart());
-        window.setTitle(editor.title());
-        window.setCursor(editor.cursor());
-        if (!hidden) {
-            window.show(editor.picture());
-        }
-    }
 }
 
 void openWindow(const std::optional<std::filesystem::path>& file, const std::string& notice = "") {
@@ -112,6 +82,36 @@ void openThroughResets(const std::optional<std::filesystem::path>& file) {
 }
 
 }  // namespace
+
+void runLoop(Window& window, Editor& editor, const std::function<bool()>& isOver) {
+    Stopwatch watch;
+    Stopwatch sinceLook;
+    while (!editor.closing() && !(isOver && isOver())) {
+        window.waitEvents(std::min(editor.idleSeconds() - watch.seconds(), kLongestWait));
+        if (sinceLook.seconds() >= kLongestWait) {
+            sinceLook.restart();
+            editor.lookAtFiles();
+        }
+        if (window.closing()) {
+            window.stayOpen();
+            editor.askToLeave();
+        }
+        const bool damaged = window.takeDamage();
+        if (!damaged && (editor.idleSeconds() > watch.seconds() || editor.workOn())) {
+            continue;
+        }
+        editor.resize(window.width(), window.height());
+        editor.setScale(window.scale());
+        const bool hidden = window.hidden();
+        editor.hide(hidden);
+        editor.frame(watch.restart());
+        window.setTitle(editor.title());
+        window.setCursor(editor.cursor());
+        if (!hidden) {
+            window.show(editor.picture());
+        }
+    }
+}
 
 int runEditor(const std::optional<std::filesystem::path>& file) {
     if (SettingsFile(defaultSettingsFile()).now.softwareRenderer) {
