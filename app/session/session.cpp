@@ -164,7 +164,7 @@ ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
             models[m].remarks.push_back(std::move(remark));
         }
     }
-    return joined(std::move(models));
+    return joinedModels(std::move(models));
 }
 
 ModelMesh loadSessionModel(const Session& session) {

@@ -101,7 +101,7 @@ repair::Faults joinedFaults(const std::vector<ModelMesh>& models) {
 
 }  // namespace
 
-ModelMesh joined(std::vector<ModelMesh> models) {
+ModelMesh joinedModels(std::vector<ModelMesh> models) {
     if (models.size() == 1) {
         return std::move(models.front());
     }

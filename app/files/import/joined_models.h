@@ -8,7 +8,7 @@
 namespace kerf::app {
 
 /// The models of a scene in one mesh, in order, with all their looks. None may be missing.
-ModelMesh joined(std::vector<ModelMesh> models);
+ModelMesh joinedModels(std::vector<ModelMesh> models);
 
 /// Gives the triangles of a model without a material one of this display colour. `name` is that of
 /// the material.
