@@ -129,8 +129,8 @@ const app::MetricsRow& ScriptedRun::step() {
     running_->driver().applyActions(*schedule_, *this);
     iterations_.add(stepCount(), simulation().bodyModel(), simulation().params());
     const StepReport& report = running_->step();
-    row_ = {report, 0, watch.milliseconds(),
-            app::namesToughness(session_, running_->simulation().params())};
+    row_ = {report, 0, watch.milliseconds(), app::namesToughness(session_, simulation().params()),
+            app::secondsOfStep(simulation())};
     tellMessages();
     return row_;
 }

@@ -144,6 +144,7 @@ void printForPeople(const ReplayResult& result, const ReplayArguments& arguments
     if (!arguments.strip.file.empty()) {
         out << "strip: " << arguments.strip.file.string() << "\n";
     }
+    out << "time: " << run.realTime.sentence() << "\n";
 }
 
 void printJson(const ReplayResult& result, const ReplayArguments& arguments,

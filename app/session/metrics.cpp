@@ -75,6 +75,9 @@ MetricsValue dividedOtherwise(const MetricsRow& row) {
 MetricsValue otherMsOf(const MetricsRow& row) {
     return valueOf(std::max(0.0, row.frameMs - row.report.times.sum()));
 }
+MetricsValue realTimeFactorOf(const MetricsRow& row) {
+    return valueOf(realTimeFactor(row.simulatedSeconds, row.frameMs));
+}
 MetricsValue fractureEnergyOf(const MetricsRow& row) {
     return row.namesToughness ? valueOf(row.report.fractureEnergy) : MetricsValue();
 }
@@ -170,6 +173,8 @@ constexpr MetricsColumn kColumns[] = {
     {"tear_refused", torn<&TearReport::failed>, "Whether it should have, but the mesh held it."},
     {"tear_opening", torn<&TearReport::opening>, "Of the widest slit, over what its end needs."},
     {"tear_stress", torn<&TearReport::stress>, "The largest, over the strength of the skin."},
+    {"real_time_factor", realTimeFactorOf,
+     "Simulated time of the step over frame_ms; None while time is paused."},
 };
 
 }  // namespace
@@ -250,6 +255,7 @@ void RunStatistics::add(const MetricsRow& row) {
     collideMs.add(row.report.times.collide);
     cutMs.add(row.report.times.cut);
     searchMs.add(row.report.search.milliseconds);
+    realTime.add(row.simulatedSeconds, row.frameMs, row.renderMs);
     addTo(subdivisions, row.report.subdivisions);
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
@@ -271,6 +277,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
                             {"min", run.volumeRatio.min()},
                             {"final", run.finalVolumeRatio}};
     json["fps"] = {{"mean", run.meanFps()}, {"min", run.fps.min()}, {"max", run.fps.max()}};
+    json["real_time_factor"] = toJson(run.realTime);
     json["stages_ms"] = {{"deform", toJson(run.deformMs)},
                          {"collide", toJson(run.collideMs)},
                          {"cut", toJson(run.cutMs)},

@@ -10,6 +10,7 @@
 
 #include "app/practice/score.h"
 #include "app/session/cut_report.h"
+#include "app/session/real_time_factor.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 
@@ -35,9 +36,10 @@ class Range {
 /// One row of metrics.csv: values of the simulation and measurements of the replay.
 struct MetricsRow {
     StepReport report;
-    double renderMs = 0;  ///< pictures taken before this step, wall clock
+    double renderMs = 0;  ///< pictures before this step, those of a film too, wall clock
     double frameMs = 0;   ///< the step and its commands, without pictures and files, wall clock
-    bool namesToughness = true;  ///< see namesToughness(); else there is no fracture energy
+    bool namesToughness = true;   ///< see namesToughness(); else there is no fracture energy
+    double simulatedSeconds = 0;  ///< see secondsOfStep()
 };
 
 /// Whether the toughness of a session was chosen: it has a material at the start, an event sets it,
@@ -86,6 +88,7 @@ struct RunStatistics {
     Range collideMs;
     Range cutMs;
     Range searchMs;
+    RealTimeFactors realTime;
     SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
     int lostPieces = 0;  ///< reset, over all steps

@@ -114,6 +114,8 @@ class Report:
     @property
     def tear_stress(self) -> Optional[float]: ...
     @property
+    def real_time_factor(self) -> Optional[float]: ...
+    @property
     def blade_force(self) -> Optional[npt.NDArray[np.float64]]:
         """[N] on the blade, x, y and z; None unless forces are measured."""
     @property

@@ -126,12 +126,19 @@ class Body(TestCase):
                 mine = report.as_dict()
                 self.assertEqual(list(mine), list(row))
                 for column, text in row.items():
-                    if column.endswith("_ms"):
+                    if column.endswith("_ms") or column == "real_time_factor":
                         continue
                     value = None if text == "" else float(text)
                     self.assertEqual(mine[column], value, column)
                     if not column.startswith("blade_"):
                         self.assertEqual(getattr(report, column), value, column)
+
+    def test_the_real_time_factor_is_simulated_time_over_that_of_the_step(self):
+        sim = kerf.Simulation("sphere20", params={"time_step": 0.004})
+        report = sim.step()
+        self.assertAlmostEqual(report.real_time_factor, 4 / report.frame_ms)
+        sim.hold()
+        self.assertIsNone(sim.step().real_time_factor)
 
     def test_forces_are_felt(self):
         session = json.loads((ROOT / "tests/sessions/pushing-blade.kerf.json").read_text())

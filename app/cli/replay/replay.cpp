@@ -237,10 +237,13 @@ class Replay {
 
     /// The state before the coming step, once that step's actions were applied.
     void filmState() {
+        if (!film_ && !strip_) {
+            return;
+        }
         const Film::Draw draws = [this](const render::Camera& camera, const PictureSize& size) {
             return running_.draw(camera, size.width, size.height);
         };
-        outside_.measure([&] {
+        pictureMs_ += outside_.measure([&] {
             const double time = simulation().report().time;
             if (film_) {
                 film_->show(step_, time, running_.camera(), draws);
@@ -294,7 +297,8 @@ class Replay {
         }
         const double outsideMs = outside_.take();
         const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,
-                             namesToughness(session_, simulation().params())};
+                             namesToughness(session_, simulation().params()),
+                             secondsOfStep(simulation())};
         publish(row, listener);
     }
 

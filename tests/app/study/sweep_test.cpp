@@ -66,11 +66,11 @@ class Sweep : public testing::Test {
     }
     std::string bytes(const std::string& name) { return readBytes(folder_ / name); }
     bool has(const std::string& name) { return fs::exists(folder_ / name); }
-    /// The rows of a table, without the column that is a time.
+    /// The rows of a table, without the two columns that are times.
     std::vector<std::string> rows(const std::string& out) {
         std::vector<std::string> lines = linesOf(bytes(out + "/table.csv"));
         for (std::string& line : lines) {
-            line.resize(std::min(line.size(), line.rfind(',')));
+            line.resize(std::min(line.size(), line.rfind(',', line.rfind(',') - 1)));
         }
         return lines;
     }
@@ -89,18 +89,19 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
               "run,session,iterations,ispc_stiffness,exit,state_hash,pieces,volume_mean,"
               "volume_min,volume_final,cut_worst_angle,cut_mean_angle,cut_slivers,"
               "cut_wound_to_swept,cut_volume_error,cut_self_intersections,cut_steps_refused,"
-              "fps_mean");
+              "fps_mean,real_time_factor");
     EXPECT_THAT(lines[2], StartsWith("1,a.kerf.json,2,1,0,"));
     for (int number = 0; number < 4; ++number) {
         const auto summary =
             nlohmann::json::parse(bytes("out/" + std::to_string(number) + "/summary.json"));
         const auto cells = cellsOf(lines[std::size_t(number) + 1]);
-        ASSERT_EQ(cells.size(), 18u);
+        ASSERT_EQ(cells.size(), 19u);
         EXPECT_EQ(cells[5], summary["state_hash"].get<std::string>());
         EXPECT_EQ(cells[6], "1");
         EXPECT_EQ(std::stod(cells[8]), summary["volume_ratio"]["min"].get<double>());
         EXPECT_EQ(cells[10], "") << "it was not cut";
         EXPECT_EQ(std::stod(cells[17]), summary["fps"]["mean"].get<double>());
+        EXPECT_EQ(std::stod(cells[18]), summary["real_time_factor"]["median"].get<double>());
     }
     for (const char* picture : {"volume.png", "kinetic_energy.png", "frame_time.png"}) {
         const render::Image image = render::readPng(folder_ / "out" / picture);
@@ -214,7 +215,7 @@ TEST_F(Sweep, GoesOnBehindARunThatFails) {
     EXPECT_THAT(run.out, HasSubstr("3 runs, 2 failed (runs 0 and 1)"));
     const auto lines = linesOf(bytes("out/table.csv"));
     ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[2], StartsWith("1,check.kerf.json,1,")) << "with the results so far";
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,0,"));
     EXPECT_THAT(sweep("out").out, StartsWith("3 runs, 2 failed")) << "they would fail again";
@@ -244,7 +245,7 @@ TEST_F(Sweep, GatheringRunsNothingAndNamesWhatIsMissing) {
     EXPECT_THAT(gathered.out, HasSubstr("3 missing (runs 0, 1 and 3)"));
     EXPECT_FALSE(has("out/0"));
     const auto lines = linesOf(bytes("out/table.csv"));
-    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,3,0.5,0,"));
 }
 

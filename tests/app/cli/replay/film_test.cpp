@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/replay/film_captions.h"
+#include "app/files/io/csv.h"
 #include "render/scene/image.h"
 #include "tests/support/program_output.h"
 #include "tests/support/run_kerf.h"
@@ -150,6 +151,8 @@ TEST_F(FilmTest, EachFormatHasTheFramesTheSizeAndTheRate) {
     EXPECT_EQ(told["frames"], 61);
     EXPECT_EQ(told["file"], path("a.mp4"));
     EXPECT_NEAR(told["seconds"], 61.0 / 30, 1e-9);
+    const CsvTable metrics(path("out/metrics.csv"), 1 << 20);
+    EXPECT_GT(metrics.number(5, metrics.require("render_ms")), 0) << "frames are pictures too";
 
     const ProgramRun webm = replay({"--movie", path("b.webm"), "--size", "160x90", "--fps", "10"});
     ASSERT_EQ(webm.exitCode, 0) << webm.errors;

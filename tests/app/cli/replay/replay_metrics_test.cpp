@@ -48,10 +48,10 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "search_seeds,search_tests,swept_area,swept_area_at_rest,fracture_energy,blade_force_x,"
         "blade_force_y,blade_force_z,blade_moment_x,blade_moment_y,blade_moment_z,blade_work,"
         "blade_energy,blade_lag,iterations,other_ms,tears,tear_refused,"
-        "tear_opening,tear_stress\n");
+        "tear_opening,tear_stress,real_time_factor\n");
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0,0,0,0,0,0,0,0,,,,,,"
-              ",0,0,0,0,2.5,,,,\n")
+              ",0,0,0,0,2.5,,,,,\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
     row.report.lostPieces = 2;
@@ -63,12 +63,13 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     row.report.heldEdge = {0.25, 3, 2};
     row.report.bladeLoad = BladeLoad{Vec3(1, 2, 3), Vec3(4, 5, 6)};
     row.report.tear = TearReport{.opening = 0.5, .stress = 0.25, .failure = "no room"};
+    row.simulatedSeconds = 0.005;
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,1,0.5,0.25,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,"
-              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25\n");
+              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2\n");
     row.namesToughness = false;
     EXPECT_TRUE(
-        formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25\n"))
+        formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2\n"))
         << "nobody said what new surface takes";
 }
 
@@ -89,6 +90,7 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     summary.pieces = {Piece{10, 7, 0.5, 0.5, 1}, Piece{14, 9, 0.25, 0.25, 1}};
     MetricsRow row;
     row.frameMs = 10;
+    row.simulatedSeconds = 0.005;
     row.report.volumeRatio = 1;
     row.report.search.milliseconds = 3;
     summary.statistics.add(row);
@@ -112,6 +114,8 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     EXPECT_EQ(json["volume_ratio"]["final"], 0.5);
     EXPECT_EQ(json["fps"]["mean"], 50);
     EXPECT_EQ(json["fps"]["max"], 100);
+    EXPECT_EQ(json["real_time_factor"]["median"], 0.5);
+    EXPECT_DOUBLE_EQ(json["real_time_factor"]["worst"], 0.005 / 0.03);
     EXPECT_EQ(json["stages_ms"]["cut"]["max"], 0);
     EXPECT_EQ(json["stages_ms"]["search"]["max"], 3);
     EXPECT_EQ(json["closed_every_step"], false);

@@ -24,6 +24,7 @@ using test::readBytes;
 using test::runKerf;
 using test::smallSession;
 using test::writeText;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class ReplayVerbOptions : public testing::Test {
@@ -309,6 +310,41 @@ TEST_F(ReplayVerbOptions, FramesHoldNoPicturesAndFiles) {
         slowest = std::max(slowest, metrics.number(row, frame));
     }
     EXPECT_EQ(summary("out")["fps"]["min"], 1000 / slowest);
+}
+
+TEST_F(ReplayVerbOptions, TellsTheRealTimeFactor) {
+    const ProgramRun run = replay("out", {});
+    ASSERT_EQ(run.exitCode, 0);
+    EXPECT_THAT(run.out, ContainsRegex("\ntime: 0.2 s simulated in .*x real time \\(slowest step "
+                                       ".*x\\), .*x with pictures\n$"));
+    const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    const std::size_t frame = metrics.require("frame_ms");
+    const std::size_t column = metrics.require("real_time_factor");
+    double least = metrics.number(0, column);
+    for (std::size_t row = 0; row < metrics.rows(); ++row) {
+        const double factor = metrics.number(row, column);
+        EXPECT_DOUBLE_EQ(factor, 1000 * 0.005 / metrics.number(row, frame));
+        least = std::min(least, factor);
+    }
+    const auto factors = summary("out")["real_time_factor"];
+    EXPECT_EQ(factors["worst"], least);
+    EXPECT_LE(factors["worst"], factors["median"]);
+    EXPECT_GT(factors["with_drawing"], 0);
+}
+
+TEST_F(ReplayVerbOptions, NoFactorWhileTimeIsPaused) {
+    writeText(folder_ / "test.kerf.json",
+              test::sessionThatDoes(R"({"step": 1, "type": "hold"}, {"step": 4, "type": "run"})"));
+    ASSERT_EQ(replay("out", {}).exitCode, 0);
+    const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
+    for (std::size_t row = 0; row < metrics.rows(); ++row) {
+        EXPECT_EQ(metrics.cell(row, metrics.require("real_time_factor")).empty(),
+                  row >= 1 && row < 4);
+    }
+    writeText(folder_ / "test.kerf.json", test::sessionThatDoes(R"({"step": 0, "type": "hold"})"));
+    const ProgramRun paused = replay("out", {});
+    EXPECT_THAT(paused.out, HasSubstr("time: none was simulated"));
+    EXPECT_TRUE(summary("out")["real_time_factor"]["median"].is_null());
 }
 
 TEST_F(ReplayVerbOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {

@@ -38,7 +38,7 @@ std::set<std::string> filesBelow(const std::filesystem::path& folder) {
     return files;
 }
 
-/// metrics.csv without the columns in milliseconds, which are wall-clock time.
+/// metrics.csv without the columns of wall-clock time: milliseconds, and the real-time factor.
 std::string withoutTimes(const std::string& metrics) {
     std::istringstream lines(metrics);
     std::vector<bool> kept;
@@ -48,7 +48,7 @@ std::string withoutTimes(const std::string& metrics) {
         std::size_t column = 0;
         for (std::string cell; std::getline(cells, cell, ','); ++column) {
             if (column == kept.size()) {  // the header
-                kept.push_back(!cell.ends_with("_ms"));
+                kept.push_back(!cell.ends_with("_ms") && cell != "real_time_factor");
             }
             text += kept[column] ? cell + "," : "";
         }
