@@ -1,9 +1,14 @@
 #pragma once
 
-#include <chrono>
+#include <optional>
 #include <string>
 
+#include "sim/base/stopwatch.h"
+
 namespace kerf::app {
+
+/// "step 30 of 120 (25 %), about 2 min left", by the rate of the `seconds` so far.
+std::string progressText(int done, int total, double seconds);
 
 /// A line on the terminal that is overwritten and removed at the end; nothing if standard error is
 /// no terminal.
@@ -15,15 +20,15 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
+    /// Its clock starts with the first call.
     void show(int done, int total);
 
   private:
-    using Clock = std::chrono::steady_clock;
-
     std::string what_;
     bool terminal_;
+    std::optional<Stopwatch> watch_;  ///< since the first call
     bool shown_ = false;
-    Clock::time_point last_ = Clock::now();
+    double last_ = 0;  ///< when it was written [s]
 };
 
 }  // namespace kerf::app
