@@ -47,7 +47,8 @@ Json toJson(const Diagnosis& diagnosis) {
         speeds.push_back({{"model", speed.model},
                           {"frames", speed.frames},
                           {"fps", speed.framesPerSecond()},
-                          {"worst_cut_ms", speed.worstCutMs}});
+                          {"worst_cut_ms", speed.worstCutMs},
+                          {"real_time_factor", toJson(speed.realTime)}});
     }
     return {{"kerf", KERF_VERSION},
             {"vendor", diagnosis.device.vendor},
@@ -75,7 +76,10 @@ std::string speedPhrase(const ModelSpeed& speed) {
         speed.worstCutMs > 0
             ? fmt::format(", worst frame while cutting {:.0f} ms", speed.worstCutMs)
             : "";
-    return fmt::format("{:.1f} frames a second{}", speed.framesPerSecond(), worst);
+    const auto factor = speed.realTime.median();
+    const std::string alone =
+        factor ? fmt::format(", {} real time without pictures", factorText(*factor)) : "";
+    return fmt::format("{:.1f} frames a second{}{}", speed.framesPerSecond(), worst, alone);
 }
 
 std::string markdownOf(const Diagnosis& diagnosis) {

@@ -21,7 +21,9 @@ constexpr std::size_t kFirstFrames = 5;
 /// A frame of a recorded cut.
 struct Frame {
     double ms = 0;
-    bool cuts = false;  ///< the blade was down
+    double stepMs = 0;            ///< without its picture
+    double simulatedSeconds = 0;  ///< see secondsOfStep()
+    bool cuts = false;            ///< the blade was down
 };
 
 std::vector<Frame> playFrames(const Session& session, double seconds) {
@@ -34,9 +36,11 @@ std::vector<Frame> playFrames(const Session& session, double seconds) {
     while (play.simulation().stepCount() < session.steps && all.seconds() < seconds) {
         const Stopwatch watch;
         play.stepBy(schedule);
+        const double stepMs = watch.milliseconds();
         play.show(play.camera(), kWidth, kHeight);
         gpu::finish();
-        frames.push_back({watch.milliseconds(), play.simulation().blade().has_value()});
+        frames.push_back({watch.milliseconds(), stepMs, secondsOfStep(play.simulation()),
+                          play.simulation().blade().has_value()});
     }
     return frames;
 }
@@ -46,6 +50,7 @@ ModelSpeed speedOf(const std::string& model, std::span<const Frame> frames) {
     std::vector<double> times;
     for (const Frame& frame : frames) {
         times.push_back(frame.ms);
+        speed.realTime.add(frame.simulatedSeconds, frame.stepMs, frame.ms - frame.stepMs);
         speed.worstCutMs = std::max(speed.worstCutMs, frame.cuts ? frame.ms : 0);
     }
     speed.frames = static_cast<int>(times.size());

@@ -165,6 +165,19 @@ TEST_P(FaultyKernel, IsFound) {
 INSTANTIATE_TEST_SUITE_P(Of, FaultyKernel, ::testing::ValuesIn(kFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
+TEST_F(DoctorTest, ModelsHaveARealTimeFactorWithoutPictures) {
+    const std::vector<ModelSpeed> speeds = modelSpeeds(0.5);
+    EXPECT_EQ(speeds.size(), 5u);
+    for (const ModelSpeed& speed : speeds) {
+        if (speed.frames == 0) {
+            continue;  // too slow to be timed
+        }
+        EXPECT_GT(speed.realTime.worst(), 0) << speed.model;
+        EXPECT_LE(speed.realTime.worst(), speed.realTime.median()) << speed.model;
+        EXPECT_GT(speed.realTime.withDrawing(), 0) << speed.model;
+    }
+}
+
 TEST(DriverLimits, WhatIsLackingIsNamedWithWhatIsNeeded) {
     std::vector<gpu::DriverLimit> limits{{"GL_A", "storage buffers", 16, 16},
                                          {"GL_B", "images", 4, 8}};
