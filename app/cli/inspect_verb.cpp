@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/cli/option_checks.h"
+#include "app/cli/program.h"
 #include "app/cli/usage_error.h"
 #include "app/cli/verb.h"
 #include "app/files/export/export.h"
@@ -29,10 +30,14 @@
 #include "app/scene/document/editor_document.h"
 #include "app/scene/document/faulty_scene.h"
 #include "app/scene/document/triangle_text.h"
+#include "app/session/material.h"
+#include "app/session/real_time_factor.h"
+#include "app/session/real_time_forecast.h"
 #include "gpu/context.h"
 #include "render/renderer.h"
 #include "render/scene/image.h"
 #include "sim/base/quantity_text.h"
+#include "sim/base/size_params.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
@@ -80,6 +85,8 @@ struct Inspection {
     std::vector<double> volumes;               ///< of the largest pieces; none of such a model
     Json looks;                                ///< see looksJson()
     std::vector<std::string> remarks;          ///< what was left out, and what else is to be known
+    std::optional<RealTimeForecast> speed;     ///< of a model that can be cut
+    std::string noSpeed;                       ///< why there is none
     bool isCoarse() const { return kerf::isCoarse(triangles, report.bounds.diagonal()); }
     double proposedEdge() const { return kerf::proposedEdge(triangles, report.bounds.diagonal()); }
 };
@@ -130,13 +137,45 @@ std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
     return std::make_shared<const FoundFaults>(FoundFaults{std::move(soup), std::move(faults)});
 }
 
+/// In the editor, with the settings of a new session.
+MemoryNeed memoryNeedOf(const MeshReport& report) {
+    MemorySettings settings = memorySettings(Params{}, false);
+    settings.undoBudget = kUndoBudget;
+    settings.keyframeBudget = kKeyframeBudget;
+    return memoryNeedOf(
+        BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
+        settings);
+}
+
+/// Of the model as the editor opens it.
+RealTimeForecast forecastOf(SurfaceMesh mesh, const UnitGuess& guess) {
+    place(mesh, standing(guess, mesh.restPositions()));
+    Params params = suitedTo(meshBounds(mesh).diagonal(), ofNewScene({}));
+    applyMaterial(params, findMaterial(kMaterialOfNewModel, {}));
+    const gpu::EglContext context;
+    return realTimeForecast(mesh, params);
+}
+
+/// Nothing else of an inspection needs OpenGL, nor so much memory.
+void forecast(const std::filesystem::path& file, const SurfaceMesh& mesh, Inspection& inspection) {
+    try {
+        requireMemory(shownPath(file), memoryNeedOf(inspection.report), memoryMeans());
+        inspection.speed =
+            forecastOf(mesh, guessUnits(file, meshBounds(mesh), inspection.facts.units));
+    } catch (...) {
+        inspection.noSpeed = complaintAboutThrown().sentence;
+    }
+}
+
 /// Fills in what a model tells that can be cut.
-void describe(const ModelMesh& model, const InspectArguments& arguments, Inspection& inspection) {
+void describe(const std::filesystem::path& file, const ModelMesh& model,
+              const InspectArguments& arguments, Inspection& inspection) {
     inspection.found = arguments.picture.empty() ? nullptr : faultsOf(model.mesh);
     inspection.triangles = figuresOf(soupOf(model.mesh));
     inspection.volumes = largestVolumes(model.mesh);
     inspection.looks = looksJson(model.looks.appearance.get(), model.looks.skin);
     inspection.remarks = model.remarks;
+    forecast(file, model.mesh, inspection);
 }
 
 std::filesystem::path modelFile(const std::filesystem::path& model) {
@@ -170,7 +209,7 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
     inspection.report = mended.report;
     inspection.facts = mended.model.facts;
     inspection.mended = encodeMesh(mesh, findPieces(mesh), *format, looks);
-    describe(mended.model, arguments, inspection);
+    describe(file, mended.model, arguments, inspection);
     return inspection;
 }
 
@@ -188,7 +227,7 @@ Inspection inspect(const std::filesystem::path& file, const InspectArguments& ar
         inspection.looks = looksJson(&imported.appearance, imported.soup.skin);
         inspection.remarks = imported.remarks;
         const ModelMesh model = surfaceOf(file, std::move(imported), options);
-        describe(model, arguments, inspection);
+        describe(file, model, arguments, inspection);
         if (inspection.report.crossingTriangles > 0) {
             inspection.help.repairs = unionsToMake(soupOf(model.mesh));
         }
@@ -221,22 +260,23 @@ Json toJson(const UnitGuess& guess) {
             {"sentence", guess.sentence}};
 }
 
-/// In the editor, with the settings of a new session.
-MemoryNeed memoryNeedOf(const MeshReport& report) {
-    MemorySettings settings = memorySettings(Params{}, false);
-    settings.undoBudget = kUndoBudget;
-    settings.keyframeBudget = kKeyframeBudget;
-    return memoryNeedOf(
-        BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
-        settings);
-}
-
 Json memoryJson(const MeshReport& report) {
     const MemoryNeed need = memoryNeedOf(report);
     return {{"needed", need.memory + need.program},
             {"graphics", need.graphics},
             {"largest_buffer", need.largestBuffer},
             {"free", freeMemory()}};
+}
+
+/// Without numbers where there is no forecast.
+Json speedJson(const Inspection& inspection) {
+    const auto number = [&](auto RealTimeForecast::*member) {
+        return inspection.speed ? Json((*inspection.speed).*member) : Json();
+    };
+    return {{"real_time_factor", number(&RealTimeForecast::factor)},
+            {"time_step", number(&RealTimeForecast::timeStep)},
+            {"iterations", number(&RealTimeForecast::iterations)},
+            {"problem", inspection.noSpeed}};
 }
 
 Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
@@ -266,6 +306,7 @@ Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
             {"cavities", report.cavities},
             {"crossing_triangles", report.crossingTriangles},
             {"memory_bytes", memoryJson(report)},
+            {"speed", speedJson(inspection)},
             {"repairs", report.repairs},
             {"left", report.left},
             {"cuttable", report.cuttable},
@@ -385,6 +426,11 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     lines("left", report.left);
     lines("remark", inspection.remarks);
     labelled(text, "memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
+    if (const auto& speed = inspection.speed) {
+        labelled(text, "speed") << fmt::format(
+            "about {} real time here (time step {:.3g} ms, {} iterations)\n",
+            factorText(speed->factor), 1000 * speed->timeStep, speed->iterations);
+    }
     labelled(text, "cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
     printHelp(inspection, text);
     labelled(out, "file") << file.string() << "\n" << wrapped(text.str());

@@ -16,6 +16,8 @@ namespace kerf::app {
 /// Limits of a material file; beyond them it is refused.
 inline constexpr std::uintmax_t kMaxMaterialBytes = 1u << 20;
 inline constexpr std::size_t kMostSources = 100;
+/// That which a model file is given when it is opened.
+inline constexpr const char* kMaterialOfNewModel = "silicone";
 /// The ending of user files; built-in ones are NAME.json.
 inline constexpr std::string_view kMaterialEnding = ".material.json";
 

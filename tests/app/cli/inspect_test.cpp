@@ -1,4 +1,5 @@
 // `kerf inspect` of models that are hollow or broken.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <sstream>
 
 #include "render/scene/image.h"
+#include "sim/base/size_params.h"
 #include "tests/support/model_defects.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"
@@ -20,6 +22,8 @@ namespace {
 
 using test::ProgramRun;
 using test::runKerf;
+using testing::HasSubstr;
+using testing::Not;
 
 class Inspect : public ::testing::Test {
   protected:
@@ -147,6 +151,36 @@ TEST_F(Inspect, TellsProgramsTheSame) {
     EXPECT_EQ(refused["looks"]["materials"], looks["materials"]);
     EXPECT_EQ(refused["looks"]["images"][0]["name"], "tile.png");
     EXPECT_EQ(refused["remarks"], report["remarks"]);
+}
+
+TEST_F(Inspect, ForecastsTheRealTimeFactor) {
+    const ProgramRun run = runKerf({"inspect", "sphere80"});
+    EXPECT_THAT(run.out, testing::ContainsRegex("\nspeed      about [0-9.]+x real time here "
+                                                "\\(time step [0-9.]+ ms, [0-9]+ iterations\\)\n"));
+    const auto speed = reportOf("sphere80")["speed"];
+    EXPECT_GT(speed["real_time_factor"], 0);
+    EXPECT_GT(speed["iterations"], 0);
+    EXPECT_EQ(speed["time_step"], suitedTo(2, Params{}).timeStep);
+    EXPECT_EQ(speed["problem"], "");
+}
+
+TEST_F(Inspect, NeedsNoOpenGl) {
+    const std::map<std::string, std::string> none{{"KERF_FORCE_NO_GL", "1"}};
+    const ProgramRun run = runKerf({"inspect", "sphere80"}, none);
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_THAT(run.out, Not(HasSubstr("speed")));
+    const auto report = nlohmann::json::parse(runKerf({"inspect", "sphere80", "--json"}, none).out);
+    EXPECT_TRUE(report["speed"]["real_time_factor"].is_null());
+    EXPECT_THAT(report["speed"]["problem"], HasSubstr("KERF_FORCE_NO_GL"));
+}
+
+TEST_F(Inspect, ForecastsNothingForWhichThereIsNoMemory) {
+    const ProgramRun run =
+        runKerf({"inspect", "sphere80", "--json"}, {{"KERF_MEMORY_BYTES", "1000000"}});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    const auto speed = nlohmann::json::parse(run.out)["speed"];
+    EXPECT_TRUE(speed["iterations"].is_null());
+    EXPECT_THAT(speed["problem"], HasSubstr("needs about"));
 }
 
 TEST_F(Inspect, LeavesTheModelAsItIs) {
