@@ -13,6 +13,7 @@
 #include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
+#include "sim/base/quantity_text.h"
 
 namespace kerf::app {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/quantity_text.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {
@@ -12,10 +13,6 @@ namespace kerf::app {
 std::optional<double> realTimeFactor(double simulatedSeconds, double milliseconds) {
     const bool passed = simulatedSeconds > 0 && milliseconds > 0;
     return passed ? std::optional(1000 * simulatedSeconds / milliseconds) : std::nullopt;
-}
-
-std::string factorText(double factor) {
-    return factor < 10 ? fmt::format("{:.2g}x", factor) : fmt::format("{:.0f}x", factor);
 }
 
 double secondsOfStep(const Simulation& simulation) {

@@ -14,8 +14,6 @@ namespace kerf::app {
 /// The real-time factor: simulated time over time of the clock. 1 is real time, 0.03 slow motion,
 /// 33 times slower. None where no time passed.
 std::optional<double> realTimeFactor(double simulatedSeconds, double milliseconds);
-/// It with two digits: "0.037x".
-std::string factorText(double factor);
 
 /// The simulated time of the last step [s]; 0 while time is paused.
 double secondsOfStep(const Simulation& simulation);

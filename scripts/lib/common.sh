@@ -63,6 +63,8 @@ mesa-vulkan-drivers  is the Vulkan driver below zink
 '
 bench_packages='
 libbullet-dev       is the peer of projecting constraints
+xvfb                is a display for the benchmark of the window
+xauth               lets it onto that display
 '
 package_packages='
 dpkg-dev            finds the packages that a package needs

@@ -51,10 +51,9 @@ std::string massText(double kilograms) {
     return textIn(kUnits, kilograms);
 }
 
-std::string realTimeText(double factor) {
-    char text[48];
-    std::snprintf(text, sizeof text, factor < 0.095 ? "%.1gx real time" : "%.2gx real time",
-                  factor);
+std::string factorText(double factor) {
+    char text[32];
+    std::snprintf(text, sizeof text, factor < 10 ? "%.2gx" : "%.0fx", factor);
     return text;
 }
 

@@ -12,7 +12,7 @@ std::string areaText(double squareMetres);
 std::string volumeText(double cubicMetres);
 /// A mass [kg] likewise: "900 kg", "12 t", "40 g".
 std::string massText(double kilograms);
-/// A real-time factor, simulated seconds over seconds of the clock: "0.03x real time".
-std::string realTimeText(double factor);
+/// A real-time factor, simulated seconds over seconds of the clock, with two digits: "0.037x".
+std::string factorText(double factor);
 
 }  // namespace kerf

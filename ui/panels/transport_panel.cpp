@@ -98,7 +98,7 @@ void drawPace(const PanelModel& model, float width, std::vector<Action>& actions
     const TransportState& transport = model.transport;
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", transport.realTimeFactor
-                                  ? realTimeText(*transport.realTimeFactor).c_str()
+                                  ? (factorText(*transport.realTimeFactor) + " real time").c_str()
                                   : "real time: not run yet");
     noteItem("transport.pace");
     if (ImGui::IsItemHovered()) {

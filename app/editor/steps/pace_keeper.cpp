@@ -21,6 +21,8 @@ constexpr int kLeastSteps = 4;    // the same
 constexpr double kSpare = 1.25;   // real-time factor of a choice that keeps pace
 constexpr double kWorth = 1.2;    // by which a finer choice must take longer
 constexpr double kOfSteps = 0.8;  // of the clock; pictures have the rest
+constexpr double kMostOfVolume = 0.01;  // that a body may gain or lose
+constexpr int kMostDoubled = 32;        // of the fewest iterations
 constexpr double kTold = 0.02;    // what lacks in stiffness from which on it is told
 
 StepDivision divisionOf(const Params& params) {
@@ -34,13 +36,14 @@ Params with(Params params, const StepDivision& steps) {
 }
 
 /// From coarse to fine.
-std::vector<StepDivision> divisionsOf(const SweepStrength& sweeps, const Params& accurate) {
+std::vector<StepDivision> divisionsOf(const SweepStrength& sweeps, const Params& accurate,
+                                      int fewest) {
     std::vector<StepDivision> all;
     for (auto h = kSteps.rbegin(); h != kSteps.rend(); ++h) {
         const Params tried = with(accurate, {std::max(*h, accurate.timeStep), accurate.iterations});
         const int most = accurate.iterations == kAutoIterations ? sweeps.iterationsFor(tried, 0)
                                                                 : accurate.iterations;
-        for (double n = kFewestPaced; n < kFiner * most; n *= kFiner) {
+        for (double n = std::min(fewest, most); n < kFiner * most; n *= kFiner) {
             all.push_back({tried.timeStep, std::min(most, static_cast<int>(std::lround(n)))});
         }
     }
@@ -49,9 +52,9 @@ std::vector<StepDivision> divisionsOf(const SweepStrength& sweeps, const Params&
 
 }  // namespace
 
-StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate,
-                         const StepCost& cost) {
-    const std::vector<StepDivision> all = divisionsOf(sweeps, accurate);
+StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, const StepCost& cost,
+                         int fewest) {
+    const std::vector<StepDivision> all = divisionsOf(sweeps, accurate, fewest);
     StepDivision best = all.front();
     double least = sweeps.error(with(accurate, best));
     for (const StepDivision& steps : all) {
@@ -67,7 +70,7 @@ StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate,
 void PaceKeeper::toggle(EditorScene& scene) {
     on_ = !on_;
     if (!on_ && before_) {
-        take(scene, *std::exchange(before_, std::nullopt));
+        take(scene, divisionOf(*std::exchange(before_, std::nullopt)));
     }
 }
 
@@ -78,31 +81,43 @@ void PaceKeeper::follow(EditorScene& scene, const FrameTime& frame) {
     }
     if (!before_) {
         before_ = now.params();
-        take(scene, with(*before_, keepingPace(scene.readout().sweeps(), *before_, {1, 0})));
-        return;
-    }
-    if (divisionOf(now.params()) != taken_) {
+        takeCoarsest(scene);
+    } else if (divisionOf(now.params()) != taken_) {
         on_ = false;
         before_.reset();
-        return;
+    } else if (std::abs(now.report().volumeRatio - 1) > kMostOfVolume && fewest_ < kMostDoubled &&
+               taken_.iterations <= fewest_) {
+        fewest_ *= 2;
+        takeCoarsest(scene);
+    } else {
+        look(scene, frame);
     }
+}
+
+/// Now and then.
+void PaceKeeper::look(EditorScene& scene, const FrameTime& frame) {
     passed_.all += frame.all;
     passed_.steps += frame.steps;
-    const int steps = now.stepCount() - fromStep_;
-    if (steps < 0) {
-        count(scene);
-    } else if (passed_.all > kLook && steps >= kLeastSteps) {
-        const StageTimes& last = now.report().times;
+    const StepReport& report = scene.simulation().report();
+    const int steps = scene.simulation().stepCount() - fromStep_;
+    if (steps >= 0 && (passed_.all < kLook || steps < kLeastSteps)) {
+        return;
+    }
+    if (steps > 0) {
         const double step = passed_.steps / steps;
-        const double sweeps = std::min(step, 0.001 * (last.deform + last.collide));
+        const double sweeps = std::min(step, 0.001 * (report.times.deform + report.times.collide));
         const StepCost cost{(step - sweeps) / kOfSteps, sweeps / taken_.iterations / kOfSteps};
-        const StepDivision better = keepingPace(scene.readout().sweeps(), *before_, cost);
+        const StepDivision better = keepingPace(scene.readout().sweeps(), *before_, cost, fewest_);
         const double gain = cost.factor(better) / cost.factor(taken_);
         if (cost.factor(taken_) < 1 ? gain > 1 : gain < 1 / kWorth) {
-            take(scene, with(now.params(), better));
+            take(scene, better);
         }
-        count(scene);
     }
+    count(scene);
+}
+
+void PaceKeeper::takeCoarsest(EditorScene& scene) {
+    take(scene, keepingPace(scene.readout().sweeps(), *before_, {1, 0}, fewest_));
 }
 
 /// Counts from now on.
@@ -111,8 +126,9 @@ void PaceKeeper::count(const EditorScene& scene) {
     fromStep_ = scene.simulation().stepCount();
 }
 
-void PaceKeeper::take(EditorScene& scene, const Params& params) {
-    taken_ = divisionOf(params);
+void PaceKeeper::take(EditorScene& scene, const StepDivision& steps) {
+    taken_ = steps;
+    const Params params = with(scene.simulation().params(), steps);
     for (const char* name : {"time_step", "iterations"}) {
         scene.execute(SetParam{name, getParam(params, name), true});
     }

@@ -29,11 +29,12 @@ struct StepCost {
     }
 };
 
-/// The division with the least error among those that keep up with the clock, with some to spare,
-/// or else the coarsest one: 10 ms with kFewestPaced iterations. It is no finer than `accurate`,
-/// whose other parameters count, too.
-StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, const StepCost& cost);
 inline constexpr int kFewestPaced = 8;
+/// The division with the least error among those that keep up with the clock, with some to spare,
+/// or else the coarsest one: 10 ms with the `fewest` iterations. It is no finer than `accurate`,
+/// whose other parameters count, too.
+StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, const StepCost& cost,
+                         int fewest = kFewestPaced);
 
 /// Keeps a scene in pace with the clock, as far as it can: sets `time_step` and `iterations` as a
 /// person would, by what steps take here. A person who sets either ends it.
@@ -43,7 +44,10 @@ class PaceKeeper {
     /// Begins, or gives the scene the parameters from before.
     void toggle(EditorScene& scene);
     /// Begins anew with another scene.
-    void begin() { before_.reset(); }
+    void begin() {
+        before_.reset();
+        fewest_ = kFewestPaced;
+    }
     /// Looks after a picture whether another division would be clearly better. Not while a session
     /// plays, whose steps are its own.
     void follow(EditorScene& scene, const FrameTime& frame);
@@ -51,12 +55,15 @@ class PaceKeeper {
     std::string cost(const SweepStrength& sweeps, const Params& now) const;
 
   private:
-    void take(EditorScene& scene, const Params& params);
+    void look(EditorScene& scene, const FrameTime& frame);
+    void takeCoarsest(EditorScene& scene);
+    void take(EditorScene& scene, const StepDivision& steps);
     void count(const EditorScene& scene);
 
     bool on_ = false;
     std::optional<Params> before_;  ///< of this scene; none before anything was set
     StepDivision taken_;
+    int fewest_ = kFewestPaced;  ///< with which the scene keeps its volume
     FrameTime passed_;  ///< since the last look
     int fromStep_ = 0;
 };

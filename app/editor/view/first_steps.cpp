@@ -77,8 +77,8 @@ Hint FirstSteps::hint(const Situation& now) const {
     }
     if (now.playing) {
         if (now.slow && !proposed_) {
-            return {fmt::format("Time runs at {} here. Coarser steps keep pace better.",
-                                realTimeText(*now.slow)),
+            return {fmt::format("Time runs at {} real time here. Coarser steps keep pace better.",
+                                factorText(*now.slow)),
                     {{ActionId::keepPace, "Keep pace"}}};
         }
         const bool still = now.weightless && !now.session && !weighed_;

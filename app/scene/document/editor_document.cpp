@@ -50,7 +50,7 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
 /// A new model is of soft silicone, as models that are made to be cut: it carries every size that
 /// guessUnits() leaves, and yields to a hand. What has colours of its own keeps them.
 void giveMaterial(Session& session, const OwnLooks& looks) {
-    const Material material = findMaterial("silicone", {});
+    const Material material = findMaterial(kMaterialOfNewModel, {});
     applyMaterial(session.params, material);
     session.material = material.name;
     session.colors = looks.colored() ? session.colors : material.colors;
