@@ -64,8 +64,7 @@ class Play {
         editor_.post(ui::PointerMove{x, 0.12 * window_.height(), {}});
         editor_.post(ui::ButtonChange{ui::Button::left, true, {}});
         for (int i = 0; i <= kMoves; ++i) {
-            editor_.post(
-                ui::PointerMove{x, (0.12 + 0.78 * i / kMoves) * window_.height(), {}});
+            editor_.post(ui::PointerMove{x, (0.12 + 0.78 * i / kMoves) * window_.height(), {}});
         }
         editor_.post(ui::ButtonChange{ui::Button::left, false, {}});
         lastFor(0.5);

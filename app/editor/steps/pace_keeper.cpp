@@ -15,15 +15,15 @@ namespace kerf::app {
 namespace {
 
 constexpr std::array kSteps{0.001, 0.002, 0.005, 0.01};  // [s]
-constexpr double kFiner = 1.3;    // times as many iterations, from one choice to the next
-constexpr double kLook = 1;       // between two looks [s]
-constexpr int kLeastSteps = 4;    // the same
-constexpr double kSpare = 1.25;   // real-time factor of a choice that keeps pace
-constexpr double kWorth = 1.2;    // by which a finer choice must take longer
-constexpr double kOfSteps = 0.8;  // of the clock; pictures have the rest
+constexpr double kFiner = 1.3;          // times as many iterations, from one choice to the next
+constexpr double kLook = 1;             // between two looks [s]
+constexpr int kLeastSteps = 4;          // the same
+constexpr double kSpare = 1.25;         // real-time factor of a choice that keeps pace
+constexpr double kWorth = 1.2;          // by which a finer choice must take longer
+constexpr double kOfSteps = 0.75;       // of the clock; pictures have the rest
 constexpr double kMostOfVolume = 0.01;  // that a body may gain or lose
 constexpr int kMostDoubled = 32;        // of the fewest iterations
-constexpr double kTold = 0.02;    // what lacks in stiffness from which on it is told
+constexpr double kTold = 0.02;          // what lacks in stiffness from which on it is told
 
 StepDivision divisionOf(const Params& params) {
     return {params.timeStep, params.iterations};

@@ -64,7 +64,7 @@ class PaceKeeper {
     std::optional<Params> before_;  ///< of this scene; none before anything was set
     StepDivision taken_;
     int fewest_ = kFewestPaced;  ///< with which the scene keeps its volume
-    FrameTime passed_;  ///< since the last look
+    FrameTime passed_;           ///< since the last look
     int fromStep_ = 0;
 };
 

@@ -58,12 +58,12 @@ class Redraw {
     /// Since the last picture was begun, perhaps of the panels alone [s].
     double sincePicture() const { return sincePicture_.seconds(); }
     /// Whether steps that can't keep up with the clock have run long enough for a picture of them:
-    /// pictures take a fifth of the time at most, and come 12 times a second unless they are cheap;
-    /// but once a second however much they cost.
+    /// pictures take a quarter of the time at most. Unless they are cheap, they come 12 times a
+    /// second; but once a second however much they cost.
     bool stepsAreDue() const {
         constexpr double kUsual = 1.0 / 12;  // [s]
         constexpr double kCheap = 12;        // times its cost
-        constexpr double kLeast = 5;         // the same
+        constexpr double kLeast = 4;         // the same
         constexpr double kMost = 1;          // beside its cost [s]
         const double rest = std::max(kLeast * cost_, std::min(kCheap * cost_, kUsual));
         return sinceScene_.seconds() >= std::min(rest, cost_ + kMost);

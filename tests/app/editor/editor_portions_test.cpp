@@ -126,6 +126,39 @@ TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
     EXPECT_FALSE(editor->scene()->timeline().playing);
 }
 
+TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
+    tap(Key::d);
+    moveTo(kWidth / 2.0, kHeight / 2.0);
+    frames(1);
+    press(true);
+    frames(1);
+    moveTo(kWidth / 2.0 + 150, kHeight / 2.0);
+    for (int i = 0; i < 400 && editor->scene()->simulation().hands().empty(); ++i) {
+        frames(1);
+    }
+    frames(3);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("The body follows in slow motion: the hand is"));
+    press(false);
+    frames(1);
+    EXPECT_FALSE(editor->scene()->simulation().hands().empty()) << "it lets go where it was led to";
+    for (int i = 0; i < 20000 && !editor->scene()->simulation().hands().empty(); ++i) {
+        frames(1);
+    }
+    EXPECT_TRUE(editor->scene()->simulation().hands().empty());
+}
+
+TEST_F(EditorPortionsTest, AHiddenWindowIsNotDrawn) {
+    const auto picture = [&] { return editor->readPicture().pixels; };
+    const auto before = picture();
+    editor->hide(true);
+    tap(Key::digit7);
+    frames(30);
+    EXPECT_EQ(picture(), before);
+    editor->hide(false);
+    frames(30);
+    EXPECT_NE(picture(), before) << "the view is another one";
+}
+
 TEST_F(EditorPortionsTest, AnotherDocumentTakesThePlaceOfAStepThatIsUnderWay) {
     tap(Key::space);
     frames(3);
