@@ -80,7 +80,8 @@ int runCommandLine(int argc, char** argv) {
         }
     }
     readModelsWithThisProgram();
-    CLI::App parser{"Kerf cuts soft 3D models while they move. Without a verb it opens the editor."};
+    CLI::App parser{
+        "Kerf cuts soft 3D models while they move. Without a verb it opens the editor."};
     std::filesystem::path file;
     std::function<int()> run;
     describe(parser, file, run);
