@@ -143,7 +143,7 @@ void Editor::State::describe(bool withOverlay) {
     if (model.work.title.empty()) {
         model.work = sceneWork(*this);
     }
-    timeLeft.follow(model.work);
+    panels.timeLeft.follow(model.work);
     toast.describe(model);
     if (!work.models.changed().empty() && !panels.startOpen) {
         model.help.hint = offerToReload(work.models.changed());

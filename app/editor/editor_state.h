@@ -13,7 +13,6 @@
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
-#include "app/editor/steps/time_left.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/file_chooser.h"
 #include "app/editor/storage/file_work.h"
@@ -61,7 +60,6 @@ struct Editor::State {
     EditorPanels panels;
     EditorPicture picture;
     SceneAtWork scene;          ///< null while nothing is open
-    TimeLeft timeLeft;          ///< of the work that is shown
     SceneHistory sceneHistory;  ///< the previous and the redoable scenes
     EditorView view;
     EditorToast toast;

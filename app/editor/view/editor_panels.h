@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/steps/time_left.h"
 #include "app/editor/storage/editor_options.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/editor/view/experiment_board.h"
@@ -37,6 +38,7 @@ struct EditorPanels {
     ui::PanelModel model;
     ExperimentBoard experiments;
     Practice practice;
+    TimeLeft timeLeft;  ///< of the work that is shown
     std::optional<Asked> asked;
     ui::PlotView plotView;
     bool helpOpen = false;
