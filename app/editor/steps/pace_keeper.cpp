@@ -68,7 +68,7 @@ StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, co
 }
 
 void PaceKeeper::toggle(EditorScene& scene) {
-    on_ = !on_;
+    on_ = !on_ && !scene.document().session.task;
     if (!on_ && before_) {
         take(scene, divisionOf(*std::exchange(before_, std::nullopt)));
     }
@@ -103,9 +103,10 @@ void PaceKeeper::look(EditorScene& scene, const FrameTime& frame) {
     if (steps >= 0 && (passed_.all < kLook || steps < kLeastSteps)) {
         return;
     }
-    if (steps > 0) {
+    const double busy = 0.001 * (report.times.deform + report.times.collide);
+    if (steps > 0 && busy > 0) {  // else it sleeps, which tells nothing
         const double step = passed_.steps / steps;
-        const double sweeps = std::min(step, 0.001 * (report.times.deform + report.times.collide));
+        const double sweeps = std::min(step, busy);
         const StepCost cost{(step - sweeps) / kOfSteps, sweeps / taken_.iterations / kOfSteps};
         const StepDivision better = keepingPace(scene.readout().sweeps(), *before_, cost, fewest_);
         const double gain = cost.factor(better) / cost.factor(taken_);

@@ -41,7 +41,7 @@ StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, co
 class PaceKeeper {
   public:
     bool isOn() const { return on_; }
-    /// Begins, or gives the scene the parameters from before.
+    /// Begins, but not in a task; or gives the scene the parameters from before.
     void toggle(EditorScene& scene);
     /// Begins anew with another scene.
     void begin() {
