@@ -207,10 +207,11 @@ void advance(State& s, double elapsedSeconds) {
         std::exchange(s.scene.onceSought, nullptr)();
     }
     s.workOff();
-    if (s.clock.byTheClock() && s.redraw.stepsPending() && s.redraw.stepsAreDue()) {
-        return;  // this picture is of them
-    }
-    if (s.scene != nullptr && !s.scene.underWay()) {
+    if (EditorScene* const now = s.scene.atRest()) {
+        const bool waits = s.redraw.stepsPending() && s.redraw.stepsAreDue();
+        if (waits && s.clock.byTheClock() && now->timeline().seekSteps() == 0) {
+            return;  // this picture is of the steps before
+        }
         beginSteps(s);
     }
     s.goOn();

@@ -197,7 +197,14 @@ void reset(State& s) {
 }
 
 void keepPace(State& s) {
+    if (s.scene->document().session.task && !s.pace.isOn()) {
+        s.toast.show("A task is scored with its own steps, so it can't keep pace.", false);
+        return;
+    }
     s.pace.toggle(*s.scene);
+    if (s.pace.isOn() && s.scene->timeline().playingBack()) {
+        s.toast.show("Keeps pace once the recorded session is over.", false);
+    }
 }
 
 void toggleRecording(State& s) {

@@ -134,9 +134,6 @@ void Editor::State::describe(bool withOverlay) {
     model.view.measures = view.tools.get<MeasureTool>().rows();
     model.transport.speed = clock.speed();
     model.transport.keepsPace = pace.isOn();
-    if (pace.isOn()) {
-        model.parameters.sweeps = nullptr;  // What it costs is told beside the speed.
-    }
     chooser.describe(model);
     materials.describe(model);
     model.work = work.state();

@@ -94,8 +94,9 @@ std::string explainPace(const PanelModel& model) {
         sharesOfStages(*model.plots.history));
 }
 
-void drawPace(const PanelModel& model, float width, std::vector<Action>& actions) {
+void drawPace(const PanelModel& model, std::vector<Action>& actions) {
     const TransportState& transport = model.transport;
+    const float width = buttonWidth("Keep pace") + ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", transport.realTimeFactor
                                   ? (factorText(*transport.realTimeFactor) + " real time").c_str()
@@ -118,8 +119,8 @@ void drawPace(const PanelModel& model, float width, std::vector<Action>& actions
         ImGui::EndCombo();
     }
     noteItem("transport.keepPace");
-    itemTooltip(transport.keepsPace ? "Keep pace: " + transport.paceCost
-                                    : std::string("Accurate steps, or steps that keep pace"));
+    itemTooltip(describeAction(ActionId::keepPace) +
+                (transport.keepsPace ? "\nOn: " + transport.paceCost : ""));
 }
 
 /// In a narrow panel words need the room more than what is around them.
@@ -158,7 +159,7 @@ void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(transport.speed, actions);
-    drawPace(model, 1.6F * width, actions);
+    drawPace(model, actions);
     const bool played = playback.played;
     if (played || transport.recording) {
         drawAddButton(width, actions);

@@ -68,7 +68,7 @@ StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, co
 }
 
 void PaceKeeper::toggle(EditorScene& scene) {
-    on_ = !on_ && !scene.document().session.task;
+    on_ = !on_;
     if (!on_ && before_) {
         take(scene, divisionOf(*std::exchange(before_, std::nullopt)));
     }
@@ -82,9 +82,11 @@ void PaceKeeper::follow(EditorScene& scene, const FrameTime& frame) {
     if (!before_) {
         before_ = now.params();
         takeCoarsest(scene);
-    } else if (divisionOf(now.params()) != taken_) {
+    } else if (const StepDivision set = divisionOf(now.params()); set != taken_) {
         on_ = false;
-        before_.reset();
+        const StepDivision before = divisionOf(*std::exchange(before_, std::nullopt));
+        take(scene, {set.timeStep == taken_.timeStep ? before.timeStep : set.timeStep,
+                     set.iterations == taken_.iterations ? before.iterations : set.iterations});
     } else if (std::abs(now.report().volumeRatio - 1) > kMostOfVolume && fewest_ < kMostDoubled &&
                taken_.iterations <= fewest_) {
         fewest_ *= 2;
@@ -131,7 +133,10 @@ void PaceKeeper::take(EditorScene& scene, const StepDivision& steps) {
     taken_ = steps;
     const Params params = with(scene.simulation().params(), steps);
     for (const char* name : {"time_step", "iterations"}) {
-        scene.execute(SetParam{name, getParam(params, name), true});
+        const ParamValue value = getParam(params, name);
+        if (value != getParam(scene.simulation().params(), name)) {
+            scene.execute(SetParam{name, value, true});
+        }
     }
     count(scene);
 }

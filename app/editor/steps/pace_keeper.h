@@ -37,11 +37,12 @@ StepDivision keepingPace(const SweepStrength& sweeps, const Params& accurate, co
                          int fewest = kFewestPaced);
 
 /// Keeps a scene in pace with the clock, as far as it can: sets `time_step` and `iterations` as a
-/// person would, by what steps take here. A person who sets either ends it.
+/// person would, by what steps take here. A person who sets either ends it, and has the other one
+/// back.
 class PaceKeeper {
   public:
     bool isOn() const { return on_; }
-    /// Begins, but not in a task; or gives the scene the parameters from before.
+    /// Begins, or gives the scene the parameters from before.
     void toggle(EditorScene& scene);
     /// Begins anew with another scene.
     void begin() {

@@ -77,7 +77,8 @@ Hint FirstSteps::hint(const Situation& now) const {
     }
     if (now.playing) {
         if (now.slow && !proposed_) {
-            return {fmt::format("Time runs at {} real time here. Coarser steps keep pace better.",
+            return {fmt::format("Time runs at {} real time here. Coarser steps keep pace better, "
+                                "but soften it.",
                                 factorText(*now.slow)),
                     {{ActionId::keepPace, "Keep pace"}}};
         }

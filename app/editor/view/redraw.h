@@ -35,7 +35,7 @@ class Redraw {
     bool takeScene(bool showSteps = true) {
         const bool wanted = scene_ || putOff_ || (showSteps && steps_);
         if (wanted) {
-            shown_ = shown_ || steps_;
+            shown_ = shown_ || (steps_ && !hidden);
             scene_ = steps_ = putOff_ = false;
             drawing_ = true;
             sinceScene_.restart();

@@ -147,6 +147,25 @@ TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
     EXPECT_TRUE(editor->scene()->simulation().hands().empty());
 }
 
+/// Its steps are not drawn one by one, so none of them is waited for.
+TEST_F(EditorPortionsTest, ASeekArrives) {
+    tap(Key::space);
+    for (int i = 0; i < 20000 && editor->scene()->simulation().stepCount() < 12; ++i) {
+        frames(1);
+    }
+    tap(Key::space);
+    settle();
+    const int last = editor->scene()->simulation().stepCount();
+    editor->scene()->seek(0);
+    for (const int target : {last / 2, last}) {
+        editor->scene()->seek(target);
+        for (int i = 0; i < 20000 && editor->scene()->timeline().seekSteps() > 0; ++i) {
+            frames(1);
+        }
+        EXPECT_EQ(editor->scene()->simulation().stepCount(), target);
+    }
+}
+
 TEST_F(EditorPortionsTest, AHiddenWindowIsNotDrawn) {
     const auto picture = [&] { return editor->readPicture().pixels; };
     const auto before = picture();

@@ -99,6 +99,17 @@ TEST_F(PaceKeeperTest, APersonWhoSetsTheStepsEndsIt) {
     pictures(1, 0.3);
     EXPECT_FALSE(keeper.isOn());
     EXPECT_EQ(params().iterations, 30);
+    EXPECT_EQ(params().timeStep, firmParams().timeStep) << "which nobody set";
+}
+
+TEST_F(PaceKeeperTest, AnUndoEndsItAndBringsBothBack) {
+    pictures(1, 0.3);
+    keeper.toggle(*scene);
+    pictures(2, 0.3);
+    scene->execute(Undo{});
+    pictures(1, 0.3);
+    EXPECT_FALSE(keeper.isOn());
+    EXPECT_EQ(params(), firmParams());
 }
 
 /// A replay needs no clock.
