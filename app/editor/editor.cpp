@@ -121,9 +121,7 @@ int dueSteps(const State& s, EditorScene& scene) {
 void beginSteps(State& s) {
     EditorScene& scene = *s.scene;
     if (!scene.running()) {
-        if (s.clock.stop()) {
-            s.redraw.panels();
-        }
+        s.clock.stop();
         s.scene.stops = false;
         return;
     }
@@ -451,6 +449,9 @@ void Editor::State::goOn() {
     }
     showMessages(*this);
     redraw.steps();
+    if (!scene->running()) {
+        redraw.panels();  // no picture of more steps follows
+    }
     if (!steps) {
         return;
     }

@@ -59,10 +59,10 @@ double StepClock::portion() const {
     return byTheClock_ ? portion_ : std::numeric_limits<double>::infinity();
 }
 
-bool StepClock::stop() {
+void StepClock::stop() {
     due_ = 0;
     sinceDue_ = 0;
-    return std::exchange(ranBefore_, false);
+    ranBefore_ = false;
 }
 
 FrameTime StepClock::measure() {

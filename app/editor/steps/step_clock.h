@@ -35,8 +35,8 @@ class StepClock {
     double portion() const;
     /// How long a step took when one was last run [s].
     double secondsPerStep() const { return secondsPerStep_; }
-    /// Pauses: nothing is due, and the next visible steps end no frame. Whether time ran until now.
-    bool stop();
+    /// Pauses: nothing is due, and the next visible steps end no frame.
+    void stop();
 
     /// Whether nothing was measured since the last pause.
     bool starts() const { return !ranBefore_; }
