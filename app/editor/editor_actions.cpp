@@ -4,6 +4,7 @@
 #include "app/editor/storage/plot_export.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "app/session/scene_origin.h"
@@ -32,6 +33,9 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 void stopTools(State& s) {
     const int waiting = s.scene.meanwhile().stroke().waiting();
     s.view.cancelTools(s.sceneOfTool(), true);
+    if (s.scene.meanwhile() && s.scene.meanwhile().pulling()) {
+        s.scene->hands().letGo();  // a hand that was released and has not arrived
+    }
     if (waiting > 0) {
         s.toast.show("Cancelled. " + counted(waiting, "more cut", "more cuts") + " in the queue " +
                          (waiting == 1 ? "was" : "were") + " dropped.",

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/cut_preview.h"
@@ -41,8 +43,9 @@ class GrabTool : public Tool {
     }
 
     void cancel(const ToolContext& c) override {
-        held_.reset();
-        c.scene->hands().letGo();
+        if (std::exchange(held_, std::nullopt)) {
+            c.scene->hands().letGo();
+        }
     }
     bool holds() const override { return held_.has_value(); }
 

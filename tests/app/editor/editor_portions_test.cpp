@@ -147,6 +147,17 @@ TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
     EXPECT_TRUE(editor->scene()->simulation().hands().empty());
 }
 
+/// The scene is not to be touched then by a tool that holds nothing.
+TEST_F(EditorPortionsTest, EscInTheMidstOfAStepNeedsNoHand) {
+    tap(Key::d);
+    tap(Key::space);
+    for (int i = 0; i < 30; ++i) {
+        frames(1);
+        tap(Key::escape);
+    }
+    EXPECT_GT(editor->scene()->simulation().stepCount(), 0);
+}
+
 /// Its steps are not drawn one by one, so none of them is waited for.
 TEST_F(EditorPortionsTest, ASeekArrives) {
     tap(Key::space);
