@@ -10,8 +10,9 @@ SHARED_CONST uint kContactRestBinding = 3u;          // vec4: rest position [m]
 SHARED_CONST uint kContactDisplacementBinding = 3u;  // vec4: d [m]
 SHARED_CONST uint kContactLinksBinding = 4u;         // VertexLinks
 SHARED_CONST uint kContactTrianglesBinding = 5u;     // uvec4, see BodyView
-SHARED_CONST uint kContactNormalsBinding = 6u;       // vec4 per vertex, see normals.glsl
-SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape
+SHARED_CONST uint kContactNormalsBinding = 6u;       // two vec4 per vertex, see normals.glsl
+SHARED_CONST uint kContactRestNormalsBinding = 7u;   // the same of the rest shape;
+                                                     // w: the wall behind it at rest [m]
 SHARED_CONST uint kContactBoxesBinding = 8u;         // two uvec4 per triangle, see tree.glsl
 SHARED_CONST uint kContactRecordsBinding = 8u;       // ContactRecord per listed point, then as many
                                                      // for the edges at them
@@ -25,8 +26,11 @@ SHARED_CONST uint kContactCandidatesBinding = 13u;  // ContactCandidate, kCandid
 SHARED_CONST uint kContactPointsBinding = 14u;      // uint: points with candidates
 // ContactState; behind it a uint per vertex: what contacts take of it
 SHARED_CONST uint kContactStateBinding = 15u;
-SHARED_CONST uint kContactPiecesBinding = 11u;  // PieceRecord
-SHARED_CONST uint kContactOrderBinding = 10u;   // uint: triangles or vertices, neighbours together
+SHARED_CONST uint kContactPiecesBinding = 11u;       // PieceRecord
+SHARED_CONST uint kContactColumnsBinding = 4u;       // IspcConstraint
+SHARED_CONST uint kContactColumnRangesBinding = 6u;  // IncidenceRange per vertex: of its
+SHARED_CONST uint kContactColumnSharesBinding = 7u;  // ConstraintShare
+SHARED_CONST uint kContactOrderBinding = 10u;  // uint: triangles or vertices, neighbours together
 
 // Texture and image units of what the answers of a substep fetch (answers.glsl), formats as above.
 SHARED_CONST uint kContactNormalsUnit = 10u;

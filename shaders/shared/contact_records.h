@@ -26,6 +26,10 @@ SHARED_CONST float kSlabDepth = 0.05f;
 // Up to this distance in the rest shape, times h, opposed pairs with the vertex behind the triangle
 // are taken for the two sides of an arm.
 SHARED_CONST float kArmWidth = 8.0f;
+// A vertex that lies deeper in a triangle than this share of the wall behind it comes from behind.
+SHARED_CONST float kDeepInWall = 0.4f;
+// A wall where no column begins or ends [m].
+SHARED_CONST float kNoWall = 1e30f;
 // A later candidate takes the place of an earlier one where its squared distance is below this
 // share: neighbours that meet in the nearest point do not change places by rounding.
 SHARED_CONST float kNearerBy = 0.9999f;
@@ -41,6 +45,10 @@ SHARED_CONST float kAcross = 0.3f;
 // Share of the thickness that edges keep: where surfaces lie flat on each other, vertices carry,
 // which have friction.
 SHARED_CONST float kEdgeThickness = 0.8f;
+// Thickness of edges that were beside each other, times h: none but that they count.
+SHARED_CONST float kBareEdge = 1e-6f;
+// From the ends of such edges on they are left to the vertices: share of the length.
+SHARED_CONST float kBareEnd = 0.02f;
 // Edges that lie this deep in each other, times h, are left to the vertices.
 SHARED_CONST float kEdgeDepth = 0.25f;
 

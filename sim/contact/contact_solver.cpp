@@ -129,8 +129,8 @@ void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
 // Not before contact is on: the buffers are larger than the body's own.
 void ContactSolver::takeBody() {
     const std::size_t n = body_.vertexCount;
-    normals_.resize(n * sizeof(shared::vec4));
-    restNormals_.resize(n * sizeof(shared::vec4));
+    normals_.resize(2 * n * sizeof(shared::vec4));
+    restNormals_.resize(2 * n * sizeof(shared::vec4));
     tree_.take(body_);
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));

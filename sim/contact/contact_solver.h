@@ -25,6 +25,9 @@ struct ContactBody {
     const gpu::Buffer* triangles = nullptr;  ///< uvec4, see BodyView
     const gpu::Buffer* incidenceRanges = nullptr;
     const gpu::Buffer* incidence = nullptr;
+    const gpu::Buffer* columns = nullptr;  ///< IspcConstraint: where material is thin
+    const gpu::Buffer* columnRanges = nullptr;
+    const gpu::Buffer* columnShares = nullptr;
     std::uint32_t vertexCount = 0;
     std::uint32_t triangleCount = 0;
     std::uint32_t pieceCount = 0;

@@ -158,6 +158,9 @@ void ContactTree::fit(const ContactBody& body, const gpu::Buffer& positions,
     body.triangles->bindTexels(shared::kContactTrianglesBinding, TexelFormat::uint32x4);
     body.incidenceRanges->bindTexels(shared::kContactRangesBinding, TexelFormat::uint32x2);
     body.incidence->bindTexels(shared::kContactIncidenceBinding, TexelFormat::uint32);
+    body.columns->bindTexels(shared::kContactColumnsBinding, TexelFormat::uint32x4);
+    body.columnRanges->bindTexels(shared::kContactColumnRangesBinding, TexelFormat::uint32x2);
+    body.columnShares->bindTexels(shared::kContactColumnSharesBinding, TexelFormat::uint32x2);
     triangleOrder_.bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
     body.pieces->bindStorage(shared::kContactPiecesBinding);
     boxes_.bindStorage(shared::kContactBoxesBinding);

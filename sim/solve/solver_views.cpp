@@ -4,6 +4,7 @@ namespace kerf {
 
 ContactBody contactBodyOf(const SolverBody& body) {
     const SolverModel& model = body.model;
+    const ConstraintBuffers& columns = model.constraints[shared::kIspc];
     return {.positions = &body.state.positions,
             .velocities = &body.state.velocities,
             .displacement = &body.state.displacement,
@@ -13,6 +14,9 @@ ContactBody contactBodyOf(const SolverBody& body) {
             .triangles = &model.triangles,
             .incidenceRanges = &model.triangleIncidence.ranges,
             .incidence = &model.triangleIncidence.entries,
+            .columns = &columns.records,
+            .columnRanges = &columns.ranges,
+            .columnShares = &columns.entries,
             .vertexCount = body.uniforms.vertex_count,
             .triangleCount = body.uniforms.triangle_count,
             .pieceCount = static_cast<std::uint32_t>(body.pieces.pieces().size())};

@@ -21,7 +21,8 @@ RECORD_PAIRS(kContactCandidatesUnit) contactCandidates;
 RECORD_WORDS(kContactPointsUnit) contactPoints;
 RECORD_WORDS(kContactEdgePairsUnit) contactEdgePairs;
 
-vec3 normalOf(uint v) { return fetch(contactNormals, v).xyz; }
+vec3 skinNormalOf(uint v) { return fetch(contactNormals, 2u * v).xyz; }
+vec3 wallNormalOf(uint v) { return fetch(contactNormals, 2u * v + 1u).xyz; }
 uvec4 triangleAt(uint t) { return fetch(contactTriangles, t); }
 uint pointAt(uint index) { return fetch(contactPoints, index).x; }
 ContactCandidate candidateAt(uint place) {
@@ -161,8 +162,8 @@ struct Crossing {
     float thickness;
 };
 
-bool inside(vec2 where) {
-    return all(greaterThanEqual(where, vec2(0.0))) && all(lessThanEqual(where, vec2(1.0)));
+bool inside(vec2 where, float end) {
+    return all(greaterThanEqual(where, vec2(end))) && all(lessThanEqual(where, vec2(1.0 - end)));
 }
 
 // Positions are taken from the first vertex, and d apart from X, which is far larger.
@@ -181,7 +182,7 @@ Crossing moreUrgent(Crossing best, uint v, EdgePair pair) {
     if (size < 0.05 * length(u) * length(w)) return best;
     across *= (dot(across, face) < 0.0 ? -1.0 : 1.0) / size;
     if (dot(across, face) < kAcross * length(face)) return best;
-    if (dot(across, normalOf(v)) > kOpposed) return best;
+    if (min(dot(across, skinNormalOf(v)), dot(across, wallNormalOf(v))) > kOpposed) return best;
     float before = -dot(across, c);
     vec2 where = nearestOnLines(vec3(0.0), u, c, w);
     vec3 da = displacementOf(ends.x).xyz;
@@ -189,7 +190,8 @@ Crossing moreUrgent(Crossing best, uint v, EdgePair pair) {
     vec3 dc = displacementOf(ends.z).xyz;
     vec3 dd = displacementOf(ends.w).xyz;
     vec2 after = nearestOnLines(da, u + (db - da), c + dc, w + (dd - dc));
-    if (before < -kEdgeDepth * contact.h || !inside(where) || !inside(after)) return best;
+    float end = pair.thickness > kBareEdge * contact.h ? 0.0 : kBareEnd;
+    if (before < -kEdgeDepth * contact.h || !inside(where, end) || !inside(after, end)) return best;
     vec4 gains = vec4(1.0 - where.x, where.x, where.y - 1.0, -where.y);
     vec3 slip = gains.x * da + gains.y * db + gains.z * dc + gains.w * dd;
     float lack = pair.thickness - before - dot(across, slip);

@@ -70,6 +70,11 @@ void keep(uint t, float key, float thickness) {
     bestThickness[place] = thickness;
 }
 
+// Whether one of two normals opposes that of a triangle, of any length.
+bool opposes(vec3 skin, vec3 wall, vec3 normal) {
+    return min(dot(skin, normal), dot(wall, normal)) < kOpposed * length(normal);
+}
+
 // How a vertex lies to a triangle in the rest shape.
 struct RestPlace {
     float separation;  // [m]
@@ -88,13 +93,14 @@ RestPlace placeInRest(uvec4 t) {
     vec3 weights = closestWeights(a, b, c);
     return RestPlace(length(weights.x * a + weights.y * b + weights.z * c), -dot(normal, a),
                      max(length(b - a), max(length(c - b), length(a - c))),
-                     dot(fetch(restNormals, self.vertex).xyz, normal) < kOpposed);
+                     opposes(fetch(restNormals, 2u * self.vertex).xyz,
+                             fetch(restNormals, 2u * self.vertex + 1u).xyz, normal));
 }
 
 // Of a vertex and a triangle of the same piece.
 bool mayTouch(uvec4 t, RestPlace rest) {
     if (rest.separation < kNearInRest * max(uniforms.h, rest.size)) {
-        bool walls = (t.w & 1u) != 0u && (floatBitsToUint(self.normal.w) & kTouchesWall) != 0u;
+        bool walls = (t.w & 1u) != 0u && (self.kinds & kTouchesWall) != 0u;
         return walls && rest.opposed && rest.height >= -kSlabDepth * uniforms.h;
     }
     bool throughArm = rest.opposed && rest.height < -0.5 * rest.separation &&
@@ -107,6 +113,16 @@ float thicknessAt(float separation) {
     return uniforms.thickness * clamp(separation / uniforms.h - 0.5, 0.0, 1.0);
 }
 
+// Whether what lies so deep in a triangle has come through its wall from the other side, or rests
+// there: it is for the triangles there to stop it.
+bool comesFromBehind(uvec4 t, vec3 weights, float depth) {
+    if (!(depth > 0.0)) return false;
+    float wall = weights.x * fetch(restNormals, 2u * t.x).w;
+    wall += weights.y * fetch(restNormals, 2u * t.y).w;
+    wall += weights.z * fetch(restNormals, 2u * t.z).w;
+    return depth > kDeepInWall * wall;
+}
+
 void consider(uint index) {
     uvec4 t = fetch(triangles, index);
     uint v = self.vertex;
@@ -115,13 +131,13 @@ void consider(uint index) {
     vec3 b = fetch(positions, t.y).xyz - self.place;
     vec3 c = fetch(positions, t.z).xyz - self.place;
     vec3 normal = cross(b - a, c - a);
-    if (!(dot(self.normal.xyz, normal) < kOpposed * length(normal))) return;
+    if (!opposes(self.skin, self.wall, normal)) return;
     vec3 speed = self.velocity - (fetch(velocities, t.x).xyz + fetch(velocities, t.y).xyz +
                                   fetch(velocities, t.z).xyz) / 3.0;
     float range = min(uniforms.margin, uniforms.reach + uniforms.interval * length(speed));
     vec3 weights = closestWeights(a, b, c);
     float away = length(weights.x * a + weights.y * b + weights.z * c);
-    if (!(away <= range)) return;
+    if (!(away <= range) || comesFromBehind(t, weights, dot(normal, a) / length(normal))) return;
     RestPlace rest = placeInRest(t);
     if (t.w >> 8 == self.piece && !mayTouch(t, rest)) return;
     keep(index, away / range, thicknessAt(rest.separation));

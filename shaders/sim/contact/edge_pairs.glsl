@@ -1,6 +1,7 @@
 // The edges of triangles that the edges at each point may touch until the next search: of all edges
 // from the point and all edges of its candidates the kEdgePairsPerPoint nearest pairs, ties by
-// their numbers. Only where a thickness is kept: walls of a slit have the same edges on both sides.
+// their numbers. Only where a thickness is kept: walls of a slit have the same edges on both sides;
+// and at rims against other pieces, where those slide over each other.
 // Most pairs are found from several of their ends; respond shares the work among them. Part of
 // candidates.comp.
 #include "sim/lines.glsl"
@@ -73,6 +74,7 @@ void considerEdges(uint other, uint triangle) {
         float away = distanceOf(p, u, fetch(positions, from).xyz, edge);
         if (!(away <= uniforms.reach) || isFull(away)) continue;
         float thickness = thicknessInRest(self.vertex, other, from, to);
+        if (t.w >> 8 != self.piece) thickness = max(thickness, kBareEdge * uniforms.h);
         if (thickness > 0.0 && !isKept(other, from, to)) {
             keepPair(EdgePair(other, 4u * triangle + i, thickness), away);
         }
@@ -82,8 +84,10 @@ void considerEdges(uint other, uint triangle) {
 void findEdgePairs() {
     uint v = self.vertex;
     uvec2 range = fetch(ranges, v).xy;
+    bool atRim = self.kinds == (kTouchesSkin | kTouchesWall);
     for (uint k = 0u; k < found; ++k) {
-        if (!(bestThickness[k] > 0.0)) continue;
+        bool isOther = fetch(triangles, bestTriangle[k]).w >> 8 != self.piece;
+        if (!(bestThickness[k] > 0.0) && !(atRim && isOther)) continue;
         for (uint r = range.x; r < range.y; ++r) {
             uint ring = fetch(incidence, r).x;
             considerEdges(fetch(triangles, ring >> 2)[((ring & 3u) + 1u) % 3u], bestTriangle[k]);

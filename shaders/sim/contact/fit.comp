@@ -16,6 +16,9 @@ layout(binding = kContactTrianglesBinding) uniform usamplerBuffer triangles;
 layout(binding = kContactOrderBinding) uniform usamplerBuffer order;
 layout(binding = kContactRangesBinding) uniform usamplerBuffer ranges;
 layout(binding = kContactIncidenceBinding) uniform usamplerBuffer incidence;
+layout(binding = kContactColumnsBinding) uniform usamplerBuffer columns;
+layout(binding = kContactColumnRangesBinding) uniform usamplerBuffer columnRanges;
+layout(binding = kContactColumnSharesBinding) uniform usamplerBuffer columnShares;
 layout(std430, binding = kContactNormalsBinding) writeonly buffer Normals { vec4 normals[]; };
 layout(std430, binding = kContactRestNormalsBinding) writeonly buffer RestNormals {
     vec4 restNormals[];
@@ -161,10 +164,36 @@ void fitTree() {
     if (isLast) fitTop(leaves, above);
 }
 
+// How thick the material behind a vertex is at rest: the shortest of its ISPCs, of those that end
+// beside it where none begin [m].
+float wallBehind(uint v) {
+    float own = kNoWall;
+    float others = kNoWall;
+    uvec2 range = fetch(columnRanges, v).xy;
+    for (uint k = range.x; k < range.y; ++k) {
+        uvec2 share = fetch(columnShares, k).xy;
+        float size = uintBitsToFloat(fetch(columns, 2u * share.x + 1u).z);
+        if (uintBitsToFloat(share.y) > 0.5) {  // of a weight of 1
+            own = min(own, size);
+        } else {
+            others = min(others, size);
+        }
+    }
+    return own < kNoWall ? own : others;
+}
+
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v == 0u) startAnew();
-    if (v < vertices) normals[v] = normalOf(v, positions);
-    if (v < restVertices) restNormals[v] = normalOf(v, restPositions);
+    if (v < vertices) {
+        VertexNormals own = normalsOf(v, positions);
+        normals[2u * v] = vec4(own.skin, uintBitsToFloat(own.kinds));
+        normals[2u * v + 1u] = vec4(own.wall, 0.0);
+    }
+    if (v < restVertices) {
+        VertexNormals own = normalsOf(v, restPositions);
+        restNormals[2u * v] = vec4(own.skin, wallBehind(v));
+        restNormals[2u * v + 1u] = vec4(own.wall, 0.0);
+    }
     if (gl_WorkGroupID.x * kGroupSize < leaves) fitTree();
 }

@@ -8,7 +8,9 @@ struct Searcher {
     uint piece;
     vec3 place;
     vec3 velocity;
-    vec4 normal;
+    vec3 skin;  // its normals
+    vec3 wall;
+    uint kinds;    // what its triangles are
     uint opposed;  // where the normals of triangles that it may touch can point to; 0: none
 };
 Searcher self;
@@ -135,14 +137,17 @@ void search(Bounds own, Bounds group) {
 
 void takeVertex() {
     uint v = fetch(order, gl_GlobalInvocationID.x).x;
-    self = Searcher(v, kNoPiece, vec3(0.0), vec3(0.0), vec4(0.0), 0u);
+    self = Searcher(v, kNoPiece, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 0u, 0u);
     if (v >= uniforms.vertex_count) return;
     self.piece = links[v].piece;
     self.place = fetch(positions, v).xyz;
     self.velocity = fetch(velocities, v).xyz;
-    self.normal = fetch(normals, v);
+    vec4 normal = fetch(normals, 2u * v);
+    self.skin = normal.xyz;
+    self.wall = fetch(normals, 2u * v + 1u).xyz;
+    self.kinds = floatBitsToUint(normal.w);
     if (self.piece != kNoPiece && pieces[self.piece].constrained != 0u &&
         within(self.place, kNothing)) {
-        self.opposed = opposedBins(self.normal.xyz);
+        self.opposed = opposedBins(self.skin) | opposedBins(self.wall);
     }
 }

@@ -30,21 +30,54 @@ Vec3 planeWeights(const Corners& c, const Vec3& p) {
     return {1 - second - third, second, third};
 }
 
-/// Sum of the area normals around each vertex over the sum of their lengths.
-std::vector<Vec3> vertexNormals(const BodyModel& model, const std::vector<Vec3>& at) {
-    std::vector<Vec3> sums(at.size(), Vec3::Zero());
-    std::vector<double> areas(at.size(), 0.0);
+/// Of each vertex, of its skin and of its walls: the sum of the area normals over the sum of their
+/// lengths; both are the same where there is one kind alone.
+std::vector<std::array<Vec3, 2>> vertexNormals(const BodyModel& model,
+                                               const std::vector<Vec3>& at) {
+    std::vector<std::array<Vec3, 2>> sums(at.size(), {Vec3::Zero(), Vec3::Zero()});
+    std::vector<std::array<double, 2>> areas(at.size(), {0.0, 0.0});
     for (const auto& t : model.triangles) {
         const Vec3 normal = areaNormal(cornersOf(t, at));
         for (int k = 0; k < 3; ++k) {
-            sums[t[k]] += normal;
-            areas[t[k]] += normal.norm();
+            sums[t[k]][t[3] & 1u] += normal;
+            areas[t[k]][t[3] & 1u] += normal.norm();
         }
     }
     for (std::size_t v = 0; v < at.size(); ++v) {
-        sums[v] = areas[v] > 0 ? Vec3(sums[v] / areas[v]) : Vec3::Zero();
+        for (const int kind : {0, 1}) {
+            if (areas[v][kind] > 0) {
+                sums[v][kind] /= areas[v][kind];
+            }
+        }
+        for (const int kind : {0, 1}) {
+            if (!(areas[v][kind] > 0)) {
+                sums[v][kind] = sums[v][1 - kind];
+            }
+        }
     }
     return sums;
+}
+
+/// Whether one of two normals opposes that of a triangle, of any length.
+bool opposes(const std::array<Vec3, 2>& normals, const Vec3& normal) {
+    return std::min(normals[0].dot(normal), normals[1].dot(normal)) <
+           shared::kOpposed * normal.norm();
+}
+
+/// The shortest column of each vertex, of those that end beside it where none begin [m].
+std::vector<double> wallsBehind(const BodyModel& model) {
+    std::vector<double> own(model.restPositions.size(), shared::kNoWall);
+    std::vector<double> others = own;
+    for (const shared::IspcConstraint& column : model.ispcs) {
+        own[column.vertex] = std::min<double>(own[column.vertex], column.rest_length);
+        for (const std::uint32_t v : {column.t0, column.t1, column.t2}) {
+            others[v] = std::min<double>(others[v], column.rest_length);
+        }
+    }
+    for (std::size_t v = 0; v < own.size(); ++v) {
+        own[v] = own[v] < shared::kNoWall ? own[v] : others[v];
+    }
+    return own;
 }
 
 }  // namespace
@@ -68,6 +101,7 @@ ReferenceContact::ReferenceContact(const BodyModel& model, const shared::Contact
         rest_.push_back(p.cast<double>());
     }
     restNormals_ = vertexNormals(model, rest_);
+    walls_ = wallsBehind(model);
     touchesWall_.assign(rest_.size(), false);
     for (const auto& t : model.triangles) {
         for (int k = 0; k < 3 && (t[3] & 1u) != 0; ++k) {
@@ -78,7 +112,7 @@ ReferenceContact::ReferenceContact(const BodyModel& model, const shared::Contact
 
 std::vector<std::vector<ReferenceCandidate>> ReferenceContact::findCandidates(
     const ReferenceState& state) const {
-    const std::vector<Vec3> normals = vertexNormals(model_, state.positions);
+    const std::vector<std::array<Vec3, 2>> normals = vertexNormals(model_, state.positions);
     std::vector<std::vector<ReferenceCandidate>> all(state.positions.size());
     for (std::uint32_t v = 0; v < all.size(); ++v) {
         const int piece = model_.pieceOfVertex[v];
@@ -87,7 +121,7 @@ std::vector<std::vector<ReferenceCandidate>> ReferenceContact::findCandidates(
         }
         for (std::uint32_t t = 0; t < model_.triangles.size(); ++t) {
             const Vec3 normal = areaNormal(cornersOf(model_.triangles[t], state.positions));
-            const bool opposed = normals[v].dot(normal) < shared::kOpposed * normal.norm();
+            const bool opposed = opposes(normals[v], normal);
             ReferenceCandidate candidate;
             if (opposed && consider(v, t, state, candidate)) {
                 all[v].push_back(candidate);
@@ -118,6 +152,12 @@ bool ReferenceContact::consider(std::uint32_t vertex, std::uint32_t triangle,
     if (away > range || (piece == model_.pieceOfVertex[vertex] && !mayTouch(vertex, triangle))) {
         return false;
     }
+    const double depth = areaNormal(corners).normalized().dot(corners[0] - p);
+    const double wall =
+        weights[0] * walls_[t[0]] + weights[1] * walls_[t[1]] + weights[2] * walls_[t[2]];
+    if (depth > 0 && depth > shared::kDeepInWall * wall) {
+        return false;
+    }
     const Corners rest = cornersOf(t, rest_);
     const Vec3 restWeights = closestWeights(rest_[vertex], rest[0], rest[1], rest[2]);
     const double separation = (rest_[vertex] - weighted(restWeights, rest)).norm();
@@ -134,7 +174,7 @@ bool ReferenceContact::mayTouch(std::uint32_t vertex, std::uint32_t triangle) co
     const Vec3 weights = closestWeights(rest_[vertex], rest[0], rest[1], rest[2]);
     const double separation = (rest_[vertex] - weighted(weights, rest)).norm();
     const double height = normal.dot(rest_[vertex] - rest[0]);
-    const bool opposed = restNormals_[vertex].dot(normal) < shared::kOpposed;
+    const bool opposed = opposes(restNormals_[vertex], normal);
     if (separation < shared::kNearInRest * std::max<double>(uniforms_.h, longestEdge(rest))) {
         return (t[3] & 1u) != 0 && touchesWall_[vertex] && opposed &&
                height >= -shared::kSlabDepth * uniforms_.h;

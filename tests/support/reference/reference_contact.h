@@ -53,7 +53,9 @@ class ReferenceContact {
     const BodyModel& model_;
     shared::ContactUniforms uniforms_;
     std::vector<double> inverseMass_;
-    std::vector<Vec3> rest_, restNormals_;
+    std::vector<Vec3> rest_;
+    std::vector<std::array<Vec3, 2>> restNormals_;  ///< of the skin and of walls
+    std::vector<double> walls_;                     ///< the material behind each vertex at rest [m]
     std::vector<bool> touchesWall_;
 };
 
