@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "sim/base/predicates.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_pose.h"
+#include "sim/contact/contact_solver.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/surface_contact.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr double kLeastThin = 0.05;     // of the vertices of a thin body
 constexpr double kRounding = 0x1p-20;   // of the largest coordinate: a depth that is none
+constexpr double kLeastVolume = 1e-6;   // of a piece at rest: a lack that is none
 constexpr double kPinnedWeight = 1000;  // of what is pinned, in the motion of a zone
 constexpr double kNoFloor = std::numeric_limits<double>::lowest();
 
@@ -46,9 +49,11 @@ class Impact {
         : body_(body),
           mesh_(mesh),
           floor_(body.floor.value_or(kNoFloor)),
+          hair_(shared::kHair * contactEdgeLength(body.model)),
           masses_(unitMasses(body.model)),
           zones_(masses_.size()),
-          moved_(masses_.size(), true) {
+          moved_(masses_.size(), true),
+          inZone_(masses_.size(), false) {
         for (int v = 0; v < mesh.vertexCount(); ++v) {
             const Vec3& place = mesh.position(v);
             rounding_ = std::max(rounding_, kRounding * place.cwiseAbs().maxCoeff());
@@ -62,6 +67,7 @@ class Impact {
         for (const int t : body.model.meshTriangle) {
             triangles_.push_back({t, mesh.triangle(t)});
         }
+        volumes_ = pieceVolumes();
     }
 
     /// From left to right, among what has moved since the last look. Returns whether a zone grew.
@@ -96,16 +102,80 @@ class Impact {
         }
     }
 
+    /// Gives pieces back the volume that the step left them, by what is in no zone: along the
+    /// normal, the lighter the farther.
+    void keepVolumes() {
+        const std::vector<double> lacking = lackingVolumes();
+        std::vector<Vec3> gradients(masses_.size(), Vec3::Zero());
+        for (const BoxedTriangle& t : triangles_) {
+            for (const int v : t.corners) {
+                gradients[v] += areaNormal(cornersOf(mesh_, t.slot)) / 6;
+            }
+        }
+        std::vector<double> sums(lacking.size(), 0);
+        for (int v = 0; v < mesh_.vertexCount(); ++v) {
+            if (isFree(v)) {
+                sums[body_.model.pieceOfVertex[v]] += gradients[v].squaredNorm() / masses_[v];
+            }
+        }
+        for (int v = 0; v < mesh_.vertexCount(); ++v) {
+            const int piece = body_.model.pieceOfVertex[v];
+            if (isFree(v) && lacking[piece] != 0 && sums[piece] > 0) {
+                Vec3 place =
+                    mesh_.position(v) + lacking[piece] / (sums[piece] * masses_[v]) * gradients[v];
+                place.y() = std::max(place.y(), floor_);
+                mesh_.setState(v, nearestFloats(place), mesh_.velocity(v));
+                moved_[v] = true;
+            }
+        }
+    }
+
   private:
+    std::vector<double> pieceVolumes() const {
+        std::vector<double> volumes(body_.model.pieces.size(), 0);
+        for (const auto& t : body_.model.triangles) {
+            const Vec3& a = mesh_.position(static_cast<int>(t[0]));
+            const Vec3& b = mesh_.position(static_cast<int>(t[1]));
+            volumes[t[3] >> 8] += a.dot(b.cross(mesh_.position(static_cast<int>(t[2])))) / 6;
+        }
+        return volumes;
+    }
+
+    /// 0 where no volume is held, or nothing lacks but by rounding.
+    std::vector<double> lackingVolumes() const {
+        std::vector<double> lacking = pieceVolumes();
+        for (std::size_t p = 0; p < lacking.size(); ++p) {
+            const PieceModel& piece = body_.model.pieces[p];
+            lacking[p] = volumes_[p] - lacking[p];
+            if (!piece.holdsVolume || std::fabs(lacking[p]) < kLeastVolume * piece.restVolume) {
+                lacking[p] = 0;
+            }
+        }
+        return lacking;
+    }
+
+    /// In a piece, not pinned and in no zone.
+    bool isFree(int v) const {
+        return body_.model.pieceOfVertex[v] >= 0 && !isPinned(v) && !inZone_[v];
+    }
+
     bool hasMoved(const BoxedTriangle& t) const {
         return std::ranges::any_of(t.corners, [&](int v) { return moved_[v]; });
     }
 
     bool crossAnew(const BoxedTriangle& a, const BoxedTriangle& b) const {
+        const std::vector<int>& pieces = body_.model.pieceOfVertex;
+        if (!body_.apart && pieces[a.corners[0]] != pieces[b.corners[0]]) {
+            return false;
+        }
         const Corners ofA = cornersOf(mesh_, a.slot);
         const Corners ofB = cornersOf(mesh_, b.slot);
-        return straddles(ofA, ofB) && straddles(ofB, ofA) && repair::passThrough(ofA, ofB) &&
-               !areAcrossSlit(a, b) && !crossedBefore(a.corners, b.corners);
+        if (!straddles(ofA, ofB) || !straddles(ofB, ofA) || !repair::passThrough(ofA, ofB)) {
+            return false;
+        }
+        const bool acrossSlit = areAcrossSlit(a, b);
+        return (!acrossSlit || repair::crossingDepth(ofA, ofB) > hair_) &&
+               !crossedBefore(a.corners, b.corners, acrossSlit ? hair_ : rounding_);
     }
 
     /// Two walls, or triangles with copies of one point.
@@ -120,11 +190,11 @@ class Impact {
         return (isWall(a.slot) && isWall(b.slot)) || std::ranges::any_of(a.corners, isCopyIn);
     }
 
-    bool crossedBefore(const Triangle& a, const Triangle& b) const {
+    bool crossedBefore(const Triangle& a, const Triangle& b, double least) const {
         const auto& x = body_.before;
         const Corners ofA{x[a[0]], x[a[1]], x[a[2]]};
         const Corners ofB{x[b[0]], x[b[1]], x[b[2]]};
-        return repair::passThrough(ofA, ofB) && repair::crossingDepth(ofA, ofB) > rounding_;
+        return repair::passThrough(ofA, ofB) && repair::crossingDepth(ofA, ofB) > least;
     }
 
     bool join(const BoxedTriangle& a, const BoxedTriangle& b) {
@@ -166,7 +236,9 @@ class Impact {
             speed.velocity.y() = std::max(speed.velocity.y(), 0.0);
         }
         for (std::size_t i = 0; i < members.size(); ++i) {
-            if (const int v = vertices[i]; !isPinned(v)) {
+            const int v = vertices[i];
+            inZone_[v] = true;
+            if (!isPinned(v)) {
                 Vec3 place = nearestFloats(placeOf(members[i]));
                 place.y() = height(members[i]) < rounding_ ? nearestFloat(floor_) : place.y();
                 const Vec3 arm = members[i].at - middle;
@@ -183,11 +255,13 @@ class Impact {
     const MovedBody& body_;
     SurfaceMesh& mesh_;
     const double floor_;  ///< [m]
+    const double hair_;   ///< up to here walls of a slit may lie in each other [m]
     std::vector<double> masses_;
     std::vector<Vec3> ways_, velocities_;  ///< of the step as it was solved [m], [m/s]
     std::vector<BoxedTriangle> triangles_;
     UnionFind zones_;
-    std::vector<char> moved_;
+    std::vector<double> volumes_;  ///< of pieces, as the step left them [m^3]
+    std::vector<char> moved_, inZone_;
     double rounding_ = 0;  ///< [m]
 };
 
@@ -211,6 +285,7 @@ bool stopCrossings(const MovedBody& body, SurfaceMesh& mesh) {
     bool any = false;
     while (impact.joinCrossings()) {
         impact.moveZones();
+        impact.keepVolumes();
         any = true;
     }
     return any;

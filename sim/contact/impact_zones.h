@@ -21,6 +21,7 @@ struct MovedBody {
     const std::vector<Vec3>& before;          ///< where its vertices were [m]
     std::optional<double> floor;              ///< height [m]
     std::span<const std::uint32_t> pinned{};  ///< vertices that stay, ascending
+    bool apart = true;                        ///< whether pieces are kept from each other, too
 };
 
 /// Keeps triangles from passing through each other in a step, by rigid impact zones (Provot 1997):

@@ -123,7 +123,7 @@ bool Simulation::State::sleeps() const {
 
 void Simulation::State::solve() {
     body.prepareStep(input.params);
-    const bool keepsApart = body.thin && contactSettings(input.params).enabled;
+    const bool keepsApart = body.keepsTrianglesApart(input.params);
     const std::vector<Vec3> before = keepsApart ? body.mesh().positions() : std::vector<Vec3>();
     moveBody();
     const Vec3 middle = middleOfBlade();
@@ -192,7 +192,7 @@ void Simulation::State::prefetchCut() {
     } else if (!vertices.empty() && !body.readsAllBack) {
         body.sync.prefetch(std::nullopt, vertices);
     }
-    if (body.readsAllBack || body.thin || stroke.endsInStep()) {
+    if (body.readsAllBack || body.keepsTrianglesApart(input.params) || stroke.endsInStep()) {
         body.sync.prefetchAll();
     }
 }
@@ -251,7 +251,7 @@ void Simulation::State::lookAfterShape() {
     if (keeps) {
         drawCollapsedBack(std::move(insideOut));
     }
-    if (unfolds && keeps && !body.memory.crumpled) {
+    if (unfolds && keeps && !body.memory.crumpled && !body.thin) {
         mendFolds();
     }
 }

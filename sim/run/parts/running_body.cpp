@@ -304,9 +304,17 @@ void RunningBody::bringLostPiecesBack() {
     memory.measure = solver.measure();
 }
 
+bool RunningBody::keepsTrianglesApart(const Params& params) const {
+    constexpr double kMuchStretch = 2;
+    const bool isDrawn = memory.measure.largestStretch > kMuchStretch && keepsShape(params) &&
+                         !memory.mayHaveCollapsed && !memory.crumpled;
+    return contactSettings(params).enabled && (thin || isDrawn);
+}
+
 void RunningBody::stopCrossings(const std::vector<Vec3>& before, const Params& params) {
     mesh().bringAll();
-    if (kerf::stopCrossings({model(), before, params.floor, memory.pins.vertices()}, mesh())) {
+    if (kerf::stopCrossings({model(), before, params.floor, memory.pins.vertices(), thin},
+                            mesh())) {
         solver.setState(stateOf(mesh()));
         sync.forget();
         measureAtRest();

@@ -49,8 +49,12 @@ struct RunningBody {
     /// Decays volume targets, and moves hands and recovering pieces, before the solver's step.
     void prepareStep(const Params& params);
     void bringLostPiecesBack();
-    /// Keeps triangles of a folded thin body from passing through each other, unless they did at
-    /// `before` [m]. Measures the body again if some did.
+    /// Whether the coming step may lead it through itself, past what contact can see: it is thin,
+    /// or some edge was drawn to three times its length. Not where it comes back from a
+    /// collapse.
+    bool keepsTrianglesApart(const Params& params) const;
+    /// Keeps its triangles from passing through each other, unless they did at `before` [m].
+    /// Measures the body again if some did.
     void stopCrossings(const std::vector<Vec3>& before, const Params& params);
     /// Measures what the solver's step has moved; waits for the GPU.
     void measureStep();
