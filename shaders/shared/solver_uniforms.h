@@ -26,7 +26,8 @@ SHARED_CONST float kPullRate = 120.0f;
 
 // Compliance of a constraint over h^2: its geometry * compliance[type].
 struct SolverUniforms {
-    vec4 gravity;           // xyz [m/s^2]; w unused
+    vec4 gravity;           // xyz [m/s^2]; w: the stretch of shorter edges is measured as if they
+                            // were as long [m], set by SolverBody
     float substep;          // h = dt / n [s]
     float drag_factor;      // exp(-c h): v = d / h * drag_factor
     float inverse_density;  // w = inverse_density / unit_mass [m^3/kg]

@@ -20,7 +20,7 @@ float edgeEnergy(uint v) {
         Spoke spoke = fetchSpoke(spokes, k);
         float error = distance(own, fetch(positions, spoke.other).xyz) - spoke.rest_length;
         sum += energyOf(error * error, spoke.geometry, kStretch);
-        float stretch = min(error / spoke.rest_length, kMostStretch);
+        float stretch = min(error / max(spoke.rest_length, uniforms.gravity.w), kMostStretch);
         if (stretch > largestStretch) largestStretch = stretch;  // no comparison holds for NaN
     }
     return 0.5 * sum;  // the other end has the other half

@@ -30,7 +30,9 @@ struct BodyMeasure {
     /// The energy of the strained material: the sum of C^2 / (2 alpha) over edges, bends and ISPCs
     /// that are on and not rigid; means nothing with plain PBD [J].
     double strainEnergy = 0;
-    double largestStretch = 0;  ///< of an edge, as a share of its length
+    /// Of an edge, as a share of its length or of a quarter of the edge length of walls, which is
+    /// more: a sliver's short edge says nothing about the material.
+    double largestStretch = 0;
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>

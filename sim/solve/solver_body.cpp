@@ -70,12 +70,28 @@ using shared::uint;
 
 namespace {
 
+// Of the edge length of walls: see BodyMeasure::largestStretch.
+constexpr double kLeastMeasured = 0.25;
+
 /// The speed [m/s] that no vertex of such a body reaches but by a blow-up: 1000 diagonals a second,
 /// and what free fall adds in 100 s. `diagonal` [m], `gravity` [m/s^2].
 double runawaySpeed(double diagonal, double gravity) {
     constexpr double kDiagonalsPerSecond = 1000;
     constexpr double kFall = 100;  // [s]
     return kDiagonalsPerSecond * diagonal + kFall * gravity;
+}
+
+/// Each vertex that a pull moves is named once, or two threads would write it.
+[[maybe_unused]] bool nameVerticesOnce(const std::vector<shared::PullRecord>& records) {
+    std::vector<uint> named;
+    for (const shared::PullRecord& record : records) {
+        named.push_back(record.vertex);
+        if (record.leads >= shared::kFirstBond) {
+            named.push_back(record.leads - shared::kFirstBond);
+        }
+    }
+    std::ranges::sort(named);
+    return std::ranges::adjacent_find(named) == named.end();
 }
 
 }  // namespace
@@ -112,6 +128,7 @@ void SolverBody::setPulls(const std::vector<shared::PullRecord>& records) {
     if (records.empty() && uniforms.pull_count == 0 && pulls.size() > 0) {
         return;
     }
+    assert(nameVerticesOnce(records));
     pulls.assign(records);
     uniforms.pull_count = size32(records.size());
     uploadUniforms();
@@ -119,6 +136,7 @@ void SolverBody::setPulls(const std::vector<shared::PullRecord>& records) {
 
 void SolverBody::uploadUniforms() {
     const shared::vec4& g = uniforms.gravity;
+    uniforms.gravity.w = static_cast<float>(kLeastMeasured * model.wallEdge);
     uniforms.runaway_speed =
         static_cast<float>(runawaySpeed(model.diagonal, Vec3(g.x, g.y, g.z).norm()));
     uniformBuffer.assign(std::span<const shared::SolverUniforms>(&uniforms, 1));

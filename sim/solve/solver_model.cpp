@@ -4,6 +4,7 @@
 
 #include "sim/base/mapped.h"
 #include "sim/base/pausing.h"
+#include "sim/cut/wall_edge.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gathered_records.h"
 
@@ -124,6 +125,7 @@ void SolverModel::takeVertices(const BodyModel& model) {
     areas.assign(model.vertexAreas.begin(), model.vertexAreas.end());
     pieceOf = model.pieceOfVertex;
     diagonal = boundsOf(model.restPositions).diagonal();
+    wallEdge = wallEdgeFor(model.edgeLength, model.diagonal);
 }
 
 void SolverModel::uploadRestShape(const BodyModel& model) {

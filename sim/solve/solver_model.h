@@ -54,6 +54,7 @@ struct SolverModel {
     std::vector<float> areas;  ///< rest area of each vertex [m^2]
     std::vector<int> pieceOf;  ///< of each vertex, -1 for none
     double diagonal = 0;       ///< of the body at rest [m]
+    double wallEdge = 0;       ///< edge length of walls [m]
 
     gpu::Buffer restPositions, cutSkinNormals, links, areaBuffer;
     gpu::Buffer triangles;

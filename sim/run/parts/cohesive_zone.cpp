@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "sim/base/sort_unique.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
@@ -13,6 +15,19 @@ namespace {
 constexpr double kZoneLength = 0.88;
 // Of its reach: up to here a new bond is as stiff as at this opening.
 constexpr double kStiffUpTo = 0.02;
+
+/// The labels of the walls at a vertex, but for those of a stroke; ascending.
+std::vector<int> labelsBeside(const SurfaceMesh& mesh, int v, int stroke) {
+    std::vector<int> labels;
+    mesh.forEachOutgoing(v, [&](int h) {
+        const int label = mesh.wallLabel(SurfaceMesh::triangleOf(h));
+        if (label >= 0 && label / 2 != stroke) {
+            labels.push_back(label);
+        }
+    });
+    sortUnique(labels);
+    return labels;
+}
 
 bool hasWall(const SurfaceMesh& mesh, int v, int label) {
     bool found = false;
@@ -41,26 +56,38 @@ TearLaw tearLaw(const Params& params, double edge) {
 
 int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel) {
     const int group = mesh.copyGroup(v);
-    if (group >= 0) {
-        for (const int copy : mesh.copiesOfGroup(group)) {
-            if (copy != v && hasWall(mesh, copy, otherLabel)) {
-                return copy;
-            }
-        }
+    if (group < 0) {
+        return -1;
     }
-    return -1;
+    const int stroke = otherLabel / 2;
+    int facing = -1;
+    for (const int copy : mesh.copiesOfGroup(group)) {
+        if (copy == v || !hasWall(mesh, copy, otherLabel)) {
+            continue;
+        }
+        if (labelsBeside(mesh, copy, stroke) == labelsBeside(mesh, v, stroke)) {
+            return copy;
+        }
+        facing = facing < 0 ? copy : facing;
+    }
+    return facing;
 }
 
 void CohesiveZone::bond(const SurfaceMesh& mesh, const CutDelta& delta, int stroke,
                         int firstVertex) {
     const int label = 2 * stroke;
+    std::set<int> bonded;
+    for (const Bond& bond : bonds_) {
+        bonded.insert({bond.plus, bond.minus});
+    }
     for (const int t : delta.addedTriangles) {
         if (!mesh.alive(t) || mesh.wallLabel(t) != label) {
             continue;
         }
         for (const int v : mesh.triangle(t)) {
-            const int facing = find(v) == nullptr ? facingVertex(mesh, v, label + 1) : -1;
-            if (facing >= 0 && std::max(v, facing) >= firstVertex) {
+            const int facing = bonded.contains(v) ? -1 : facingVertex(mesh, v, label + 1);
+            if (facing >= 0 && !bonded.contains(facing) && std::max(v, facing) >= firstVertex) {
+                bonded.insert({v, facing});
                 const auto place = std::ranges::lower_bound(bonds_, v, {}, &Bond::plus);
                 bonds_.insert(place, {.plus = v, .minus = facing, .label = label});
             }

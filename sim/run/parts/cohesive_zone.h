@@ -55,7 +55,7 @@ class CohesiveZone {
     void setLaw(const TearLaw& law) { law_ = law; }
     const TearLaw& law() const { return law_; }
     /// Bonds the walls that stroke `stroke` has just made, as a tear: points with a copy from
-    /// `firstVertex` on.
+    /// `firstVertex` on. No vertex has more than one bond.
     void bond(const SurfaceMesh& mesh, const CutDelta& delta, int stroke, int firstVertex);
     /// After any step of the cutter: the present share of the walls of each bond.
     void follow(const SurfaceMesh& mesh);
@@ -87,8 +87,8 @@ class CohesiveZone {
     double spent_ = 0;         ///< of bonds that are gone [J]
 };
 
-/// The copy of `v`, a vertex of the wall of a stroke, on its other wall; -1 if there is none, as
-/// along the front.
+/// The copy of `v`, a vertex of the wall of a stroke, on its other wall, on the same side of older
+/// slits if there is one; -1 if there is none, as along the front.
 int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel);
 
 }  // namespace kerf
