@@ -276,7 +276,8 @@ class Collapse {
         }
         plan_.deviation = moved + std::max(workspace_.deviationAt(from_.copies),
                                            workspace_.deviationAt(to_.copies));
-        return plan_.deviation <= workspace_.mostDeviation();
+        return plan_.deviation <= workspace_.mostDeviation() &&
+               unfacedDeviation(workspace_, plan_.rings) <= kMostUnfaced * workspace_.edgeLength();
     }
 
     const Workspace& workspace_;

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "sim/mesh/closest_point.h"
+#include "sim/mesh/deformation_field.h"
 
 namespace kerf::cut {
 
@@ -120,7 +124,68 @@ double rimDeviation(const SurfaceMesh& mesh, const SharedStar& from, const Share
     return most;
 }
 
+/// The walls of a ring that have a label, at rest.
+RingShape wallsAtRest(const Workspace& workspace, const OneRing& ring, int label) {
+    const SurfaceMesh& mesh = workspace.mesh;
+    const VertexPositions rest =
+        workspace.judgesAtRest() ? VertexPositions::current(mesh) : VertexPositions::atRest(mesh);
+    RingShape shape;
+    for (const int t : ring.before) {
+        if (mesh.wallLabel(t) == label) {
+            const Triangle& c = mesh.triangle(t);
+            shape.before.push_back({rest[c[0]], rest[c[1]], rest[c[2]]});
+        }
+    }
+    const Vec3& place = workspace.judgesAtRest() ? ring.position : ring.rest;
+    const auto after = [&](int v) -> const Vec3& { return v == ring.vertex ? place : rest[v]; };
+    for (const RingTriangle& t : ring.after) {
+        if (mesh.wallLabel(t.slot) == label) {
+            shape.after.push_back({after(t.corners[0]), after(t.corners[1]), after(t.corners[2])});
+        }
+    }
+    return shape;
+}
+
+/// The walls that the rings meet, by label: their corners as points of the uncut body.
+std::map<int, std::set<int>> pointsOfWalls(const SurfaceMesh& mesh,
+                                           const std::vector<OneRing>& rings) {
+    std::map<int, std::set<int>> points;
+    for (const OneRing& ring : rings) {
+        for (const int t : ring.before) {
+            if (mesh.wallLabel(t) >= 0) {
+                for (const int v : mesh.triangle(t)) {
+                    points[mesh.wallLabel(t)].insert(mesh.firstCopy(v));
+                }
+            }
+        }
+    }
+    return points;
+}
+
 }  // namespace
+
+double unfacedDeviation(const Workspace& workspace, const std::vector<OneRing>& rings) {
+    double most = 0;
+    const std::map<int, std::set<int>> walls = pointsOfWalls(workspace.mesh, rings);
+    for (const auto& [label, points] : walls) {
+        const auto facing = walls.find(label ^ 1);
+        if (facing != walls.end() && facing->second == points) {
+            continue;
+        }
+        for (const OneRing& ring : rings) {
+            const RingShape shape = wallsAtRest(workspace, ring, label);
+            for (const auto& [from, to] :
+                 {std::pair(&shape.before, &shape.after), std::pair(&shape.after, &shape.before)}) {
+                for (const Corners& t : *from) {
+                    for (const Vec3& corner : t) {
+                        most = std::max(most, to->empty() ? 0.0 : distanceToAny(corner, *to));
+                    }
+                }
+            }
+        }
+    }
+    return most;
+}
 
 double deviationOf(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
                    const std::vector<OneRing>& rings) {

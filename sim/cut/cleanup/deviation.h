@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/cut/cleanup/one_ring.h"
+#include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
 
@@ -11,5 +12,10 @@ namespace kerf::cut {
 /// are one star.
 double deviationOf(const SurfaceMesh& mesh, const SharedStar& from, const SharedStar& to,
                    const std::vector<OneRing>& rings);
+
+/// The largest distance [m] between old and new walls at rest that the other side does not mirror
+/// here, as where a cut has divided one wall of an older slit alone: at rest both lie on each
+/// other.
+double unfacedDeviation(const Workspace& workspace, const std::vector<OneRing>& rings);
 
 }  // namespace kerf::cut

@@ -15,6 +15,8 @@ inline constexpr double kGoodEdgeOfFold = 0.3;
 inline constexpr double kLongestCollapse = 0.6;
 /// How far surface and rim may move, summed over all operations at one place.
 inline constexpr double kMostDeviation = 0.014;
+/// How far a wall may move at rest where its other side does not.
+inline constexpr double kMostUnfaced = 2e-4;
 /// How far the surface may move where skin stays folded: less than the fold shows.
 inline constexpr double kMostDeviationOfFold = 0.1;
 /// Volume that one operation may change, as a share of the body.

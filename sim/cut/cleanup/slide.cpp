@@ -70,7 +70,8 @@ class Slide {
         }
         const double deviation =
             deviationOf(mesh_, star_, star_, rings) + workspace_.deviationAt(star_.copies);
-        if (deviation > workspace_.mostDeviation() || addsPiercings(mesh_, rings)) {
+        if (deviation > workspace_.mostDeviation() || addsPiercings(mesh_, rings) ||
+            unfacedDeviation(workspace_, rings) > kMostUnfaced * workspace_.edgeLength()) {
             return false;
         }
         for (const OneRing& ring : rings) {
