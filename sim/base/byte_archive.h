@@ -15,13 +15,30 @@
 
 namespace kerf {
 
-/// A value whose bytes in memory are all of it: numbers, vectors of Eigen, structs of these.
+/// A value whose bytes in memory are all of it: numbers, vectors of Eigen, structs of these. Not of
+/// optional values, whose bytes are anything where there is none: they need archive().
 template <class T>
 concept Flat = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
 
+/// The bytes of a value, 0 between its members (where the compiler is GCC): so equal values have
+/// equal bytes.
+template <Flat T>
+std::array<std::byte, sizeof(T)> plainBytes(const T& value) {
+    T copy = value;
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_clear_padding)
+    __builtin_clear_padding(&copy);
+#endif
+#endif
+    std::array<std::byte, sizeof(T)> bytes;
+    std::memcpy(bytes.data(), &copy, sizeof copy);
+    return bytes;
+}
+
 /// Visits what values consist of, in a fixed order, to write them as bytes or to read them again.
 /// A class takes part by a function template `archive(io)` that calls `io` with all its members.
-/// `Medium` has raw(data, bytes), count(size), which returns the number of elements, and kReads.
+/// `Medium` has raw(data, bytes), plain(values, number), count(size), which returns the number of
+/// elements, and kReads.
 template <class Medium>
 class ByteArchive : public Medium {
   public:
@@ -40,14 +57,14 @@ class ByteArchive : public Medium {
             value.archive(*this);
         } else {
             static_assert(Flat<T>, "this needs archive()");
-            Medium::raw(&value, sizeof value);
+            Medium::plain(&value, 1);
         }
     }
     template <class T>
     void visit(std::vector<T>& list) {
         resize(list);
-        if constexpr (Flat<T>) {
-            Medium::raw(list.data(), list.size() * sizeof(T));
+        if constexpr (Flat<T> && !requires(T & t) { t.archive(*this); }) {
+            Medium::plain(list.data(), list.size());
         } else {
             visitEach(list);
         }
@@ -77,7 +94,7 @@ class ByteArchive : public Medium {
     }
     template <class Key, class T>
     void visit(std::unordered_map<Key, T>& table) {
-        visitAs<std::vector<std::pair<Key, T>>>(table);
+        visitAs<std::map<Key, T>>(table);  // in an order of its own, whatever came first
     }
     template <class T>
     void visit(std::set<T>& values) {
@@ -128,6 +145,18 @@ class ToBytes {
         raw(&size, sizeof size);
         return size;
     }
+    template <Flat T>
+    void plain(const T* values, std::size_t number) {
+        for (std::size_t i = 0; i < number; ++i) {
+            if constexpr (std::has_unique_object_representations_v<T> ||
+                          std::is_floating_point_v<T>) {
+                raw(values, number * sizeof(T));
+                return;
+            }
+            const auto bytes_of = plainBytes(values[i]);
+            raw(bytes_of.data(), bytes_of.size());
+        }
+    }
 };
 
 /// Takes from bytes, which must outlive it. Throws std::out_of_range where they end too early.
@@ -146,6 +175,10 @@ class FromBytes {
             std::memcpy(data, bytes_.data() + at_, size);
         }
         at_ += size;
+    }
+    template <Flat T>
+    void plain(T* values, std::size_t number) {
+        raw(values, number * sizeof(T));
     }
     /// A count cannot exceed the bytes that follow.
     std::size_t count(std::size_t) {

@@ -22,6 +22,12 @@ enum class SolverMode {
 struct OwnMaterial {
     std::optional<double> youngsModulus;  ///< [Pa]
     std::optional<double> density;        ///< [kg/m^3]
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(youngsModulus, density);
+    }
 };
 
 /// Models that a scene may consist of.
@@ -86,7 +92,14 @@ struct Params : SceneParams {
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(static_cast<SceneParams&>(*this), models);
+        SceneParams scene = *this;
+        scene.floor = floor.value_or(0.0);  // or its bytes would be anything
+        std::optional<double> height = floor;
+        io(scene, height, models);
+        if constexpr (Archive::kReads) {
+            scene.floor = height;
+            static_cast<SceneParams&>(*this) = scene;
+        }
     }
 };
 
