@@ -1,10 +1,12 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random, spheres that fall onto bars.
 //   kerf_contact_bench [halves|blocks|octopus|speed|crowd|poured|dropped_halves|collision|
-//   drops|bars] [--runs N] [--first I] [--seed S] [--size TRIANGLES] [--seconds S] [--NAME VALUE
+//   drops|bars|walls] [--runs N] [--first I] [--seed S] [--size TRIANGLES] [--seconds S] [--NAME
+//   VALUE
 //   ...]
 // where NAME is a parameter of the simulation.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,7 @@
 #include "gpu/context.h"
 #include "tests/support/bar_falls.h"
 #include "tests/support/contact_scenes.h"
+#include "tests/support/thin_walls.h"
 
 namespace kerf::test {
 namespace {
@@ -25,6 +28,7 @@ struct Options {
     int first = 0;
     std::uint64_t seed = 1;
     int size = 20'000;  ///< of `dropped_halves` [triangles]
+    int every = 1;      ///< of the scenes of `walls`, only each so many-th
     double seconds = 1;
     Params params;
 };
@@ -51,6 +55,8 @@ Options readOptions(int count, char** words) {
                 options.first = static_cast<int>(value);
             } else if (word == "--size") {
                 options.size = static_cast<int>(value);
+            } else if (word == "--every") {
+                options.every = static_cast<int>(value);
             } else if (word == "--seconds") {
                 options.seconds = value;
             } else if (word == "--seed") {
@@ -79,6 +85,22 @@ void playDrops(const Options& options) {
     }
     std::printf("drops from seed %llu: %s\n", static_cast<unsigned long long>(options.seed),
                 text(sum).c_str());
+}
+
+/// Of the neighbourhood of thin walls: `--first I --runs N`, each `--every`-th one.
+void playThinWalls(const Options& options) {
+    const std::vector<WallScene> scenes = wallScenes(options.every);
+    const int end = std::min(options.first + options.runs, static_cast<int>(scenes.size()));
+    int wrong = 0;
+    int runs = 0;
+    for (int i = options.first; i < end; ++i) {
+        const WallFigures figures = playWalls(scenes[i], options.params);
+        std::printf("%d: %s: %s\n", i, text(scenes[i]).c_str(), text(figures).c_str());
+        std::fflush(stdout);
+        wrong += figures.isRight() ? 0 : 1;
+        ++runs;
+    }
+    std::printf("%d of %d wrong\n", wrong, runs);
 }
 
 /// How high spheres fall, how the bar lies: by `--seed`, 1 to 5.
@@ -173,6 +195,9 @@ void play(const Options& options) {
     }
     if (asked("bars")) {
         playBarFalls(options);
+    }
+    if (options.scene == "walls") {
+        playThinWalls(options);
     }
     if (asked("drops")) {
         playDrops(options);
