@@ -190,12 +190,14 @@ Crossing moreUrgent(Crossing best, uint v, EdgePair pair) {
     vec3 dc = displacementOf(ends.z).xyz;
     vec3 dd = displacementOf(ends.w).xyz;
     vec2 after = nearestOnLines(da, u + (db - da), c + dc, w + (dd - dc));
-    float end = pair.thickness > kBareEdge * contact.h ? 0.0 : kBareEnd;
+    bool isBare = pair.thickness <= kBareEdge * contact.h;
+    float end = isBare ? kBareEnd : 0.0;
     if (before < -kEdgeDepth * contact.h || !inside(where, end) || !inside(after, end)) return best;
     vec4 gains = vec4(1.0 - where.x, where.x, where.y - 1.0, -where.y);
     vec3 slip = gains.x * da + gains.y * db + gains.z * dc + gains.w * dd;
     float lack = pair.thickness - before - dot(across, slip);
-    if (!(lack > best.lack)) return best;
+    // Where rims lie on each other vertices carry, which have friction.
+    if (!(lack > best.lack) || (isBare && lack < kHair * contact.h)) return best;
     return Crossing(ends, gains, across, before, slip, lack, pair.thickness);
 }
 

@@ -305,9 +305,10 @@ void RunningBody::bringLostPiecesBack() {
 }
 
 bool RunningBody::keepsTrianglesApart(const Params& params) const {
-    constexpr double kMuchStretch = 2;
+    constexpr double kMuchStretch = 2.75;
     const bool isDrawn = memory.measure.largestStretch > kMuchStretch && keepsShape(params) &&
-                         !memory.mayHaveCollapsed && !memory.crumpled;
+                         !memory.mayHaveCollapsed && !memory.crumpled &&
+                         !cutter->inStroke();  // a front is drawn out for a moment
     return contactSettings(params).enabled && (thin || isDrawn);
 }
 

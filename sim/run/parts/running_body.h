@@ -50,7 +50,7 @@ struct RunningBody {
     void prepareStep(const Params& params);
     void bringLostPiecesBack();
     /// Whether the coming step may lead it through itself, past what contact can see: it is thin,
-    /// or some edge was drawn to three times its length. Not where it comes back from a
+    /// or some edge was drawn to almost four times its length. Not where it comes back from a
     /// collapse.
     bool keepsTrianglesApart(const Params& params) const;
     /// Keeps its triangles from passing through each other, unless they did at `before` [m].
