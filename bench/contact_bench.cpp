@@ -1,9 +1,8 @@
 // What contact must hold: halves that rest on each other, an octopus dropped on
 // its arms, bodies dropped and thrown at random, spheres that fall onto bars.
 //   kerf_contact_bench [halves|blocks|octopus|speed|crowd|poured|dropped_halves|collision|
-//   drops|bars|walls] [--runs N] [--first I] [--seed S] [--size TRIANGLES] [--seconds S] [--NAME
-//   VALUE
-//   ...]
+//   drops|bars|walls] [--runs N] [--first I] [--seed S] [--size TRIANGLES] [--every N]
+//   [--seconds S] [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
 #include <algorithm>

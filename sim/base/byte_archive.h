@@ -147,14 +147,13 @@ class ToBytes {
     }
     template <Flat T>
     void plain(const T* values, std::size_t number) {
-        for (std::size_t i = 0; i < number; ++i) {
-            if constexpr (std::has_unique_object_representations_v<T> ||
-                          std::is_floating_point_v<T>) {
-                raw(values, number * sizeof(T));
-                return;
+        if constexpr (std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>) {
+            raw(values, number * sizeof(T));
+        } else {
+            for (std::size_t i = 0; i < number; ++i) {
+                const auto each = plainBytes(values[i]);
+                raw(each.data(), each.size());
             }
-            const auto bytes_of = plainBytes(values[i]);
-            raw(bytes_of.data(), bytes_of.size());
         }
     }
 };

@@ -67,7 +67,6 @@ class Impact {
         for (const int t : body.model.meshTriangle) {
             triangles_.push_back({t, mesh.triangle(t)});
         }
-        volumes_ = pieceVolumes();
     }
 
     /// From left to right, among what has moved since the last look. Returns whether a zone grew.
@@ -90,6 +89,9 @@ class Impact {
     }
 
     void moveZones() {
+        if (volumes_.empty()) {
+            volumes_ = pieceVolumes();  // nothing was moved yet
+        }
         std::map<int, std::vector<int>> zones;
         for (int v = 0; v < mesh_.vertexCount(); ++v) {
             moved_[v] = false;

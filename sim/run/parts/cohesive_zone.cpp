@@ -60,12 +60,13 @@ int facingVertex(const SurfaceMesh& mesh, int v, int otherLabel) {
         return -1;
     }
     const int stroke = otherLabel / 2;
+    const std::vector<int> beside = labelsBeside(mesh, v, stroke);
     int facing = -1;
     for (const int copy : mesh.copiesOfGroup(group)) {
         if (copy == v || !hasWall(mesh, copy, otherLabel)) {
             continue;
         }
-        if (labelsBeside(mesh, copy, stroke) == labelsBeside(mesh, v, stroke)) {
+        if (labelsBeside(mesh, copy, stroke) == beside) {
             return copy;
         }
         facing = facing < 0 ? copy : facing;
