@@ -54,23 +54,24 @@ void addAround(const SurfaceMesh& mesh, int vertex, int first, std::vector<int>&
     });
 }
 
-/// As long as twice the area around each vertex.
-std::vector<Vec3> skinNormals(const BodyModel& model, const SurfaceMesh& mesh) {
-    std::vector<Vec3> normals(model.restPositions.size(), Vec3::Zero());
+/// Whether each column of material leaves through the skin of its own vertex.
+std::vector<bool> turnedColumns(const BodyModel& model, const SurfaceMesh& mesh,
+                                std::span<const Vec3> positions) {
+    std::vector<Vec3> normals(positions.size(), Vec3::Zero());
     for (const int t : model.meshTriangle) {
-        const Vec3 normal = areaNormal(cornersOf(mesh, t));
-        for (const int v : mesh.triangle(t)) {
+        const auto [a, b, c] = mesh.triangle(t);
+        const Vec3 normal = areaNormal({positions[a], positions[b], positions[c]});
+        for (const int v : {a, b, c}) {
             normals[v] += normal;
         }
     }
-    return normals;
-}
-
-/// From the vertex of an ISPC to where it ends.
-Vec3 columnOf(const IspcConstraint& c, const SurfaceMesh& mesh) {
-    const auto at = [&](std::uint32_t v) { return mesh.position(static_cast<int>(v)); };
-    const auto [own, w0, w1, w2] = weightsOf(c);
-    return -(w0 * at(c.t0) + w1 * at(c.t1) + w2 * at(c.t2)) - at(c.vertex);
+    std::vector<bool> turned;
+    for (const IspcConstraint& c : model.ispcs) {
+        const auto [own, w0, w1, w2] = weightsOf(c);
+        const Vec3 end = -(w0 * positions[c.t0] + w1 * positions[c.t1] + w2 * positions[c.t2]);
+        turned.push_back((end - positions[c.vertex]).dot(normals[c.vertex]) > 0);
+    }
+    return turned;
 }
 
 }  // namespace
@@ -89,14 +90,16 @@ std::vector<int> foldedTriangles(const SurfaceMesh& mesh, int first) {
 }
 
 std::vector<double> sharesInsideOut(const BodyModel& model, const SurfaceMesh& mesh) {
-    const std::vector<Vec3> normals = skinNormals(model, mesh);
+    const std::vector<bool> now = turnedColumns(model, mesh, mesh.positions());
+    const std::vector<bool> rest = turnedColumns(model, mesh, mesh.restPositions());
     std::vector<double> all(model.pieces.size(), 0.0);
     std::vector<double> turned(model.pieces.size(), 0.0);
-    for (const IspcConstraint& c : model.ispcs) {
+    for (std::size_t i = 0; i < model.ispcs.size(); ++i) {
+        const IspcConstraint& c = model.ispcs[i];
         const int piece = model.pieceOfVertex[c.vertex];
         const double volume = model.vertexAreas[c.vertex] * static_cast<double>(c.rest_length);
         all[piece] += volume;
-        turned[piece] += columnOf(c, mesh).dot(normals[c.vertex]) > 0 ? volume : 0.0;
+        turned[piece] += now[i] && !rest[i] ? volume : 0.0;
     }
     for (std::size_t p = 0; p < all.size(); ++p) {
         turned[p] = all[p] > 0 ? turned[p] / all[p] : 0.0;

@@ -14,7 +14,8 @@ std::vector<int> foldedTriangles(const SurfaceMesh& mesh, int first);
 
 /// The share of each piece that is inside out in the current positions of `mesh`, that of the
 /// model. It counts the material columns of ISPCs that leave through the skin of their own vertex,
-/// by volume at rest. 0 to 1, shape [pieces]. Bending and stretching keep it near 0. O(n).
+/// by volume, unless they do so at rest. 0 to 1, shape [pieces]. Bending and stretching keep it
+/// near 0. O(n).
 std::vector<double> sharesInsideOut(const BodyModel& model, const SurfaceMesh& mesh);
 
 }  // namespace kerf

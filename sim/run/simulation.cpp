@@ -20,6 +20,7 @@ namespace {
 // Steps after which a body that is folded, and not being cut, is looked after: most folds go by
 // then.
 constexpr int kPatience = 10;
+constexpr int kMendings = 2;  // after a stroke
 // Share of a piece that is inside out, up to which its folds are those of a cut.
 constexpr double kMostMended = 0.01;
 }  // namespace
@@ -83,6 +84,7 @@ const StepReport& Simulation::State::step() {
     } else {
         cut();
     }
+    log.touch();  // a stroke that began was noted with the body before it
     ++output.clock.stepsDone;
     publish();
     return output.report;
@@ -234,12 +236,14 @@ void Simulation::State::lookAfterShape() {
     if (!keeps) {
         body.memory.recovery.stop();
         body.memory.mayHaveCollapsed = true;
+        body.memory.mendings = 0;
     }
     body.memory.crumpled =
         body.memory.crumpled && (unfolds || body.looksCollapsed() || body.memory.recovery.draws());
     int& foldedSteps = body.memory.foldedSteps;
     if (body.cutter->inStroke()) {
         foldedSteps = 0;
+        body.memory.mendings = kMendings;
     } else if (unfolds || (keeps && body.looksCollapsed())) {
         ++foldedSteps;  // not in a row: much comes and goes
     }
@@ -251,7 +255,8 @@ void Simulation::State::lookAfterShape() {
     if (keeps) {
         drawCollapsedBack(std::move(insideOut));
     }
-    if (unfolds && keeps && !body.memory.crumpled && !body.thin) {
+    if (unfolds && body.memory.mendings > 0 && !body.memory.crumpled && !body.thin) {
+        --body.memory.mendings;
         mendFolds();
     }
 }
@@ -284,7 +289,7 @@ void Simulation::State::drawCollapsedBack(std::vector<double> insideOut) {
 
 /// What the solver can't unfold in kPatience steps lies at short edges that a cut left there: these
 /// are removed. The folds of what has collapsed say nothing about edges, nor do those that are left
-/// of it.
+/// of it or that come long after the cut.
 void Simulation::State::mendFolds() {
     const WorkWatch watch;
     const std::vector<int> triangles =

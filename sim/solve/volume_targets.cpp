@@ -51,11 +51,9 @@ void VolumeTargets::follow(std::span<const int> source, const BodyModel& after,
     rebuild();
 }
 
-void VolumeTargets::startAt(std::span<const double> volumes) {
-    assert(volumes.size() == pieces_.size());
-    for (std::size_t p = 0; p < offsets_.size(); ++p) {
-        offsets_[p] = pieces_[p].holdsVolume ? volumes[p] - pieces_[p].restVolume : 0.0;
-    }
+void VolumeTargets::startAt(int piece, double volume) {
+    const double offset = volume - pieces_[piece].restVolume;
+    offsets_[piece] = pieces_[piece].holdsVolume ? offset : 0.0;
     rebuild();
 }
 

@@ -24,9 +24,9 @@ class VolumeTargets {
     /// pieces that have been closed.
     void follow(std::span<const int> source, const BodyModel& after,
                 std::span<const double> volumes);
-    /// Starts targets at `volumes`, the current ones, while volumes are not constrained; shape
-    /// [pieces].
-    void startAt(std::span<const double> volumes);
+    /// Starts the target of a piece at `volume`, its current one [m^3], while it is not constrained
+    /// or is moved as a whole.
+    void startAt(int piece, double volume);
     /// Advances by `time` [s]. Returns whether a target changed.
     bool fade(double time);
 

@@ -54,9 +54,9 @@ void followCut(const CutDelta& delta, RunningBody& body, UndoHistory& history,
     body.becomeWhole();
     // The volumes at which pieces are held, by the measure; and the solver with them.
     memory.volumeTargets.follow(change.pieces.source, body.model(), memory.measure.pieceVolumes);
-    body.solver.setVolumeTargets(memory.volumeTargets.targets());
     // What is drawn back to its shape, by the pieces.
     memory.recovery.follow(change.pieces.source);
+    body.holdVolumes();
     // The pins and forces, by the mesh; and the solver with them.
     if (memory.pins.follow(body.mesh(), delta)) {
         body.holdPins();

@@ -135,7 +135,7 @@ void RunningBody::apply(const Params& params) {
         solver.takeMaterials(model());
     }
     volumesHeld = holdsVolume(params);
-    solver.setVolumeTargets(memory.volumeTargets.targets());
+    holdVolumes();
     CutSettings& settings = cutter->settings();
     settings.wallCoarsening = params.wallCoarsening;
     settings.debrisVolume = params.debrisVolume;
@@ -197,7 +197,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
     solver.collisions().remember(snapshot.contact);
-    solver.setVolumeTargets(memory.volumeTargets.targets());
+    holdVolumes();
     holdPins();
     solver.savedPieces().save();
     forgetPieces();
@@ -258,13 +258,15 @@ void RunningBody::movePinned(const MovePins& move) {
 }
 
 void RunningBody::prepareStep(const Params& params) {
-    if (volumesHeld && memory.volumeTargets.fade(params.timeStep)) {
-        solver.setVolumeTargets(memory.volumeTargets.targets());
-    }
+    const bool volumesChange = volumesHeld && memory.volumeTargets.fade(params.timeStep);
+    const bool draws = memory.recovery.draws();
     std::vector<shared::PullRecord> pulls = memory.hands.advance(params.timeStep);
-    if (memory.recovery.draws()) {
+    if (draws) {
         const std::vector<shared::PullRecord> leads = leadsBack(params);
         pulls.insert(pulls.end(), leads.begin(), leads.end());
+    }
+    if (volumesChange || draws) {
+        holdVolumes();
     }
     const std::vector<shared::PullRecord> pushes = forces(params.density, verticesOf(pulls));
     pulls.insert(pulls.end(), pushes.begin(), pushes.end());
@@ -277,6 +279,17 @@ void RunningBody::prepareStep(const Params& params) {
     if (!course.vertices.empty()) {
         solver.masses().carryFrom(course.vertices, course.from, course.velocities);
     }
+}
+
+/// What is drawn back to its shape passes other pieces on its way, and needs no volume.
+void RunningBody::holdVolumes() {
+    const std::span<const VolumeTarget> held = memory.volumeTargets.targets();
+    std::vector<VolumeTarget> targets(held.begin(), held.end());
+    for (std::size_t p = 0; p < targets.size(); ++p) {
+        targets[p].constrained =
+            targets[p].constrained && !memory.recovery.draws(static_cast<int>(p));
+    }
+    solver.setVolumeTargets(targets);
 }
 
 std::vector<shared::PullRecord> RunningBody::leadsBack(const Params& params) {
@@ -309,7 +322,7 @@ bool RunningBody::keepsTrianglesApart(const Params& params) const {
     const bool isDrawn = memory.measure.largestStretch > kMuchStretch && keepsShape(params) &&
                          !memory.mayHaveCollapsed && !memory.crumpled &&
                          !cutter->inStroke();  // a front is drawn out for a moment
-    return contactSettings(params).enabled && (thin || isDrawn);
+    return contactSettings(params).enabled && !memory.recovery.draws() && (thin || isDrawn);
 }
 
 void RunningBody::stopCrossings(const std::vector<Vec3>& before, const Params& params) {
@@ -323,8 +336,11 @@ void RunningBody::stopCrossings(const std::vector<Vec3>& before, const Params& p
 }
 
 double RunningBody::endStep() {
-    if (!volumesHeld) {
-        memory.volumeTargets.startAt(memory.measure.pieceVolumes);
+    const std::vector<double>& volumes = memory.measure.pieceVolumes;
+    for (int p = 0; p < static_cast<int>(volumes.size()); ++p) {
+        if (!volumesHeld || memory.recovery.draws(p)) {
+            memory.volumeTargets.startAt(p, volumes[p]);
+        }
     }
     solver.savedPieces().save();
     const double prefetchMs = sync.takePrefetched();

@@ -98,6 +98,8 @@ struct RunningBody {
     /// Tells whether walls of a stroke of the open cut are absent.
     bool isOpen() const;
     const PieceMap& pieces();
+    /// Gives the solver the volumes at which it holds the pieces.
+    void holdVolumes();
     /// The solver has the changed model.
     void becomeWhole();
 

@@ -55,8 +55,10 @@ FittedVertex vertexOf(const ShapeRecovery::Body& body, std::size_t index) {
 shared::PullRecord ledTo(const RestPose& goal, const RigidMotion& motion, const FittedVertex& v,
                          double timeStep) {
     const Vec3 way = goal.placeOf(v.rest) - v.at;
-    const Vec3 velocity = motion.velocity + motion.spin.cross(v.at - goal.middle) +
-                          std::min(kRate, 1 / timeStep) * way;
+    const Eigen::AngleAxisd turn(timeStep * motion.spin.norm(), motion.spin.normalized());
+    const Vec3 arm = v.at - goal.middle;  // along a tangent of the turn, the piece would grow
+    const Vec3 velocity =
+        motion.velocity + (turn * arm - arm) / timeStep + std::min(kRate, 1 / timeStep) * way;
     const Vec3f to = (v.at + timeStep * velocity).cast<float>();
     const Vec3f u = velocity.cast<float>();
     const auto vertex = static_cast<std::uint32_t>(v.vertex);

@@ -53,6 +53,7 @@ struct BodyMemory {
     bool crumpled = false;
     double stillFor = 0;  ///< time at rest without a disturbance [s]
     int foldedSteps = 0;  ///< without a stroke, since its shape was last checked
+    int mendings = 0;     ///< of folds, that the last stroke may still ask for
     bool closed = true;   ///< no cut has left a defect; see checkClosedManifold
 
     /// Adds a stroke, replacing one that did not meet the body.
@@ -67,7 +68,7 @@ struct BodyMemory {
     template <class Archive>
     void archive(Archive& io) {
         io(volumeTargets, hands, pins, recovery, cohesion, tear, measure, sweeps, subdivisions,
-           strokes, mayHaveCollapsed, crumpled, stillFor, foldedSteps, closed);
+           strokes, mayHaveCollapsed, crumpled, stillFor, foldedSteps, mendings, closed);
     }
 };
 

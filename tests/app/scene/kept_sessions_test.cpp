@@ -178,7 +178,7 @@ class RandomSession {
     }
     void pull() {
         const Vec3 at(0, 0, 0.5);
-        add(Grab{1, at, 0.4});
+        add(Grab{1, at, changed_ ? 10 : 0.4});  // an earlier hand may have flung it away
         changed_ = true;
         add(Drag{1, at + Vec3(share() - 0.5, share(), 0.3)}, 2 + below(8));
         if (oneIn(2)) {

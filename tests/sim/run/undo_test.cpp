@@ -125,6 +125,26 @@ TEST_F(UndoTest, GoingToAMomentAndOnGivesTheSameBits) {
     EXPECT_EQ(simulation->stepCount(), steps);
 }
 
+// The step in which a stroke begins notes the body before the stroke, for undo.
+TEST_F(UndoTest, AMomentAfterAnyStepOfAStrokeGoesOnAsItDid) {
+    const auto stepTo = [&](int i) {
+        const double y = 0.7 - 0.3 * i;
+        simulation->execute(MoveBlade{{{0.03, y, -1}, {0.03, y, 1}}});
+        simulation->step();
+        return simulation->stateHash();
+    };
+    for (int i = 0; i < 5; ++i) {
+        SCOPED_TRACE(i);
+        const std::string here = stepTo(i);
+        const Moment moment = simulation->moment();
+        const std::string next = stepTo(i + 1);
+        simulation->goTo(moment);
+        EXPECT_EQ(simulation->stateHash(), here);
+        EXPECT_EQ(stepTo(i + 1), next);
+        simulation->goTo(moment);
+    }
+}
+
 // What may touch is kept over several steps.
 TEST_F(UndoTest, GoingToAMomentKeepsContacts) {
     simulation->execute(SetParam{"contact", 1.0});

@@ -38,6 +38,12 @@ BodyModel halvesAndSplinter() {
 constexpr std::array<int, 3> kSplit{0, 0, -1};
 constexpr std::array<int, 3> kUnchanged{0, 1, 2};
 
+void startAt(std::span<const double> volumes, VolumeTargets& targets) {
+    for (std::size_t p = 0; p < volumes.size(); ++p) {
+        targets.startAt(static_cast<int>(p), volumes[p]);
+    }
+}
+
 TEST(VolumeTargets, StartAtTheRestVolume) {
     VolumeTargets targets;
     targets.reset(whole());
@@ -79,7 +85,7 @@ TEST(VolumeTargets, ComeBackFromAfarByTwoRestVolumesASecond) {
     VolumeTargets targets;
     targets.reset(whole());
     const double insideOut[] = {-2};
-    targets.startAt(insideOut);
+    startAt(insideOut, targets);
     EXPECT_DOUBLE_EQ(targets.targets()[0].volume, -2);
     EXPECT_TRUE(targets.fade(0.1));
     EXPECT_DOUBLE_EQ(targets.targets()[0].volume, -1.6);
@@ -109,7 +115,7 @@ TEST(VolumeTargets, DoNotWaitForASplinterThatHoldsLittle) {
     VolumeTargets targets;
     targets.reset(halvesAndSplinter());
     const double volumes[] = {1.1, 0.897, 0.003};
-    targets.startAt(volumes);
+    startAt(volumes, targets);
     EXPECT_TRUE(targets.fade(0.1));
     EXPECT_NEAR(targets.targets()[0].volume, 1.2 - 0.1 * std::exp(-1), 0.002);
     EXPECT_NEAR(targets.targets()[1].volume, 0.799 + 0.098 * std::exp(-1), 0.002);
@@ -120,7 +126,7 @@ TEST(VolumeTargets, OfPartsKeepTheirSumBesideSplinters) {
     VolumeTargets targets;
     targets.reset(halvesAndSplinter());
     const double volumes[] = {1.15, 0.82, 0.03};
-    targets.startAt(volumes);
+    startAt(volumes, targets);
     int steps = 0;
     for (double last = 0.03; targets.fade(0.02); ++steps) {
         const double splinter = targets.targets()[2].volume;
@@ -137,7 +143,7 @@ TEST(VolumeTargets, OfChipsStayAtRest) {
     VolumeTargets targets;
     targets.reset(halves());
     const double volumes[] = {1, 1, 5};
-    targets.startAt(volumes);
+    startAt(volumes, targets);
     EXPECT_EQ(targets.targets()[2].volume, 1e-9);
 }
 
