@@ -39,6 +39,7 @@
 #include "sim/base/quantity_text.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
+#include "sim/contact/impact_zones.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/mesh/triangle_quality.h"
@@ -85,7 +86,8 @@ struct Inspection {
     std::vector<double> volumes;               ///< of the largest pieces; none of such a model
     Json looks;                                ///< see looksJson()
     std::vector<std::string> remarks;          ///< what was left out, and what else is to be known
-    std::optional<RealTimeForecast> speed;     ///< of a model that can be cut
+    ThinWalls thinWalls;                       ///< of a model that can be cut [m]
+    std::optional<RealTimeForecast> speed;     ///< of such a model
     std::string noSpeed;                       ///< why there is none
     bool isCoarse() const { return kerf::isCoarse(triangles, report.bounds.diagonal()); }
     double proposedEdge() const { return kerf::proposedEdge(triangles, report.bounds.diagonal()); }
@@ -147,9 +149,8 @@ MemoryNeed memoryNeedOf(const MeshReport& report) {
         settings);
 }
 
-/// Of the model as the editor opens it.
-RealTimeForecast forecastOf(SurfaceMesh mesh, const UnitGuess& guess) {
-    place(mesh, standing(guess, mesh.restPositions()));
+/// Of a model as the editor opens it.
+RealTimeForecast forecastOf(const SurfaceMesh& mesh) {
     Params params = suitedTo(meshBounds(mesh).diagonal(), ofNewScene({}));
     applyMaterial(params, findMaterial(kMaterialOfNewModel, {}));
     const gpu::EglContext context;
@@ -157,11 +158,13 @@ RealTimeForecast forecastOf(SurfaceMesh mesh, const UnitGuess& guess) {
 }
 
 /// Nothing else of an inspection needs OpenGL, nor so much memory.
-void forecast(const std::filesystem::path& file, const SurfaceMesh& mesh, Inspection& inspection) {
+void forecast(const std::filesystem::path& file, SurfaceMesh mesh, Inspection& inspection) {
     try {
         requireMemory(shownPath(file), memoryNeedOf(inspection.report), memoryMeans());
-        inspection.speed =
-            forecastOf(mesh, guessUnits(file, meshBounds(mesh), inspection.facts.units));
+        const UnitGuess guess = guessUnits(file, meshBounds(mesh), inspection.facts.units);
+        place(mesh, standing(guess, mesh.restPositions()));
+        inspection.thinWalls = thinWalls(buildBodyModel(mesh));
+        inspection.speed = forecastOf(mesh);
     } catch (...) {
         inspection.noSpeed = complaintAboutThrown().sentence;
     }
@@ -268,6 +271,14 @@ Json memoryJson(const MeshReport& report) {
             {"free", freeMemory()}};
 }
 
+/// Without numbers where there are none.
+Json toJson(const ThinWalls& walls) {
+    const bool any = walls.share > 0;
+    return {{"share", walls.share},
+            {"thickness", any ? Json(walls.thickness) : Json()},
+            {"edge", any ? Json(walls.edge) : Json()}};
+}
+
 /// Without numbers where there is no forecast.
 Json speedJson(const Inspection& inspection) {
     const auto number = [&](auto RealTimeForecast::*member) {
@@ -306,6 +317,7 @@ Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
             {"cavities", report.cavities},
             {"crossing_triangles", report.crossingTriangles},
             {"memory_bytes", memoryJson(report)},
+            {"thin_walls", toJson(inspection.thinWalls)},
             {"speed", speedJson(inspection)},
             {"repairs", report.repairs},
             {"left", report.left},
@@ -426,6 +438,14 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     lines("left", report.left);
     lines("remark", inspection.remarks);
     labelled(text, "memory") << describeMemory(memoryNeedOf(report), freeMemory()) << "\n";
+    if (const ThinWalls& walls = inspection.thinWalls; walls.many()) {
+        labelled(text, "walls") << fmt::format(
+            "at {:.0f} % of the vertices thinner than the longest edge there (in the median {} and "
+            "{}). Contact alone can't hold their sides apart, so regions about to intersect stop "
+            "together, in slower steps. Smaller triangles (--remesh) or thicker walls move better."
+            "\n",
+            100 * walls.share, lengthText(walls.thickness), lengthText(walls.edge));
+    }
     if (const auto& speed = inspection.speed) {
         labelled(text, "speed") << fmt::format(
             "about {} real time here (time step {:.3g} ms, {} iterations)\n",

@@ -21,7 +21,6 @@ namespace kerf {
 
 namespace {
 
-constexpr double kLeastThin = 0.05;     // of the vertices of a thin body
 constexpr double kRounding = 0x1p-20;   // of the largest coordinate: a depth that is none
 constexpr double kLeastVolume = 1e-6;   // of a piece at rest: a lack that is none
 constexpr double kPinnedWeight = 1000;  // of what is pinned, in the motion of a zone
@@ -267,19 +266,31 @@ class Impact {
     double rounding_ = 0;  ///< [m]
 };
 
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return values.empty() ? 0 : *middle;
+}
+
 }  // namespace
 
-bool isThin(const BodyModel& model) {
+ThinWalls thinWalls(const BodyModel& model) {
     std::vector<float> longest(model.restPositions.size(), 0);
     for (const EdgeConstraint& edge : model.edges) {
         for (const std::uint32_t v : verticesOf(edge)) {
             longest[v] = std::max(longest[v], edge.rest_length);
         }
     }
-    const auto thin = std::ranges::count_if(model.ispcs, [&](const IspcConstraint& column) {
-        return column.rest_length < longest[column.vertex];
-    });
-    return static_cast<double>(thin) > kLeastThin * static_cast<double>(model.ispcs.size());
+    std::vector<double> walls;
+    std::vector<double> edges;
+    for (const IspcConstraint& column : model.ispcs) {
+        if (column.rest_length < longest[column.vertex]) {
+            walls.push_back(column.rest_length);
+            edges.push_back(longest[column.vertex]);
+        }
+    }
+    const double all = std::max(static_cast<double>(model.ispcs.size()), 1.0);
+    return {static_cast<double>(walls.size()) / all, medianOf(walls), medianOf(edges)};
 }
 
 bool stopCrossings(const MovedBody& body, SurfaceMesh& mesh) {

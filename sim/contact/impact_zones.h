@@ -10,10 +10,18 @@
 
 namespace kerf {
 
-/// Whether the material of a body is thinner than its triangles are long at a twentieth of its
-/// vertices at least, as in plates and shells of few triangles. Contact can't tell the sides of
-/// such a wall apart. O(n).
-bool isThin(const BodyModel& model);
+/// The walls of a body that are thinner than the longest edge at them, as those of plates and
+/// shells of few triangles are. Contact can't tell the sides of such a wall apart.
+struct ThinWalls {
+    double share = 0;      ///< of the vertices, 0 to 1
+    double thickness = 0;  ///< half of these walls are thinner; 0 without any [m]
+    double edge = 0;       ///< half of the longest edges there are shorter; 0 without any [m]
+    /// Whether they decide how the body moves: at a twentieth of the vertices at least.
+    bool many() const { return share > 0.05; }
+};
+
+/// Finds the thin walls of a body at rest. O(n).
+ThinWalls thinWalls(const BodyModel& model);
 
 /// A body that a step has moved.
 struct MovedBody {

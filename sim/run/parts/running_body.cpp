@@ -69,7 +69,7 @@ void RunningBody::take(std::shared_ptr<const UncutBody> body) {
     sync.followMesh(mesh());
     diagonal = boxOf(uncut->mesh.restPositions()).diagonal();
     wallEdge = contactEdgeLength(uncut->body.model());
-    thin = isThin(uncut->body.model());
+    thin = thinWalls(uncut->body.model()).many();
 }
 
 void RunningBody::startAsAtFirst() {

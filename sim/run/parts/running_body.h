@@ -108,7 +108,7 @@ struct RunningBody {
     std::shared_ptr<const UncutBody> uncut;
     double diagonal = 0;  ///< of the uncut body at rest [m]
     double wallEdge = 0;  ///< edge length of walls [m]
-    bool thin = false;    ///< see isThin(), of the uncut body
+    bool thin = false;    ///< see ThinWalls::many(), of the uncut body
 
     std::unique_ptr<BodyUpdater> updater;
     const std::unique_ptr<GpuSolver> solverOwner;

@@ -164,6 +164,18 @@ TEST_F(Inspect, ForecastsTheRealTimeFactor) {
     EXPECT_EQ(speed["problem"], "");
 }
 
+TEST_F(Inspect, TellsOfWallsThinnerThanTheirTriangles) {
+    const std::string cloth = KERF_SOURCE_DIR "/assets/models/cloth.obj";
+    EXPECT_THAT(runKerf({"inspect", cloth}).out,
+                HasSubstr("\nwalls      at 100 % of the vertices"));
+    const auto walls = reportOf(cloth)["thin_walls"];
+    EXPECT_EQ(walls["share"], 1);
+    EXPECT_NEAR(walls["thickness"], 5e-3, 1e-6);
+    EXPECT_GT(walls["edge"], 5e-3);
+    EXPECT_THAT(runKerf({"inspect", "sphere80"}).out, Not(HasSubstr("\nwalls")));
+    EXPECT_EQ(reportOf("sphere80")["thin_walls"]["share"], 0);
+}
+
 TEST_F(Inspect, NeedsNoOpenGl) {
     const std::map<std::string, std::string> none{{"KERF_FORCE_NO_GL", "1"}};
     const ProgramRun run = runKerf({"inspect", "sphere80"}, none);

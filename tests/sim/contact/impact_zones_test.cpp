@@ -81,11 +81,14 @@ struct CrossedPlate {
 };
 
 TEST(ImpactZones, TellThinBodies) {
-    EXPECT_TRUE(isThin(buildBodyModel(finned())));
-    EXPECT_TRUE(isThin(buildBodyModel(test::box({1, 0.02, 1}, 4))));
-    EXPECT_FALSE(isThin(buildBodyModel(test::box({1, 0.5, 1}, 4))));
+    EXPECT_TRUE(thinWalls(buildBodyModel(finned())).many());
+    const ThinWalls plate = thinWalls(buildBodyModel(test::box({1, 0.02, 1}, 4)));
+    EXPECT_TRUE(plate.many());
+    EXPECT_NEAR(plate.thickness, 0.02, 0.01) << "slanted at the rim";
+    EXPECT_NEAR(plate.edge, std::hypot(0.25, 0.25), 1e-6);
+    EXPECT_FALSE(thinWalls(buildBodyModel(test::box({1, 0.5, 1}, 4))).many());
     for (const char* name : {"sphere20", "sphere80", "sphere768", "octopus", "banana"}) {
-        EXPECT_FALSE(isThin(buildBodyModel(test::builtin(name)))) << name;
+        EXPECT_FALSE(thinWalls(buildBodyModel(test::builtin(name))).many()) << name;
     }
 }
 
