@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/context.h"
+#include "gpu/traffic.h"
 
 namespace kerf::gpu {
 namespace {
@@ -183,6 +184,7 @@ struct EglContext::State {
         if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
             throw RouteFailure{eglFailure("eglMakeCurrent")};
         }
+        noteOtherContext();
     }
 
     void destroy() const {

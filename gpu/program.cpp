@@ -1,12 +1,15 @@
 #include "gpu/program.h"
 
 #include <glad/gl.h>
+#include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdlib>
 #include <optional>
 
+#include "gpu/buffer.h"
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
@@ -194,10 +197,20 @@ bool mayDispatch(Linked& linked) {
     return true;
 }
 
-[[maybe_unused]] GLuint maxGroups() {  // only asserted
+/// A driver leaves out a dispatch of more work groups than it takes, and says so only to those who
+/// ask.
+void requireGroups(GLuint groups) {
+    constexpr GLuint kAlways = 65535;  // by the standard
     GLint limit = 0;
-    glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limit);
-    return static_cast<GLuint>(limit);
+    if (groups > kAlways) {
+        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limit);
+    }
+    if (groups > std::max(kAlways, static_cast<GLuint>(limit))) {
+        throw OutOfMemory(fmt::format(
+            "{} work groups are needed at once, but this graphics driver starts {} at most; use a "
+            "smaller model.",
+            groups, std::max(kAlways, static_cast<GLuint>(limit))));
+    }
 }
 
 ProgramRecord*& noting() {
@@ -282,7 +295,7 @@ void Program::dispatch(std::uint32_t threads) const {
 }
 
 void Program::dispatchGroups(std::uint32_t groups) const {
-    assert(groups <= maxGroups() && "more work groups than the driver takes in one dispatch");
+    requireGroups(groups);
     if (groups != 0 && mayDispatch(*linked_)) {
         begin();
         ++traffic().dispatches;

@@ -81,7 +81,7 @@ class Program {
     void setNumbers(const DispatchNumbers& numbers) const;
 
     /// One dispatch of enough work groups along x for `threads`, none for 0. Later drawing and
-    /// computing sees what it wrote.
+    /// computing sees what it wrote. Throws OutOfMemory where the driver takes fewer groups.
     void dispatch(std::uint32_t threads) const;
     /// One dispatch of `groups` work groups along x; else like dispatch().
     void dispatchGroups(std::uint32_t groups) const;

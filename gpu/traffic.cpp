@@ -2,6 +2,8 @@
 
 #include <glad/gl.h>
 
+#include <optional>
+
 namespace kerf::gpu {
 
 Traffic operator-(const Traffic& now, const Traffic& before) {
@@ -21,12 +23,19 @@ void barrier(std::uint32_t bits) {
     glMemoryBarrier(bits);
 }
 
+namespace {
+std::optional<std::uint64_t> visible;  // dispatches before the last barrier of this context
+}
+
 void updateBarrier() {
-    static std::uint64_t visible = 0;  // dispatches before the last one
     if (visible != traffic().dispatches) {
         barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         visible = traffic().dispatches;
     }
+}
+
+void noteOtherContext() {
+    visible.reset();
 }
 
 }  // namespace kerf::gpu

@@ -24,5 +24,7 @@ Traffic& traffic();
 void barrier(std::uint32_t bits);
 /// Makes what kernels wrote visible to the buffer calls that follow, unless it is already.
 void updateBarrier();
+/// Another OpenGL context has become current: what its kernels wrote may not be visible yet.
+void noteOtherContext();
 
 }  // namespace kerf::gpu

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "gpu/traffic.h"
 #include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {
@@ -35,6 +36,20 @@ TEST_F(Context, CountsTheErrorsOfTheDriver) {
     EXPECT_EQ(takeDebugErrors(), 1);
     EXPECT_EQ(takeDebugErrors(), 0);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+}
+
+TEST_F(Context, WhatAnotherMadeVisibleIsNotVisibleHere) {
+    const auto barriers = [] {
+        const std::uint64_t before = traffic().barriers;
+        updateBarrier();
+        return traffic().barriers - before;
+    };
+    barriers();
+    EXPECT_EQ(barriers(), 0U) << "no kernel ran";
+    EglContext second;
+    EXPECT_EQ(barriers(), 1U);
+    GlTest::SetUp();
+    EXPECT_EQ(barriers(), 1U);
 }
 
 TEST_F(Context, SecondOneLeavesTheFirstUsable) {

@@ -3,6 +3,8 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
@@ -52,6 +54,18 @@ Program scaleProgram(std::uint32_t count) {
     program.set("count", count);
     program.set("factor", 3u);
     return program;
+}
+
+// Drivers leave such a dispatch out, and all goes on without its results.
+TEST_F(ProgramTest, MoreGroupsThanTheDriverTakesAreRefused) {
+    const Program program = Program::compute(write("many.comp", kMain));
+    GLint most = 0;
+    glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &most);
+    program.dispatchGroups(2);
+    if (most < std::numeric_limits<GLint>::max()) {
+        EXPECT_THROW(program.dispatchGroups(static_cast<std::uint32_t>(most) + 1), OutOfMemory);
+        EXPECT_THROW(program.dispatch(static_cast<std::uint32_t>(most) + 1), OutOfMemory);
+    }
 }
 
 TEST_F(ProgramTest, DispatchCoversEveryThreadWithUniformsAndDefines) {

@@ -63,7 +63,7 @@ vec3 span(vec3 x, vec3 d, uint to) {
 }
 
 Nearest nearest(uint v) {
-    Nearest best;
+    Nearest best = Nearest(uvec4(0u), vec3(0.0), vec3(0.0), 0.0);  // where all is NaN
     float least = 1e30;
     vec3 x = positionOf(v).xyz;
     vec3 d = displacementOf(v).xyz;

@@ -187,7 +187,7 @@ void main() {
     if (v == 0u) startAnew();
     if (v < vertices) {
         VertexNormals own = normalsOf(v, positions);
-        normals[2u * v] = vec4(own.skin, uintBitsToFloat(own.kinds));
+        normals[2u * v] = vec4(own.skin, float(own.kinds));
         normals[2u * v + 1u] = vec4(own.wall, 0.0);
     }
     if (v < restVertices) {

@@ -145,7 +145,7 @@ void takeVertex() {
     vec4 normal = fetch(normals, 2u * v);
     self.skin = normal.xyz;
     self.wall = fetch(normals, 2u * v + 1u).xyz;
-    self.kinds = floatBitsToUint(normal.w);
+    self.kinds = uint(normal.w);
     if (self.piece != kNoPiece && pieces[self.piece].constrained != 0u &&
         within(self.place, kNothing)) {
         self.opposed = opposedBins(self.skin) | opposedBins(self.wall);
