@@ -11,6 +11,7 @@
 
 #include "render/scene/image.h"
 #include "sim/base/size_params.h"
+#include "tests/paths.h"
 #include "tests/support/model_defects.h"
 #include "tests/support/run_kerf.h"
 #include "tests/support/shapes.h"

@@ -32,8 +32,10 @@ std::string sheet() {
             for (const auto& [du, dv] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
                 Vec3 share = Vec3::Zero();
                 share[k] = far ? 0.5 : -0.5;
-                share[u] = (square / 2 % kCells[u] + (far ? du : dv)) * 1.0 / kCells[u] - 0.5;
-                share[v] = (square / 2 / kCells[u] + (far ? dv : du)) * 1.0 / kCells[v] - 0.5;
+                const int column = square / 2 % kCells[u] + (far ? du : dv);
+                const int row = square / 2 / kCells[u] + (far ? dv : du);
+                share[u] = static_cast<double>(column) / kCells[u] - 0.5;
+                share[v] = static_cast<double>(row) / kCells[v] - 0.5;
                 const Vec3 at = kSize.cwiseProduct(share);
                 text += fmt::format("v {:.4f} {:.4f} {:.4f}\n", at.x(), at.y(), at.z());
             }
