@@ -205,11 +205,12 @@ void requireGroups(GLuint groups) {
     if (groups > kAlways) {
         glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &limit);
     }
-    if (groups > std::max(kAlways, static_cast<GLuint>(limit))) {
+    const GLuint most = std::max(kAlways, static_cast<GLuint>(limit));
+    if (groups > most) {
         throw OutOfMemory(fmt::format(
             "{} work groups are needed at once, but this graphics driver starts {} at most; use a "
             "smaller model.",
-            groups, std::max(kAlways, static_cast<GLuint>(limit))));
+            groups, most));
     }
 }
 

@@ -54,7 +54,7 @@ void VolumeTargets::follow(std::span<const int> source, const BodyModel& after,
 void VolumeTargets::startAt(int piece, double volume) {
     const double offset = volume - pieces_[piece].restVolume;
     offsets_[piece] = pieces_[piece].holdsVolume ? offset : 0.0;
-    rebuild();
+    targets_[piece].volume = pieces_[piece].restVolume + offsets_[piece];
 }
 
 bool VolumeTargets::fade(double time) {

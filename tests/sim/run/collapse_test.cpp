@@ -282,8 +282,7 @@ TEST_F(CollapseStormTest, WhatStormsCrushComesBack) {
         const PieceShape after = worst();
         std::cout << fmt::format(
             "seed {}: {} pieces, {} triangles; inside out {:.3f}, error {:.4f}, volume {:.3f}; "
-            "four "
-            "seconds later {:.3f}, {:.4f}, {:.3f}\n",
+            "four seconds later {:.3f}, {:.4f}, {:.3f}\n",
             first + i, simulation->measuredPieces().size(), left, before_.insideOut, before_.error,
             before_.volume, after.insideOut, after.error, after.volume);
         EXPECT_EQ(triangles(), left);
