@@ -127,7 +127,7 @@ EGLConfig chooseConfig(EGLDisplay display) {
 EGLContext createContext(EGLDisplay display, bool debug) {
     eglBindAPI(EGL_OPENGL_API);
     // What stands behind is left out where the driver does not offer it.
-    std::array<EGLint, 11> wanted = {EGL_CONTEXT_MAJOR_VERSION,
+    std::array<EGLint, 13> wanted = {EGL_CONTEXT_MAJOR_VERSION,
                                      kNeededMajor,
                                      EGL_CONTEXT_MINOR_VERSION,
                                      kNeededMinor,
@@ -135,15 +135,17 @@ EGLContext createContext(EGLDisplay display, bool debug) {
                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                      EGL_CONTEXT_OPENGL_DEBUG,
                                      debug ? EGL_TRUE : EGL_FALSE,
+                                     EGL_CONTEXT_OPENGL_ROBUST_ACCESS,
+                                     EGL_TRUE,
                                      EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
                                      EGL_LOSE_CONTEXT_ON_RESET,
                                      EGL_NONE};
     const EGLConfig config = chooseConfig(display);
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
     if (context == EGL_NO_CONTEXT) {
-        spdlog::debug("{}: without notice of resets",
-                      eglFailure("eglCreateContext with notice of resets"));
-        wanted[wanted.size() - 3] = EGL_NONE;
+        spdlog::debug("{}: without robust access and notice of resets",
+                      eglFailure("eglCreateContext with both"));
+        wanted[wanted.size() - 5] = EGL_NONE;
         context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
     }
     if (context == EGL_NO_CONTEXT) {

@@ -2,9 +2,8 @@
 
 #include <cstdlib>
 #include <optional>
+#include <string>
 #include <string_view>
-
-#include "gpu/context.h"
 
 namespace kerf::gpu {
 namespace {
@@ -29,6 +28,10 @@ KernelWay kernelWay() {
     };
     const std::optional<KernelWay> named = kernelWayNamed(wanted());
     return named ? *named : suitable();
+}
+
+std::uint32_t threadsOfGroup(const DeviceInfo& device) {
+    return device.vendor.find("Intel") != std::string::npos ? 256 : 512;
 }
 
 const char* problemWithKernelWay() {

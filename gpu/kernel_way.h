@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "gpu/context.h"
+
 namespace kerf::gpu {
 
 /// How kernels read what others write, and how many threads share sums. Both give the same bits.
@@ -13,6 +15,9 @@ enum class KernelWay : std::uint8_t {
 /// The way set by the variable KERF_KERNELS, or else the best one for the driver of the current
 /// context.
 KernelWay kernelWay();
+/// How many threads one work group of the shared way should have, which gives the same bits with
+/// any number: 512, or 256 on Intel's GPUs, whose compiler has too few registers for more.
+std::uint32_t threadsOfGroup(const DeviceInfo& device);
 /// The problem with KERF_KERNELS, in a sentence; null for none.
 const char* problemWithKernelWay();
 

@@ -112,12 +112,14 @@ const std::byte* ReadBack::awaited(std::size_t place, [[maybe_unused]] std::size
     return memory_ + place;
 }
 
-/// The copies are there once their mark is. No two in a process are alike: memory comes back.
+/// The copies are there once their mark is, which is a copy too: a clear may come earlier. No two
+/// in a process are alike: memory comes back.
 void ReadBack::mark() {
     static std::uint32_t last = 0;
     serial_ = ++last;
-    glClearNamedBufferSubData(id_, GL_R32UI, static_cast<GLintptr>(markPlace_), sizeof(serial_),
-                              GL_RED_INTEGER, GL_UNSIGNED_INT, &serial_);
+    markSource_.assign(std::span<const std::uint32_t>(&serial_, 1));
+    glCopyNamedBufferSubData(markSource_.id(), id_, 0, static_cast<GLintptr>(markPlace_),
+                             sizeof(serial_));
 }
 
 bool ReadBack::isMarked() const {

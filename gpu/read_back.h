@@ -53,8 +53,9 @@ class ReadBack {
     const std::byte* memory_ = nullptr;
     std::size_t capacity_ = 0;       ///< [bytes]
     mutable void* fence_ = nullptr;  ///< GLsync of the data; null once it has arrived
-    std::size_t markPlace_ = 0;      ///< after the data
-    std::uint32_t serial_ = 0;       ///< of the send(), which its mark bears
+    Buffer markSource_;
+    std::size_t markPlace_ = 0;  ///< after the data
+    std::uint32_t serial_ = 0;   ///< of the send(), which its mark bears
 };
 
 }  // namespace kerf::gpu

@@ -100,7 +100,7 @@ class Expander {
     void append(const fs::path& file, const std::string& content) {
         const std::size_t index = fileIndex(file);
         stack_.push_back(file);
-        out_ << lineDirective(index, 1);
+        out_ << "// file " << files_[index] << '\n' << lineDirective(index, 1);
         std::istringstream in(content);
         std::string line;
         for (std::size_t number = 1; std::getline(in, line); ++number) {

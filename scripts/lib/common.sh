@@ -58,6 +58,11 @@ glslang-tools       is the reference compiler of shaders
 ffmpeg              makes films, and reads them again
 universal-ctags     tells scripts/house the classes and functions
 '
+quirk_packages='
+glslang-tools       makes SPIR-V of shaders
+spirv-tools         makes it text, and text it
+spirv-cross         makes it GLSL again
+'
 zink_packages='
 mesa-vulkan-drivers  is the Vulkan driver below zink
 '
@@ -213,4 +218,18 @@ use_driver() {
     VK_ICD_FILENAMES=$(find /usr/share/vulkan/icd.d -name 'lvp_icd.*.json' | head -n 1)
     [[ -n $VK_ICD_FILENAMES ]] || fail "Mesa's Vulkan driver for processors is not there (lvp_icd)."
     export VK_ICD_FILENAMES
+}
+
+# use_quirk NAME FOLDER: kernels that run from here on behave as on other drivers (tests/quirks).
+# Kernels are those for GPUs, each rewritten once; FOLDER/quirks/NAME.log gets the ones that ran.
+use_quirk() {
+    local version
+    ensure_packages "$quirk_packages"
+    version=$(cat "$root"/tests/quirks/* | sha256sum | cut -c 1-16)
+    export KERF_QUIRK=$1 KERF_KERNELS=shared KERF_QUIRK_SHADERS=$2/quirks/$version
+    export KERF_QUIRK_REWRITER=$root/tests/quirks/quirk_shader.py KERF_QUIRK_LOG=$2/quirks/$1.log
+    "$KERF_QUIRK_REWRITER" "$1" --known || fail "there is no quirk '$1' (see above)."
+    mkdir -p "$KERF_QUIRK_SHADERS"
+    build "$2" kerf_quirks
+    export LD_PRELOAD=$2/tests/libkerf_quirks.so
 }

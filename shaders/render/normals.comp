@@ -118,9 +118,10 @@ struct Fan {
     vec3 rest[kMostFan];  // unit normals at rest
     int part[kMostFan];
 };
+// Of this thread. No array is passed that changes: NVIDIA's compilers took such for others.
+Fan fan;
 
-Fan fanOf(uint vertex) {
-    Fan fan;
+void lookAround(uint vertex) {
     fan.count = 0;
     for (uint i = ranges[vertex].x; i < ranges[vertex].y && fan.count < kMostFan; ++i) {
         uvec4 triangle = triangles[entries[i] / 4u];
@@ -131,7 +132,6 @@ Fan fanOf(uint vertex) {
             ++fan.count;
         }
     }
-    return fan;
 }
 
 // Whether two triangles around a vertex have an edge together that is not hard.
@@ -144,7 +144,7 @@ bool goOn(uint a, uint b, vec3 restA, vec3 restB) {
 }
 
 // Joins what goes on across an edge; false where nothing was left to join.
-bool joinParts(inout Fan fan) {
+bool joinParts() {
     bool changed = false;
     for (int i = 0; i < fan.count; ++i) {
         for (int j = 0; j < i; ++j) {
@@ -161,8 +161,8 @@ bool joinParts(inout Fan fan) {
 // Writes a normal for each corner at a vertex, over the smooth part that it belongs to; returns
 // whether there is more than one part.
 bool writeParts(uint vertex) {
-    Fan fan = fanOf(vertex);
-    for (int round = 0; round < kMostFan && joinParts(fan); ++round) {}
+    lookAround(vertex);
+    for (int round = 0; round < kMostFan && joinParts(); ++round) {}
     bool hard = false;
     for (int i = 0; i < fan.count; ++i) {
         vec3 sum = vec3(0);
@@ -178,29 +178,31 @@ bool writeParts(uint vertex) {
     return hard;
 }
 
+// How the sides around a vertex faced at rest, of this thread.
+vec3 faces[kMostSides];
+int sideCount;
+
 // The first side that faced alike at rest, or a new one.
-int sideOf(vec3 face, inout vec3 faces[kMostSides], inout int count) {
+int sideOf(vec3 face) {
     int side = 0;
-    while (side < count && side < kMostSides - 1 && dot(face, faces[side]) < hardCosine) {
+    while (side < sideCount && side < kMostSides - 1 && dot(face, faces[side]) < hardCosine) {
         ++side;
     }
-    if (side == count) {
-        faces[count++] = face;
+    if (side == sideCount) {
+        faces[sideCount++] = face;
     }
     return side;
 }
 
 // As writeParts(), of any number of triangles.
 bool writeSides(uint vertex) {
-    vec3 faces[kMostSides];
     vec3 sums[kMostSides] = vec3[](vec3(0), vec3(0), vec3(0), vec3(0));
-    int count = 0;
+    sideCount = 0;
     for (int round = 0; round < 2; ++round) {
         for (uint i = ranges[vertex].x; i < ranges[vertex].y; ++i) {
             uvec4 triangle = triangles[entries[i] / 4u];
             uint corner = entries[i] % 4u;
-            int side = isSkin(triangle)
-                ? sideOf(unit(normalAtRest(triangle, corner)), faces, count) : 0;
+            int side = isSkin(triangle) ? sideOf(unit(normalAtRest(triangle, corner))) : 0;
             if (isSkin(triangle) && round == 0) {
                 sums[side] += normalNow(triangle, corner);
             } else if (isSkin(triangle)) {
@@ -208,7 +210,7 @@ bool writeSides(uint vertex) {
             }
         }
     }
-    return count > 1;
+    return sideCount > 1;
 }
 
 void writeCorners(uint vertex, vec3 normal) {

@@ -57,7 +57,10 @@ struct SweepRun {
 /// with the same arithmetic and sums in the same order.
 class SmallBodySolver {
   public:
-    explicit SmallBodySolver(gpu::KernelWay way = gpu::kernelWay()) : way_(way) {}
+    /// `threads` of the group, where it takes the shared way.
+    explicit SmallBodySolver(gpu::KernelWay way = gpu::kernelWay(),
+                             std::uint32_t threads = gpu::threadsOfGroup(gpu::queryDevice()))
+        : way_(way), threads_(threads) {}
     gpu::KernelWay way() const { return way_; }
 
     /// A new or changed body. Whether sweeps fit is computed from every vertex, for large bodies
@@ -103,9 +106,11 @@ class SmallBodySolver {
     static std::uint32_t atOnce(std::size_t turns) {
         return turns == 0 ? 0 : static_cast<std::uint32_t>(kMostTurns / turns);
     }
-    std::uint32_t groupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 8; }
+    std::uint32_t groupSize() const { return way_ == gpu::KernelWay::shared ? threads_ : 8; }
     /// So many that all substeps of most bodies fit into a dispatch.
-    std::uint32_t touchingGroupSize() const { return way_ == gpu::KernelWay::shared ? 512 : 64; }
+    std::uint32_t touchingGroupSize() const {
+        return way_ == gpu::KernelWay::shared ? threads_ : 64;
+    }
     std::uint32_t groupSizeOfSweeps() const;
     gpu::Program compile(std::uint32_t threads, gpu::Defines defines) const;
     void setSweeps(const BodyModel& model);
@@ -114,6 +119,7 @@ class SmallBodySolver {
     void bind(const SolverBody& body) const;
 
     gpu::KernelWay way_;
+    std::uint32_t threads_;
     /// By what contact is among the phases (none, itself, boxes), and whether the skin is folded.
     std::array<std::array<std::optional<gpu::Program>, 2>, 3> kernels_;
     std::optional<gpu::Program> sweepKernel_;

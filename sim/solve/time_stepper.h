@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "gpu/timer.h"
 #include "sim/solve/collisions.h"
@@ -72,8 +73,8 @@ class TimeStepper {
     /// Whether a step of a large body waits for what each search for contacts finds, which saves
     /// the phases of contact where that is nothing. The results are the same.
     void waitForSearches(bool wanted) { waitsForSearches_ = wanted; }
-    /// Selects the kernels of the group that solves a small body; before setBody().
-    void setSmallBodyWay(gpu::KernelWay way) { smallBody_ = SmallBodySolver(way); }
+    /// Replaces the group that solves a small body, its kernels with it; before setBody().
+    void setSmallBody(SmallBodySolver solver) { smallBody_ = std::move(solver); }
     const SmallBodySolver& smallBody() const { return smallBody_; }
     /// Whether step() uses one group: in one dispatch, or in one for each substep if thin boxes or
     /// a pushing blade may be hit; plain PBD only if the floor alone may be hit. Large bodies take

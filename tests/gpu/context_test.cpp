@@ -31,6 +31,12 @@ TEST_F(Context, DescribesItsDevice) {
     EXPECT_EQ(info.software, info.renderer.find("llvmpipe") != std::string::npos);
 }
 
+TEST_F(Context, ReadsBeyondABufferHarmNothing) {
+    GLint flags = 0;
+    glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    EXPECT_EQ(flags & GL_CONTEXT_FLAG_ROBUST_ACCESS_BIT, GL_CONTEXT_FLAG_ROBUST_ACCESS_BIT);
+}
+
 TEST_F(Context, CountsTheErrorsOfTheDriver) {
     glEnable(GL_TEXTURE_2D);  // not a capability of the core profile
     EXPECT_EQ(takeDebugErrors(), 1);

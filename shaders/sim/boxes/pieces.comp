@@ -5,7 +5,7 @@
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks links[]; };
-layout(std430, binding = kBoxPiecesBinding) buffer Bounds { PieceBounds bounds[]; };
+layout(std430, binding = kBoxPiecesBinding) coherent buffer Bounds { PieceBounds bounds[]; };
 
 #include "sim/ordered_floats.glsl"
 

@@ -43,14 +43,15 @@ vec4 planeTo(BoxRecord box, vec3 p[3], float way) {
     return vec4(fromBox(box, best.normal), counts ? roomAt(best) : kNoPlane);
 }
 
-// The three with the least room, in their order.
-void keep(inout vec4 least[3], vec4 plane) {
-    for (int i = 0; i < 3; ++i) {
-        bool before = plane.w < least[i].w;
-        vec4 later = before ? least[i] : plane;
-        least[i] = before ? plane : least[i];
-        plane = later;
-    }
+// The three with the least room, in their order. No array is passed that changes: NVIDIA's compilers
+// took such for others.
+BoxPlanes keep(BoxPlanes least, vec4 plane) {
+    bool first = plane.w < least.first.w;
+    bool second = plane.w < least.second.w;
+    bool third = plane.w < least.third.w;
+    return BoxPlanes(first ? plane : least.first,
+                     first ? least.first : (second ? plane : least.second),
+                     second ? least.second : (third ? plane : least.third));
 }
 
 void main() {
@@ -62,13 +63,13 @@ void main() {
     vec4 c = start[t.z];
     vec3 p[3] = vec3[3](a.xyz, b.xyz, c.xyz);
     float way = max(a.w, max(b.w, c.w));
-    vec4 least[3] = vec4[3](vec4(kNoPlane), vec4(kNoPlane), vec4(kNoPlane));
+    BoxPlanes least = BoxPlanes(vec4(kNoPlane), vec4(kNoPlane), vec4(kNoPlane));
     for (uint i = 0u; i < obstacle.box_count; ++i) {
-        keep(least, planeTo(boxes[i], p, way));
+        least = keep(least, planeTo(boxes[i], p, way));
     }
-    planes[index].first = least[0];
-    if (least[0].w == kNoPlane) return;
-    planes[index].second = least[1];
-    planes[index].third = least[2];
+    planes[index].first = least.first;
+    if (least.first.w == kNoPlane) return;
+    planes[index].second = least.second;
+    planes[index].third = least.third;
     for (int k = 0; k < 3; ++k) shares[t[k]] = 1u;
 }

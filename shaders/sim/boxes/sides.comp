@@ -64,7 +64,6 @@ void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= obstacle.vertex_count || shares[v] == 0u) return;
     shares[v] = 0u;
-    // Once: where it was read anew behind a branch, llvmpipe gave 0 for its end.
     IncidenceRange range = ranges[v];
     vec3 x = start[v].xyz;
     vec4 now = positions[v];

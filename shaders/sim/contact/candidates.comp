@@ -227,5 +227,5 @@ void main() {
     uint place = atomicAdd(state.points, 1u);
     points[place] = v;
     atomicMax(state.point_groups, place / kGroupSize + 1u);
-    state.vertex_groups = (uniforms.vertex_count + kGroupSize - 1u) / kGroupSize;
+    atomicMax(state.vertex_groups, (uniforms.vertex_count + kGroupSize - 1u) / kGroupSize);
 }

@@ -158,7 +158,7 @@ void fitTree() {
     if (i < leaves) fitLeaf(i);
     endLevel();
     uint own = gl_WorkGroupID.x * (kGroupSize / kTreeFan) + gl_LocalInvocationID.x;
-    if (gl_LocalInvocationID.x < kGroupSize / kTreeFan) fitNode(own, 0u, leaves);
+    if (gl_LocalInvocationID.x < kGroupSize / kTreeFan && own < above) fitNode(own, 0u, leaves);
     endLevel();
     findLast((leaves + kGroupSize - 1u) / kGroupSize);
     if (isLast) fitTop(leaves, above);

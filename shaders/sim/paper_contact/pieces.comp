@@ -6,7 +6,7 @@
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
-layout(std430, binding = kPaperPiecesBinding) buffer Bounds { PieceBounds bounds[]; };
+layout(std430, binding = kPaperPiecesBinding) coherent buffer Bounds { PieceBounds bounds[]; };
 
 #include "sim/ordered_floats.glsl"
 

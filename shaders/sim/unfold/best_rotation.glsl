@@ -33,10 +33,10 @@ vec4 bestRotation(vec3 sx, vec3 sy, vec3 sz) {
     // All columns are multiples of it; the largest has the most digits.
     vec4 q = m[3];
     float most = m[3].w;
-    for (int k = 0; k < 3; ++k) {
-        bool larger = m[k][k] > most;
-        q = larger ? m[k] : q;
-        most = max(most, m[k][k]);
-    }
+    q = m[0].x > most ? m[0] : q;
+    most = max(most, m[0].x);
+    q = m[1].y > most ? m[1] : q;
+    most = max(most, m[1].y);
+    q = m[2].z > most ? m[2] : q;
     return normalize(q);
 }

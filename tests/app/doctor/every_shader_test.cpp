@@ -99,6 +99,36 @@ TEST_F(EveryShader, OfTheFoldersIsAmongThem) {
     }
 }
 
+/// All first groups of what is found.
+std::set<std::string> namesIn(const std::string& text, const std::string& pattern) {
+    const std::regex what(pattern);
+    std::set<std::string> names;
+    for (std::sregex_iterator at(text.begin(), text.end(), what), end; at != end; ++at) {
+        names.insert((*at)[1]);
+    }
+    return names;
+}
+
+/// Parameters that are changed and arrays, alone or in a structure, and columns of matrices at a
+/// computed place: NVIDIA's compilers took others (docs/notes/drivers.md).
+std::set<std::string> mistakenForms(const std::string& text) {
+    std::set<std::string> forms = namesIn(text, "\\b((?:in)?out \\w+ \\w+\\[)");
+    forms.merge(namesIn(text, "\\b((?:in)?out mat\\d\\w* \\w+)"));
+    for (const std::string& type : namesIn(text, "struct (\\w+) \\{[^}]*\\[[^}]*\\};")) {
+        forms.merge(namesIn(text, "\\b((?:in)?out " + type + " )"));
+    }
+    for (const std::string& matrix : namesIn(text, "\\bmat\\d\\w* (\\w+)\\b")) {
+        forms.merge(namesIn(text, "\\b(" + matrix + "\\[[^0-9])"));
+    }
+    return forms;
+}
+
+TEST_F(EveryShader, KeepsOffFormsThatCompilersMistake) {
+    for (const auto& [text, file] : texts()) {
+        EXPECT_THAT(mistakenForms(text), ::testing::IsEmpty()) << file;
+    }
+}
+
 /// The words that decide what is compiled, of all shaders.
 std::set<std::string> switchesIn(const fs::path& folder) {
     static const std::regex word("^#(?:ifdef|ifndef|if|elif)\\b(.*)$", std::regex::multiline);
@@ -150,9 +180,9 @@ int countOf(const std::string& text, const std::regex& what) {
 
 /// What kernels share in a work group, as they declare it [bytes].
 int sharedBytes(const std::string& text) {
-    static const std::regex declared("\\nshared (float|uint|vec2|vec4) \\w+\\[(\\w+)\\];");
+    static const std::regex declared("\\nshared (float|uint|vec2|vec3|vec4) \\w+\\[(\\w+)\\];");
     static const std::map<std::string, int> sizes{
-        {"float", 4}, {"uint", 4}, {"vec2", 8}, {"vec4", 16}};
+        {"float", 4}, {"uint", 4}, {"vec2", 8}, {"vec3", 16}, {"vec4", 16}};
     int bytes = 0;
     for (std::sregex_iterator at(text.begin(), text.end(), declared), end; at != end; ++at) {
         bytes += sizes.at((*at)[1]) * constantIn(text, (*at)[2]);

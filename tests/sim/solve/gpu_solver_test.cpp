@@ -380,6 +380,7 @@ TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
 /// How the bits of one group are compared with those of a dispatch for each phase.
 struct OneGroupCase {
     gpu::KernelWay way = gpu::kernelWay();
+    std::uint32_t threads = 512;  ///< of the group in the shared way
     bool contact = false;
     int iterations = 20;
     std::vector<StaticBox> boxes;
@@ -395,7 +396,7 @@ BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup
     params.contact = how.contact ? 1 : 0;
     params.solver = how.solver;
     Pair pair(mesh, params, solverUniforms(params).active_parts, 21, how.shake);
-    pair.gpu.stepper().setSmallBodyWay(how.way);
+    pair.gpu.stepper().setSmallBody(SmallBodySolver(how.way, how.threads));
     pair.gpu.setModel(pair.model, pair.start);
     pair.gpu.collisions().setSettings(contactSettings(params));
     pair.gpu.collisions().setBoxes(how.boxes);
@@ -438,6 +439,11 @@ TEST_F(GpuSolverTest, OneGroupSolvesToTheBitsOfManyDispatches) {
     OneGroupCase shared;
     shared.way = gpu::KernelWay::shared;
     expectOneGroupLikeMany(test::cubeSphere(8), shared);
+    expectOneGroupLikeMany(twoSpheres(), shared);
+    gpu::DeviceInfo intel;
+    intel.vendor = "Intel";
+    shared.threads = gpu::threadsOfGroup(intel);
+    EXPECT_LT(shared.threads, OneGroupCase{}.threads);
     expectOneGroupLikeMany(twoSpheres(), shared);
 }
 

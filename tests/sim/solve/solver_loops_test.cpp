@@ -64,7 +64,7 @@ class SolverLoops : public test::GlTest {
     std::size_t turnsOfStep(const SurfaceMesh& mesh, KernelWay way, const Params& params) {
         const BodyModel model = buildBodyModel(mesh);
         GpuSolver gpu;
-        gpu.stepper().setSmallBodyWay(way);
+        gpu.stepper().setSmallBody(SmallBodySolver(way));
         gpu.setModel(model, stateOf(mesh));
         gpu.collisions().setSettings(contactSettings(params));
         gpu.collisions().expect(meshBounds(mesh), {}, {.folded = folded_});
