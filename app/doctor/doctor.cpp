@@ -66,13 +66,12 @@ Diagnosis diagnose(const Examination& examination) {
     diagnosis.limits = gpu::driverLimits();
     append(diagnosis.findings, limitFindings(diagnosis.limits));
     gpu::takeDebugErrors();
-    examine(examination, diagnosis, "Kernels",
-            [&] { append(diagnosis.findings, kernelFindings()); });
-    examine(examination, diagnosis, "Free fall",
-            [&] { append(diagnosis.findings, freeFallFindings()); });
-    examine(examination, diagnosis, "Rest", [&] { append(diagnosis.findings, restFindings()); });
-    examine(examination, diagnosis, "Meeting",
-            [&] { append(diagnosis.findings, meetingFindings()); });
+    examine(examination, diagnosis, "Orders", [&] {
+        append(diagnosis.findings, orderFindings());
+        append(diagnosis.findings, formFindings());
+    });
+    examine(examination, diagnosis, "Sessions",
+            [&] { append(diagnosis.findings, sessionFindings()); });
     examine(examination, diagnosis, "A cut", [&] {
         CutFindings cut = cutFindings();
         append(diagnosis.findings, std::move(cut.findings));

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/regression/run_trace.h"
 #include "render/scene/image.h"
 
 namespace kerf::app {
@@ -15,38 +20,39 @@ struct DriverFinding {
     bool right = false;
 };
 
-/// Compares each kernel of the solver, and a whole step, with what the double-precision reference
-/// answered (recorded_answers.h), on builtin models that are perturbed and in motion. Throws
-/// gpu::ShaderError, gpu::OutOfMemory, InputError if the builtin models or answers are missing.
-std::vector<DriverFinding> kernelFindings(const std::vector<std::string>& models = {
-                                              "sphere20", "sphere768", "banana"});
+/// Every kind of writer after every other into a buffer, before every kind of reader: what is read
+/// must be what was written last. One finding for all, and one for each two writers that are wrong.
+/// `sizes`: of buffers [bytes]. Throws gpu::ShaderError, gpu::OutOfMemory.
+std::vector<DriverFinding> orderFindings(const std::vector<std::size_t>& sizes = {
+                                             4, 1 << 10, 1 << 16, 1 << 20, 1 << 24});
 
-/// A body in free fall must accelerate by gravity, and keep its volume: first with one substep a
-/// step, then with twenty, since some drivers keep the previous number.
-std::vector<DriverFinding> freeFallFindings();
+/// Forms of kernels that some drivers get wrong, and as many work groups as the driver takes.
+/// Throws gpu::ShaderError, gpu::OutOfMemory.
+std::vector<DriverFinding> formFindings();
 
-/// A dropped body must come to rest on the floor, with all of its volume.
-std::vector<DriverFinding> restFindings();
+/// A short session that ships with Kerf, in assets/doctor.
+struct ShortSession {
+    const char* name;   ///< of its files
+    const char* check;  ///< DriverFinding::check
+    double most;        ///< how far pieces may be off, as a share of the body's diagonal
+};
+std::span<const ShortSession> shortSessions();
+/// The file with its pieces, as llvmpipe has them: a PieceTrace.
+std::filesystem::path expectedPieces(const ShortSession& session);
+/// Its pieces after every tenth step, on this driver. Throws like sessionFindings().
+PieceTrace playShortSession(const ShortSession& session);
 
-/// A body that is cut and falls, played twice: it must separate, stay closed, keep its volume, and
-/// end with the same bits. `picture` shows the end.
+/// Short sessions in which bodies fall, bend, lie, rest on one another, on a box, and hang: their
+/// pieces must be where they are on llvmpipe. `only`: the name of one; "" plays all. Throws
+/// gpu::ShaderError, gpu::OutOfMemory, InputError if a file is missing.
+std::vector<DriverFinding> sessionFindings(std::string_view only = "");
+
+/// A body that is cut and falls, played twice: it must stay closed, end with the same bits, and
+/// look as expected. `picture` shows the end.
 struct CutFindings {
     std::vector<DriverFinding> findings;
     render::Image picture;
 };
 CutFindings cutFindings();
-
-/// A body is cut across under its weight: the upper half must rest on the lower one, and that on
-/// the floor. Throws like meetingFindings().
-DriverFinding halvesFinding();
-/// A body that falls a little onto a box must rest on it. Throws like meetingFindings().
-DriverFinding boxFinding();
-/// A hand must hold a body by its top. Throws like meetingFindings().
-DriverFinding handFinding();
-
-/// Contact checks: a cut-off half rests on the other one, a body rests on a box, a hand holds it,
-/// and pinned vertices stay. Throws gpu::ShaderError, gpu::OutOfMemory, InputError if the builtin
-/// models are missing.
-std::vector<DriverFinding> meetingFindings();
 
 }  // namespace kerf::app

@@ -74,6 +74,8 @@ double farthest(const std::vector<PieceBox>& pieces, std::vector<PieceBox> other
     return far;
 }
 
+}  // namespace
+
 /// Where there are more or fewer pieces than there should be, the box around all of them counts.
 std::vector<Deviation> comparePositions(const PieceTrace& expected, const PieceTrace& found) {
     std::vector<Deviation> deviations;
@@ -88,6 +90,8 @@ std::vector<Deviation> comparePositions(const PieceTrace& expected, const PieceT
     }
     return deviations;
 }
+
+namespace {
 
 double diagonalOf(const PieceTrace& pieces) {
     return pieces.empty() ? 0 : boxOf(pieces.begin()->second, &PieceBox::box).diagonal();

@@ -50,6 +50,9 @@ struct Deviation {
     double value = 0;
 };
 
+/// How far pieces are from the expected ones, at the steps that both have [m].
+std::vector<Deviation> comparePositions(const PieceTrace& expected, const PieceTrace& found);
+
 /// The result of comparing a run with its expectation.
 struct Judgement {
     bool otherDriver = false;  ///< judged by tolerance then

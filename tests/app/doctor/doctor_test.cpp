@@ -2,13 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <string_view>
 
 #include "app/doctor/findings.h"
 #include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
+#include "tests/app/doctor/wrong_findings.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
 #include "tests/support/temporary_folder.h"
@@ -18,6 +21,7 @@ namespace kerf::app {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -25,16 +29,6 @@ using ::testing::Not;
 namespace fs = std::filesystem;
 
 class DoctorTest : public test::GlTest {};
-
-std::vector<std::string> wrongOnes(const std::vector<DriverFinding>& findings) {
-    std::vector<std::string> wrong;
-    for (const DriverFinding& finding : findings) {
-        if (!finding.right) {
-            wrong.push_back(finding.check + ": " + finding.seen + ", asked " + finding.asked);
-        }
-    }
-    return wrong;
-}
 
 TEST_F(DoctorTest, FindsNothingWrongHere) {
     std::vector<std::string> parts;
@@ -47,7 +41,7 @@ TEST_F(DoctorTest, FindsNothingWrongHere) {
     EXPECT_TRUE(diagnosis.right());
     EXPECT_THAT(diagnosis.verdict(), HasSubstr("works as it should"));
     EXPECT_GT(diagnosis.picture.width, 0);
-    EXPECT_EQ(parts.size(), 5u);
+    EXPECT_THAT(parts, ElementsAre("Orders", "Sessions", "A cut"));
     EXPECT_FALSE(diagnosis.limits.empty());
 }
 
@@ -81,40 +75,13 @@ TEST_F(FaultyDriver, AShaderThatDoesNotCompileIsAFinding) {
     EXPECT_FALSE(diagnosis.right());
 }
 
-/// What one part of the doctor finds.
-using Part = std::vector<DriverFinding> (*)();
-
-std::vector<DriverFinding> findingsOfSphere() {
-    return kernelFindings({"sphere768"});
-}
-
-std::vector<DriverFinding> findingsOfBanana() {
-    return kernelFindings({"banana"});
-}
-
-std::vector<DriverFinding> findingsOfHalves() {
-    return {halvesFinding()};
-}
-
-std::vector<DriverFinding> findingsOfBox() {
-    return {boxFinding()};
-}
-
-std::vector<DriverFinding> findingsOfHand() {
-    return {handFinding()};
-}
-
-std::vector<DriverFinding> findingsOfCut() {
-    return cutFindings().findings;
-}
-
 /// A shader that a driver got wrong, and the check that must tell.
 struct Fault {
     const char* name;
     const char* shader;
     const char* right;
     const char* wrong;
-    Part part;
+    const char* session;  ///< "" for the cut
     const char* check;
     const char* kernels = "images";  ///< the way that has the fault
     bool byNight = false;            ///< it takes seconds until the check tells
@@ -126,28 +93,28 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) {
 
 constexpr Fault kFaults[] = {
     {"ABarrierIsMissingInTheKernelOfSmallBodies", "sim/small_body_state.glsl",
-     "    memoryBarrier();\n    barrier();\n", "", findingsOfSphere, "A whole step, ", "shared"},
+     "    memoryBarrier();\n    barrier();\n", "", "bend", "A bent body", "shared"},
     {"ABarrierIsMissingInASum", "sim/measure.comp",
-     "        barrier();\n        for (uint i = self", "        for (uint i = self",
-     findingsOfSphere, "Strain energy, ", "shared"},
+     "        barrier();\n        for (uint i = self", "        for (uint i = self", "bend",
+     "A bent body", "shared"},
     {"ANumberOfADispatchKeepsItsFirstValue", "sim/small_body.comp", "begins = numbers.x;",
-     "begins = min(1u, numbers.x);", freeFallFindings, "Free fall, 20 substeps"},
+     "begins = min(1u, numbers.x);", "fall", "Free fall"},
     {"AnIndexIsWrong", "sim/gather.glsl", "* correctionAt(pair.z).xyz;",
-     "* correctionAt(pair.z + 1u).xyz;", findingsOfSphere, "Inner constraints, "},
-    {"ASignIsWrong", "sim/floor.glsl", "d.y + lift", "d.y - lift", restFindings, "On the floor: "},
+     "* correctionAt(pair.z + 1u).xyz;", "plain-pbd", "A pulled body"},
+    {"ASignIsWrong", "sim/floor.glsl", "d.y + lift", "d.y - lift", "floor", "On the floor"},
     {"AFactorIsWrong", "sim/constraints/bend.glsl", "vec3 g1 = sA * a", "vec3 g1 = 0.9 * sA * a",
-     findingsOfSphere, "Bends, "},
+     "bend", "A bent body"},
     {"TheLastGroupIsMissing", "sim/settle.comp", "if (v >= uniforms.vertex_count) return;",
-     "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", findingsOfBanana,
-     "A whole step, "},
+     "if (v >= uniforms.vertex_count - uniforms.vertex_count % 32u) return;", "pull",
+     "A larger body"},
     {"AnAnswerToContactIsTurned", "sim/contact_answer.glsl", "return pressed * normal",
-     "return -pressed * normal", findingsOfHalves, "A half on the other", "images", true},
+     "return -pressed * normal", "halves", "A half on the other", "images", true},
     {"AFaceOfABoxIsMistaken", "sim/boxes/keep_out.glsl", "across + face.side * lift",
-     "across - face.side * lift", findingsOfBox, "On a box", "images", true},
-    {"AHandPushesWhereItPulls", "sim/pull.glsl", "? d - (pull.leads", "? d + (pull.leads",
-     findingsOfHand, "In a hand", "images", true},
+     "across - face.side * lift", "box", "On a box", "images", true},
+    {"AHandPushesWhereItPulls", "sim/pull.glsl", "? d - (pull.leads", "? d + (pull.leads", "hold",
+     "in a hand", "images", true},
     {"NormalsPointInwards", "render/normals.comp", "vec3 n = cross(u, v);", "vec3 n = cross(v, u);",
-     findingsOfCut, "Picture", "images", true},
+     "", "Picture", "images", true},
 };
 
 class FaultyKernel : public FaultyDriver, public ::testing::WithParamInterface<Fault> {};
@@ -159,11 +126,30 @@ TEST_P(FaultyKernel, IsFound) {
     }
     replaceIn(fault.shader, fault.right, fault.wrong);
     const test::Variable kernels("KERF_KERNELS", fault.kernels);
-    EXPECT_THAT(wrongOnes(fault.part()), Contains(HasSubstr(fault.check)));
+    const bool ofCut = std::string_view(fault.session).empty();
+    EXPECT_THAT(wrongOnes(ofCut ? cutFindings().findings : sessionFindings(fault.session)),
+                Contains(HasSubstr(fault.check)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FaultyKernel, ::testing::ValuesIn(kFaults),
                          [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST_F(FaultyDriver, AFormOfKernelsThatBreaksIsFound) {
+    replaceIn("doctor/forms.comp", "if (self == i) ++counted;", "");
+    EXPECT_THAT(
+        wrongOnes(formFindings()),
+        ElementsAre("A count by one thread at a time, with barriers in a loop: 0, asked 128"));
+}
+
+// KERF_RENEW writes them anew.
+TEST_F(DoctorTest, ShortSessionsEndAsExpected) {
+    for (const ShortSession& session : shortSessions()) {
+        if (std::getenv("KERF_RENEW") != nullptr) {
+            test::writeText(expectedPieces(session), formatPieces(playShortSession(session)));
+        }
+        EXPECT_THAT(wrongOnes(sessionFindings(session.name)), IsEmpty());
+    }
+}
 
 TEST_F(DoctorTest, ModelsHaveARealTimeFactorWithoutPictures) {
     const std::vector<ModelSpeed> speeds = modelSpeeds(0.5);

@@ -10,6 +10,7 @@
 #include <regex>
 #include <set>
 
+#include "app/doctor/findings.h"
 #include "gpu/data_path.h"
 #include "gpu/limits.h"
 #include "gpu/program.h"
@@ -28,10 +29,17 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+void linkKernelsOfDoctor() {
+    const gpu::FirstDispatches none(0);
+    orderFindings({4});
+    formFindings();
+}
+
 /// Links every program that Kerf can come to need, of both tiers of quality.
 std::vector<gpu::LinkedProgram> everyProgram() {
     const gpu::ProgramRecord record;
     linkEveryKernel();
+    linkKernelsOfDoctor();
     for (const render::Quality quality : {render::Quality::light, render::Quality::full}) {
         render::Renderer(quality).linkEveryProgram();
     }
