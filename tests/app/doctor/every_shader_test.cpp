@@ -133,7 +133,8 @@ std::set<std::string> mistakenForms(const std::string& text) {
 
 TEST_F(EveryShader, KeepsOffFormsThatCompilersMistake) {
     for (const auto& [text, file] : texts()) {
-        EXPECT_THAT(mistakenForms(text), ::testing::IsEmpty()) << file;
+        const bool triesThem = file == "doctor/forms.comp";
+        EXPECT_EQ(mistakenForms(text).empty(), !triesThem) << file;
     }
 }
 
