@@ -142,11 +142,12 @@ EGLContext createContext(EGLDisplay display, bool debug) {
                                      EGL_NONE};
     const EGLConfig config = chooseConfig(display);
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
-    if (context == EGL_NO_CONTEXT) {
-        spdlog::debug("{}: without robust access and notice of resets",
-                      eglFailure("eglCreateContext with both"));
-        wanted[wanted.size() - 5] = EGL_NONE;
-        context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+    for (const std::size_t left : {wanted.size() - 3, wanted.size() - 5}) {
+        if (context == EGL_NO_CONTEXT) {
+            spdlog::debug("{}: with fewer", eglFailure("eglCreateContext with all attributes"));
+            wanted[left] = EGL_NONE;
+            context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+        }
     }
     if (context == EGL_NO_CONTEXT) {
         throw RouteFailure{eglFailure("eglCreateContext for OpenGL 4.5 core")};

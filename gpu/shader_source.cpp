@@ -120,6 +120,10 @@ class Expander {
             out_ << '\n';  // ours stands in front
         } else {
             out_ << line << '\n';
+            // What an #include says of its line is not read where it is switched off.
+            if (directive.word == "endif" || directive.word == "else" || directive.word == "elif") {
+                out_ << lineDirective(index, number + 1);
+            }
         }
     }
 

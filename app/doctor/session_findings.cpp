@@ -55,17 +55,19 @@ DriverFinding findingOf(const ShortSession& session) {
     const PieceTrace expected = readPieces(expectedPieces(session));
     const PieceTrace seen = playShortSession(session);
     const double diagonal = boxOf(expected.begin()->second, &PieceBox::box).diagonal();
+    const auto distances = comparePositions(expected, seen);
     double far = 0;
-    bool right = true;
-    for (const auto& [step, meters] : comparePositions(expected, seen)) {
-        far = std::max(far, meters / diagonal);
-        right = right && meters <= session.most * diagonal &&  // NaN is not
+    bool right = !distances.empty();
+    for (const auto& [step, meters] : distances) {
+        far = meters / diagonal <= far ? far : meters / diagonal;  // NaN is kept
+        right = right && meters <= session.most * diagonal &&      // NaN is not
                 seen.at(step).size() == expected.at(step).size();
     }
     return {
         session.check,
         fmt::format("{} at the end, {:.1g} % of the diagonal off",
-                    counted(seen.rbegin()->second.size(), "piece", "pieces"), 100 * far),
+                    counted(seen.empty() ? 0 : seen.rbegin()->second.size(), "piece", "pieces"),
+                    100 * far),
         fmt::format("{}, at most {:.2f} %", expected.rbegin()->second.size(), 100 * session.most),
         right};
 }

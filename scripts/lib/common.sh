@@ -224,6 +224,7 @@ use_driver() {
 # Kernels are those for GPUs, each rewritten once; FOLDER/quirks/NAME.log gets the ones that ran.
 use_quirk() {
     local version
+    [[ $2 != *[[:space:]:\']* ]] || fail "quirks need a folder without spaces, colons and quotes."
     ensure_packages "$quirk_packages"
     version=$(cat "$root"/tests/quirks/* | sha256sum | cut -c 1-16)
     export KERF_QUIRK=$1 KERF_KERNELS=shared KERF_QUIRK_SHADERS=$2/quirks/$version

@@ -84,6 +84,8 @@ std::string rewritten(const std::string& text) {
                                     own + ".comp' > '" + own + "'";
         const int status = std::system(command.c_str());
         if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) {
+            fs::remove(own);
+            fs::remove(own + ".comp");
             return text;  // the driver says what is wrong with it
         }
         if (status != 0) {
@@ -148,9 +150,16 @@ void attachShader(GLuint program, GLuint shader) {
     REAL(PFNGLATTACHSHADERPROC, glAttachShader)(program, shader);
 }
 
-/// Binaries are of kernels that were not rewritten.
+/// Binaries are of kernels that were not rewritten, and none is kept of those that were.
 void programBinary(GLuint program, GLenum, const void* binary, GLsizei length) {
     REAL(PFNGLPROGRAMBINARYPROC, glProgramBinary)(program, 0, binary, length);
+}
+
+void getProgramiv(GLuint program, GLenum name, GLint* value) {
+    REAL(PFNGLGETPROGRAMIVPROC, glGetProgramiv)(program, name, value);
+    if (name == GL_PROGRAM_BINARY_LENGTH) {
+        *value = 0;
+    }
 }
 
 /// Under quirks that may change the last digit it is another driver, so that results are held
@@ -197,10 +206,11 @@ struct Watch {
     GLuint texture = 0;
 };
 
+std::map<EGLContext, Watch> watches;
+
 /// Of the current context.
 const Watch& watch() {
-    static std::map<EGLContext, Watch> all;
-    Watch& own = all[eglGetCurrentContext()];
+    Watch& own = watches[eglGetCurrentContext()];
     if (own.buffer == 0) {
         REAL(PFNGLCREATEBUFFERSPROC, glCreateBuffers)(1, &own.buffer);
         const std::vector<std::uint32_t> zeros(quirk() == "races" ? kWords : kFirstSharedShadow);
@@ -211,6 +221,15 @@ const Watch& watch() {
         REAL(PFNGLTEXTUREBUFFERPROC, glTextureBuffer)(own.texture, GL_R32UI, own.buffer);
     }
     return own;
+}
+
+/// Into the file KERF_QUIRK_LOG, each line once: kernels that ran, and faults.
+void log(const std::string& line) {
+    static std::set<std::string> logged;
+    static const std::string file = variable("KERF_QUIRK_LOG");
+    if (!file.empty() && logged.insert(line).second) {
+        std::ofstream(file, std::ios::app) << line + "\n";
+    }
 }
 
 struct Bound {
@@ -275,6 +294,8 @@ Shadows placeShadows() {
         if (!places.contains(bound.buffer)) {
             const std::size_t words = wordsIn(bound.buffer);
             if (shadows.end + 2 * words > kWords) {
+                log("not watched, for want of room, is a buffer of " + std::to_string(words) +
+                    " words");
                 continue;
             }
             places[bound.buffer] = shadows.end;
@@ -333,15 +354,6 @@ std::string sentenceOf(const Fault& fault) {
     }
     return fault.kind == 4 ? "a branch that is never taken was taken"
                            : "a word " + invocationOf(fault.a) + " was " + invocationOf(fault.b);
-}
-
-/// Into the file KERF_QUIRK_LOG, each line once: kernels that ran, and faults.
-void log(const std::string& line) {
-    static std::set<std::string> logged;
-    static const std::string file = variable("KERF_QUIRK_LOG");
-    if (!file.empty() && logged.insert(line).second) {
-        std::ofstream(file, std::ios::app) << line + "\n";
-    }
 }
 
 /// Ends the process where a kernel reported something; KERF_QUIRK_GOES_ON=1 only prints it.
@@ -408,11 +420,21 @@ Replaced replaced(std::string_view name, Function* ours) {
 
 }  // namespace
 
+/// Another context may get its address.
+extern "C" __attribute__((visibility("default"))) EGLBoolean eglDestroyContext(EGLDisplay display,
+                                                                               EGLContext context) {
+    watches.erase(context);
+    const auto destroy = reinterpret_cast<PFNEGLDESTROYCONTEXTPROC>(
+        dlsym(dlopen("libEGL.so.1", RTLD_NOW), "eglDestroyContext"));
+    return destroy(display, context);
+}
+
 extern "C" __attribute__((visibility("default"))) Proc eglGetProcAddress(const char* name) {
-    static const std::array<Replaced, 7> all = {
+    static const std::array<Replaced, 8> all = {
         replaced("glShaderSource", shaderSource),
         replaced("glAttachShader", attachShader),
         replaced("glProgramBinary", programBinary),
+        replaced("glGetProgramiv", getProgramiv),
         replaced("glGetString", getString),
         replaced("glNamedBufferStorage", namedBufferStorage),
         replaced("glDispatchCompute", dispatchCompute),

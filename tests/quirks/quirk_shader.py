@@ -31,6 +31,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 def with_helpers(text, quirk):
     """The kernel with the functions that it will call, and what is simpler in GLSL."""
     version, rest = text.split("\n", 1)
+    helpers = (HERE / "quirks.glsl").read_text()
     if quirk == "groups":
         rest = re.sub(r"\bgl_WorkGroupID\b", "kerfGroup()", rest)
         rest = re.sub(r"\bgl_GlobalInvocationID\b", "kerfInvocation()", rest)
@@ -42,27 +43,30 @@ def with_helpers(text, quirk):
         "races": ("kerfBegin();", "kerfSettle(); kerfReport();"),
     }.get(quirk, ("", ""))
     end = f"\nvoid main() {{\n{begin}\nkernelMain();\n{end}\n}}\n"
-    helpers = (HERE / "quirks.glsl").read_text()
     return f"{version}\n{place_helpers(rest, helpers)}{end}"
 
 
 def place_helpers(rest, helpers):
     """Behind the size of the group, on which they depend."""
-    size = re.search(r"^layout\(local_size_x = .*\) in;\n", rest, re.M)
+    size = re.search(r"^ *layout\(local_size_x *=[^)]*\) *in *;.*\n", rest, re.M)
     line = rest[: size.end()].rfind("#line")
-    name = re.match(r"#line (\d+)\n", rest[line:])
-    next_line = int(name.group(1)) + rest[line : size.end()].count("\n") - 1
+    number = re.match(r"#line (\d+)", rest[line:])
+    next_line = int(number.group(1)) + rest[line : size.end()].count("\n") - 1
     return f"{rest[:size.end()]}#line 1\n{helpers}#line {next_line}\n{rest[size.end():]}"
 
 
 def fill_shared(text):
     """Statements by which the group fills its shared memory with what no kernel asked for."""
     lines = []
-    for kind, name, count in re.findall(r"^\s*shared (\w+) (\w+)(?:\[(\w+)\])?;", text, re.M):
+    for line in re.findall(r"^\s*shared .*", text, re.M):
+        declared = re.match(r"\s*shared (bool|float|u?int|vec[234]) (\w+)\s*(\[[^]]*\])?;", line)
+        if not declared:
+            sys.exit(f"garbage cannot be put into: {line}")
+        kind, name, is_array = declared.groups()
         value = {"bool": "true", "uint": "0xdeadbeefu", "int": "-559038737"}.get(
             kind, f"{kind}(uintBitsToFloat(0x7fa1b2c3u))")
-        if count:
-            lines.append(f"for (uint i = gl_LocalInvocationIndex; i < {count}; "
+        if is_array:
+            lines.append(f"for (uint i = gl_LocalInvocationIndex; i < uint({name}.length()); "
                          f"i += gl_WorkGroupSize.x) {name}[i] = {value};\n")
         else:
             lines.append(f"if (gl_LocalInvocationIndex == 0u) {name} = {value};\n")
@@ -82,7 +86,11 @@ class Module:
         self.decorations = {}
         self.fresh = 0
         self.added = {}
+        self.uses = {}  # of loaded values
         for _, op, args in self.code:
+            for arg in set(args):
+                if self.by_id.get(arg, ("",))[0] == "OpLoad":
+                    self.uses.setdefault(arg, []).append((op, args))
             if op == "OpName":
                 self.names[args[0]] = args[1].strip('"')
             elif op == "OpDecorate":
@@ -170,6 +178,8 @@ class Rewriter:
         self.visit = getattr(self, quirk)
         self.site = 0
         self.out = []
+        self.begins = False  # the block that comes is the first of main
+        self.fresh_block = False
 
     def run(self):
         inside = False
@@ -206,10 +216,12 @@ class Rewriter:
 
     groups = none
 
-    LOADS = {"OpLoad", "OpBitcast", "OpImageRead", "OpImageFetch", "OpCompositeExtract"}
+    FLUSHED = {"OpLoad", "OpBitcast", "OpImageRead", "OpImageFetch", "OpCompositeExtract", "OpFMul",
+               "OpFDiv", "OpFAdd", "OpFSub", "OpDot", "OpExtInst", "OpVectorTimesScalar",
+               "OpMatrixTimesVector"}
 
     def denormals(self, result, op, args):
-        width = self.m.float_width(args[0]) if op in self.LOADS else 0
+        width = self.m.float_width(args[0]) if op in self.FLUSHED else 0
         if width == 0:
             return self.none(result, op, args)
         raw = self.emit(self.m.new(), op, *args)
@@ -220,6 +232,8 @@ class Rewriter:
         if op == "OpDot":
             v = VECTORS[self.m.float_width(self.m.type_of(args[1]))]
             return self.call(f"kerfDot({v};{v};", args[1], args[2], kind=args[0], result=result)
+        if op == "OpExtInst" and args[2] == "Cross":
+            return self.call("kerfCross(vf3;vf3;", args[3], args[4], kind=args[0], result=result)
         if op in ("OpFAdd", "OpFSub") and width and not self.exact(result):
             for side in (0, 1):
                 factors = self.factors(args[1 + side])
@@ -251,7 +265,18 @@ class Rewriter:
     def garbage(self, result, op, args):
         if op == "OpVariable" and len(args) == 2:
             args = [*args, self.junk(self.m.by_id[args[0]][1][1])]
+        elif op == "OpFunction":
+            self.begins = self.m.names.get(result) == "main"
+        elif op not in self.STARTS and self.begins:
+            self.begins = False
+            self.fill_globals()
         self.none(result, op, args)
+
+    def fill_globals(self):
+        for i, (op, args) in list(self.m.by_id.items()):
+            own = self.m.names.get(i, "").startswith("kerf")
+            if op == "OpVariable" and args[1] == "Private" and len(args) == 2 and not own:
+                self.emit(None, "OpStore", i, self.junk(self.m.pointee(i)))
 
     def junk(self, kind):
         op, args = self.m.by_id[kind]
@@ -276,7 +301,7 @@ class Rewriter:
     def dead(self, result, op, args):
         if op == "OpLabel":
             self.fresh_block = True
-        elif op not in self.STARTS and getattr(self, "fresh_block", False):
+        elif op not in self.STARTS and self.fresh_block:
             self.fresh_block = False
             self.call("kerfNever(u1;", self.here())
         self.none(result, op, args)
@@ -290,6 +315,10 @@ class Rewriter:
             count = self.emit(self.m.new(), "OpImageQuerySize", self.m.int, args[1])
             size = self.emit(self.m.new(), "OpBitcast", self.m.uint, count)
             self.call("kerfCheck(u1;u1;u1;", self.as_uint(args[2]), size, self.here())
+        elif op in ("OpVectorExtractDynamic", "OpVectorInsertDynamic"):
+            width = int(self.m.by_id[self.m.type_of(args[1])][1][1])
+            self.call("kerfCheck(u1;u1;u1;", self.as_uint(args[-1]), self.m.uint_constant(width),
+                      self.here())
         self.none(result, op, args)
 
     def check_chain(self, base, indices):
@@ -316,8 +345,10 @@ class Rewriter:
     # --- races ------------------------------------------------------------------------------------
 
     def races(self, result, op, args):
-        if op in ("OpLoad", "OpStore"):
-            self.touch(args[1 if op == "OpLoad" else 0], 1 if op == "OpLoad" else 2)
+        if op == "OpLoad":
+            self.touch(args[1], 1, self.components_used(result))
+        elif op == "OpStore":
+            self.touch(args[0], 2)
         elif op.startswith("OpAtomic"):
             self.touch(args[0 if op == "OpAtomicStore" else 1], 3)
         elif op == "OpImageFetch":
@@ -339,11 +370,27 @@ class Rewriter:
             self.call("kerfTouch(u1;u1;u1;", self.as_uint(index), self.m.uint_constant(1 << 26),
                       self.m.uint_constant(self.site | 64 + binding << 24))
 
-    def touch(self, pointer, how):
-        op, args = self.m.by_id[pointer]
-        root, indices = (args[1], args[2:]) if op.endswith("AccessChain") else (pointer, [])
+    def components_used(self, loaded):
+        """Of a vector, up to the last that is looked at: p.xyz loads all four."""
+        last = -1
+        for op, args in self.m.uses.get(loaded, []):
+            if op == "OpCompositeExtract":
+                last = max(last, int(args[2]))
+            elif op == "OpVectorShuffle" and args[1] == args[2]:
+                last = max(last, *map(int, args[3:]))
+            else:
+                return 4
+        return last + 1 or 4
+
+    def touch(self, pointer, how, most=None):
+        root, indices = pointer, []
+        while self.m.by_id[root][0].endswith("AccessChain"):
+            op, args = self.m.by_id[root]
+            root, indices = args[1], args[2:] + indices
+        if self.m.by_id[root][0] == "OpFunctionParameter":
+            return  # of function memory: blocks and shared memory are no arguments
         if self.m.by_id[root][0] != "OpVariable":
-            return
+            sys.exit(f"races does not know where {pointer} lies")
         storage = self.m.storage(root)
         block = self.m.pointee(root)
         is_block = storage == "Uniform" and "BufferBlock" in self.m.decorations.get(block, {})
@@ -351,6 +398,8 @@ class Rewriter:
             return
         first, kind, columns = self.place(block, indices, is_block)
         words = max(1, self.size(kind, is_block, columns) // 4)
+        if most and self.m.by_id[kind][0] == "OpTypeVector":
+            words = min(words, most)
         binding = 255
         if is_block:
             decorations = self.m.decorations[root]
@@ -434,19 +483,28 @@ class Rewriter:
 REFUSED = 3  # exit code for what is no GLSL, as tests write
 
 
-def run(*command, stdin=None):
+def run(*command, stdin=None, failure=1):
     done = subprocess.run(command, input=stdin, capture_output=True, text=True)
     if done.returncode != 0:
         print(f"{command[0]} failed:\n{done.stdout}{done.stderr}", file=sys.stderr)
-        sys.exit(REFUSED if command[0] == "glslangValidator" else 1)
+        sys.exit(failure)
     return done.stdout
+
+
+# So that a product and its sum are one expression, in variables too.
+JOINED = ["--eliminate-local-single-block", "--eliminate-local-single-store", "--ssa-rewrite"]
 
 
 def rewritten(text, quirk):
     with tempfile.TemporaryDirectory() as folder:
         source, binary = f"{folder}/kernel.comp", f"{folder}/kernel.spv"
-        pathlib.Path(source).write_text(with_helpers(text, quirk))
+        pathlib.Path(source).write_text(text)
+        run("glslangValidator", source, failure=REFUSED)
+        active = run("glslangValidator", "-E", source).lstrip()
+        pathlib.Path(source).write_text(with_helpers(active, quirk))
         run("glslangValidator", "-G", "-g", "--aml", "--keep-uncalled", "-o", binary, source)
+        if quirk == "contraction":
+            run("spirv-opt", *JOINED, binary, "-o", binary)
         module = Module(run("spirv-dis", "--raw-id", "--no-header", binary))
         rewriter = Rewriter(module, quirk)
         rewriter.run()

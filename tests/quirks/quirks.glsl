@@ -53,6 +53,9 @@ vec3 kerfFma(const in vec3 a, const in vec3 b, const in vec3 c) {
 vec4 kerfFma(const in vec4 a, const in vec4 b, const in vec4 c) {
     return vec4(dvec4(a) * dvec4(b) + dvec4(c));
 }
+vec3 kerfCross(const in vec3 a, const in vec3 b) {
+    return kerfFma(a.yzx, b.zxy, -(a.zxy * b.yzx));
+}
 float kerfDot(const in vec2 a, const in vec2 b) { return kerfFma(a.y, b.y, a.x * b.x); }
 float kerfDot(const in vec3 a, const in vec3 b) { return kerfFma(a.z, b.z, kerfDot(a.xy, b.xy)); }
 float kerfDot(const in vec4 a, const in vec4 b) {
@@ -106,6 +109,7 @@ void kerfCheck(const in uint index, const in uint count, const in uint site) {
 const uint kerfReads = 1u;
 const uint kerfWrites = 2u;
 const uint kerfAtomic = 3u;
+const uint kerfMany = 3u;  // of the last reader of a word: others read it too
 
 uint kerfEpoch = 0u;  // barriers passed
 
@@ -131,14 +135,14 @@ const uint kerfQueueSize = 2048u;
 uvec2 kerfQueue[kerfQueueSize];
 uint kerfQueued = 0u;
 
-// Which part of the words and epochs is watched in a launch of one group. Its loops are long, and
-// llvmpipe ends them after 65,535 turns in all, of which kMostTurns of sim/solve are taken.
+// Which epochs are watched in a launch of one group. Its loops are long, and llvmpipe ends them after
+// 65,535 turns in all, of which kMostTurns of sim/solve are taken.
 const uint kerfMostTurns = 1000u;
 uint kerfSlice = 0u;
 uint kerfTurns = 0u;
 
 void kerfTouch(const in uint first, const in uint how, const in uint site) {
-    uint slice = ((first >> 4) * 0x9e3779b9u ^ kerfEpoch * 0x85ebca6bu) >> 24;
+    uint slice = kerfEpoch * 0x85ebca6bu >> 24;
     if (gl_NumWorkGroups.x == 1u && slice != kerfSlice) return;
     if (kerfQueued < kerfQueueSize) kerfQueue[kerfQueued] = uvec2((first & 0xffffffu) | how, site);
     ++kerfQueued;
@@ -149,8 +153,13 @@ void kerfTouchWord(const in int shadow, const in uint tag, const in bool isShare
     bool reads = (tag & 3u) == kerfReads;
     uint before = imageAtomicExchange(kerfWatch, reads ? shadow + 1 : shadow, tag);
     uint there = imageLoad(kerfWatch, reads ? shadow : shadow + 1).x;
+    // Of readers the last is kept, and whether there are others.
+    bool atOnce = (before >> 22) != (tag >> 22) || (before & 0x1ffcu) == (tag & 0x1ffcu);
+    bool another = (before >> 13) != (tag >> 13) || (before & 3u) == kerfMany;
+    if (reads && before != 0u && atOnce && another) imageAtomicOr(kerfWatch, shadow + 1, kerfMany);
     uint writer = reads ? there : before;
-    uint reader = reads ? 0u : there;
+    uint reader = reads || there == 0u ? 0u : (there & ~3u) | kerfReads;
+    if (!reads && (there & 3u) == kerfMany && (there >> 13) == (tag >> 13)) reader ^= 1u << 13;
     if (kerfMeets(tag, writer, isShared || (isCoherent && reads), isCoherent)) {
         kerfNote(2u, site, tag, writer);
     }

@@ -49,7 +49,7 @@ bool mayMeet(BladeRecord blade, vec3 from, vec3 to) {
 // xyz: the sum of the area vectors of the walls at v over the sum of their lengths, w: 1 where
 // there are any.
 vec4 wallNormal(uint v, bool wanted) {
-    IncidenceRange range = ranges[v];  // once, see sides.comp
+    IncidenceRange range = ranges[v];
     uint end = wanted ? range.end : range.first;
     vec3 sum = vec3(0.0);
     float size = 0.0;

@@ -43,8 +43,8 @@ vec4 planeTo(BoxRecord box, vec3 p[3], float way) {
     return vec4(fromBox(box, best.normal), counts ? roomAt(best) : kNoPlane);
 }
 
-// The three with the least room, in their order. No array is passed that changes: NVIDIA's compilers
-// took such for others.
+// The three with the least room, in their order. No array is passed that changes: NVIDIA's
+// compilers took such for others.
 BoxPlanes keep(BoxPlanes least, vec4 plane) {
     bool first = plane.w < least.first.w;
     bool second = plane.w < least.second.w;
