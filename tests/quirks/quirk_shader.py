@@ -15,7 +15,7 @@ import tempfile
 
 QUIRKS = {
     "none": "the way there and back alone",
-    "denormals": "floats below 1.2e-38 are 0 where they are loaded or made of bits",
+    "denormals": "floats below 1.2e-38 are 0 where they are loaded, made of bits or computed",
     "groups": "work groups come in another order",
     "garbage": "fresh buffers, shared memory and variables hold NaN and huge indices",
     "dead": "each block has a branch that is never taken",

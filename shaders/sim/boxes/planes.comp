@@ -71,5 +71,5 @@ void main() {
     if (least.first.w == kNoPlane) return;
     planes[index].second = least.second;
     planes[index].third = least.third;
-    for (int k = 0; k < 3; ++k) shares[t[k]] = 1u;
+    for (int k = 0; k < 3; ++k) atomicMax(shares[t[k]], 1u);  // others mark it too
 }

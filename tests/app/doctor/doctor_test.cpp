@@ -141,13 +141,14 @@ TEST_F(FaultyDriver, AFormOfKernelsThatBreaksIsFound) {
         ElementsAre("A count by one thread at a time, with barriers in a loop: 0, asked 128"));
 }
 
-// KERF_RENEW writes them anew.
+// With KERF_RENEW they are written anew instead.
 TEST_F(DoctorTest, ShortSessionsEndAsExpected) {
     for (const ShortSession& session : shortSessions()) {
         if (std::getenv("KERF_RENEW") != nullptr) {
             test::writeText(expectedPieces(session), formatPieces(playShortSession(session)));
+        } else {
+            EXPECT_THAT(wrongOnes(sessionFindings(session.name)), IsEmpty());
         }
-        EXPECT_THAT(wrongOnes(sessionFindings(session.name)), IsEmpty());
     }
 }
 
