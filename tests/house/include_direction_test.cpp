@@ -39,6 +39,7 @@ const std::vector<fs::path> kRooms = {
     "sim/repair",
     "sim/body",
     "sim/contact",
+    "sim/solve/implicit",
     "sim/solve",
     "sim/run/start",
     "sim/run/parts",

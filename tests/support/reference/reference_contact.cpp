@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
@@ -114,19 +116,34 @@ std::vector<std::vector<ReferenceCandidate>> ReferenceContact::findCandidates(
     const ReferenceState& state) const {
     const std::vector<std::array<Vec3, 2>> normals = vertexNormals(model_, state.positions);
     std::vector<std::vector<ReferenceCandidate>> all(state.positions.size());
+    std::vector<int> triangles(model_.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    const auto boundsOf = [&](int t) {
+        Bounds bounds;
+        for (const Vec3& corner : cornersOf(model_.triangles[t], state.positions)) {
+            bounds.add(corner);
+        }
+        return bounds;
+    };
+    BoxTree tree(triangles, boundsOf);
     for (std::uint32_t v = 0; v < all.size(); ++v) {
         const int piece = model_.pieceOfVertex[v];
         if (piece < 0 || isChip(piece)) {
             continue;
         }
-        for (std::uint32_t t = 0; t < model_.triangles.size(); ++t) {
-            const Vec3 normal = areaNormal(cornersOf(model_.triangles[t], state.positions));
-            const bool opposed = opposes(normals[v], normal);
-            ReferenceCandidate candidate;
-            if (opposed && consider(v, t, state, candidate)) {
-                all[v].push_back(candidate);
-            }
-        }
+        Bounds around;
+        around.add(state.positions[v]);
+        around.widen(uniforms_.margin);
+        tree.find(
+            boundsOf, [&](const Bounds& box) { return box.overlaps(around); },
+            [&](int t) {
+                const Vec3 normal = areaNormal(cornersOf(model_.triangles[t], state.positions));
+                const bool opposed = opposes(normals[v], normal);
+                ReferenceCandidate candidate;
+                if (opposed && consider(v, t, state, candidate)) {
+                    all[v].push_back(candidate);
+                }
+            });
         std::ranges::sort(
             all[v], {}, [](const ReferenceCandidate& c) { return std::tuple(c.key, c.triangle); });
         all[v].resize(std::min<std::size_t>(all[v].size(), shared::kCandidatesPerPoint));

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <span>
+#include <vector>
+
+#include "sim/solve/implicit/vertex_groups.h"
+
+namespace kerf {
+
+/// An aggregate moves as an affine map of its rest shape would: of a vertex at rest position p the
+/// first three modes are translations, the others those times (p - center) / size, axis by axis.
+struct AggregateFrame {
+    static constexpr int kModes = 12;
+
+    Vec3 center = Vec3::Zero();  ///< [m]
+    Vec3 size = Vec3::Ones();    ///< [m]
+
+    /// The shares of a vertex at rest position `p` in four modes that move it along one axis: mode
+    /// 3 m + axis has the share m.
+    Eigen::Vector4d sharesAt(const Vec3& p) const;
+};
+
+/// The aggregates of a piece and the inverse of the system for their modes.
+struct CoarsePiece {
+    std::vector<std::uint32_t> aggregates;
+    Eigen::MatrixXd inverse;  ///< kModes rows for each of `aggregates` [m/N]
+};
+
+/// What an implicit stage does to a body at rest, inverted by parts. A function of the model, the
+/// parameters and the pins alone. Near another shape of the body the parts are still good if they
+/// turn with their vertices.
+struct RestInverse {
+    std::vector<Eigen::MatrixXd> patches;  ///< of each patch, three rows for each vertex [m/N]
+    std::vector<AggregateFrame> frames;    ///< of each aggregate
+    std::vector<CoarsePiece> pieces;
+};
+
+/// The system of a stage: M / s^2 + (1 + beta / s) K.
+struct StageScale {
+    double inertia = 0;  ///< 1 / s^2 [1/s^2]
+    double damped = 1;   ///< 1 + beta / s
+};
+
+/// `masses`: of the vertices [kg]; those of 0 do not move.
+RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,
+                         const VertexGroups& groups, std::span<const double> masses,
+                         const StageScale& scale);
+
+}  // namespace kerf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/body/body_model.h"
+#include "sim/solve/implicit/constraint_pull.h"
+
+namespace kerf {
+
+/// Vertices that belong together.
+using VertexGroup = std::vector<std::uint32_t>;
+
+/// The two ways in which the vertices of a body are grouped for the preconditioner of the implicit
+/// solver. Each vertex that has a mass is in one group of each.
+struct VertexGroups {
+    std::vector<VertexGroup> patches;  ///< small ones, which hold together most firmly
+    /// Larger ones, in which a path of constraints leads from each vertex to each other, so that
+    /// none has both walls of a slit.
+    std::vector<VertexGroup> aggregates;
+};
+
+inline constexpr std::size_t kPatchSize = 12;    ///< vertices of a patch, as a rule
+inline constexpr std::size_t kMostOfPatch = 16;  ///< where leftovers have joined it
+/// Groups the vertices of a body by its rest shape. `aggregateSize`: vertices of an aggregate, at
+/// most but for leftovers that joined it.
+VertexGroups groupVertices(const BodyModel& model, const TypeModuli& moduli,
+                           std::size_t aggregateSize);
+
+}  // namespace kerf

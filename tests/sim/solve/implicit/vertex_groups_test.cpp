@@ -1,0 +1,93 @@
+#include "sim/solve/implicit/vertex_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/cut/stroke/cutter.h"
+#include "tests/support/shapes.h"
+
+namespace kerf {
+namespace {
+
+/// A ball with a slit at z = 0.003, nearly through.
+BodyModel slitBall() {
+    SurfaceMesh mesh = test::cubeSphere(12, 0.1);
+    Cutter cutter(mesh, CutSettings{});
+    for (int i = 0; i <= 16; ++i) {
+        const double y = 0.12 - 0.18 * i / 16;
+        const Blade blade{{-0.2, y, 0.003}, {0.2, y, 0.003}};
+        if (i == 0) {
+            cutter.begin(blade);
+        } else {
+            cutter.advance(blade);
+        }
+    }
+    cutter.finish();
+    return buildBodyModel(mesh);
+}
+
+/// The number of groups that each vertex is in.
+std::vector<int> countsOf(const std::vector<VertexGroup>& groups, std::size_t vertexCount) {
+    std::vector<int> counts(vertexCount, 0);
+    for (const VertexGroup& group : groups) {
+        for (const std::uint32_t v : group) {
+            ++counts[v];
+        }
+    }
+    return counts;
+}
+
+class VertexGroupsTest : public testing::Test {
+  protected:
+    BodyModel model = slitBall();
+    VertexGroups groups = groupVertices(model, {1e5, 1e5, 1e5}, 60);
+};
+
+TEST_F(VertexGroupsTest, HaveEachVertexOnce) {
+    const std::size_t count = model.restPositions.size();
+    const std::vector<int> inPatches = countsOf(groups.patches, count);
+    const std::vector<int> inAggregates = countsOf(groups.aggregates, count);
+    for (std::size_t v = 0; v < count; ++v) {
+        const int expected = model.pieceOfVertex[v] >= 0 ? 1 : 0;
+        EXPECT_EQ(inPatches[v], expected);
+        EXPECT_EQ(inAggregates[v], expected);
+    }
+    for (const VertexGroup& patch : groups.patches) {
+        EXPECT_LE(patch.size(), kMostOfPatch);
+    }
+    EXPECT_LT(groups.patches.size(), count / 8);
+}
+
+TEST_F(VertexGroupsTest, AggregatesAreWholePatches) {
+    std::vector<int> aggregateOf(model.restPositions.size(), -1);
+    for (std::size_t a = 0; a < groups.aggregates.size(); ++a) {
+        for (const std::uint32_t v : groups.aggregates[a]) {
+            aggregateOf[v] = static_cast<int>(a);
+        }
+    }
+    for (const VertexGroup& patch : groups.patches) {
+        for (const std::uint32_t v : patch) {
+            EXPECT_EQ(aggregateOf[v], aggregateOf[patch[0]]);
+        }
+    }
+}
+
+// Far from the front the walls of a slit hold together around the ball alone.
+TEST_F(VertexGroupsTest, NoAggregateHasBothWallsOfASlit) {
+    for (const VertexGroup& aggregate : groups.aggregates) {
+        bool before = false;
+        bool behind = false;
+        for (const std::uint32_t v : aggregate) {
+            const Vec3f& p = model.restPositions[v];
+            if (p.y() > 0) {
+                before = before || p.z() > 0.0031F;
+                behind = behind || p.z() < 0.0029F;
+            }
+        }
+        EXPECT_FALSE(before && behind);
+    }
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/base/params.h"
+#include "tests/support/reference/implicit/contact_row.h"
+#include "tests/support/reference/implicit/preconditioner.h"
+#include "tests/support/reference/reference_solver.h"
+
+namespace kerf {
+
+/// The parameters of the implicit solver.
+struct ImplicitSettings {
+    double step = 1.0 / 240;  ///< [s]
+    int iterations = 4;       ///< of conjugate gradients, per stage
+    double tolerance = 0;     ///< of the residual, as a share: ends them earlier; 0: never
+    int passes = 1;           ///< of Newton's method, per stage
+    std::size_t aggregateSize = 60;
+    TypeModuli moduli{};  ///< [Pa]
+    double density = 1000;
+    double damping = 0.001;  ///< beta [s]
+    double drag = 1;         ///< [1/s]
+    Vec3 gravity{0, -9.81, 0};
+    bool holdsVolume = true;
+    double contactShare = 0.05;  ///< stiffness of contacts over that of the vertices
+    double contactRate = 600;    ///< above that it is mass times the square of this [1/s]
+};
+
+/// Those that scene parameters stand for; step and iterations as above.
+ImplicitSettings implicitSettings(const Params& params);
+
+/// What a step did.
+struct ImplicitReport {
+    double residual = 0;  ///< left by the last stage, as a share of what it began with
+    int pushing = 0;      ///< contacts that push
+    double depth = 0;     ///< of the deepest of them [m]
+};
+
+/// Two linearly implicit stages a step (SDIRK2, Alexander 1977; L-stable, second order), of a body
+/// linearised where the step begins, each solved by a few conjugate gradients that start along the
+/// velocity, with volumes kept by projection and contacts as one-sided springs. In double
+/// precision: what the kernels of the implicit solver are tested against. See docs/physics.md.
+class ImplicitReference {
+  public:
+    /// `model` must outlive it; `pinned` vertices keep their places.
+    ImplicitReference(const BodyModel& model, const ImplicitSettings& settings,
+                      std::span<const std::uint32_t> pinned = {});
+
+    /// Without a finder nothing touches anything. It must outlive the solver.
+    void setContacts(ContactFinder* finder) { finder_ = finder; }
+    /// Does one step.
+    ImplicitReport step(ReferenceState& state);
+
+    std::span<const double> masses() const { return masses_; }  ///< 0 where pinned [kg]
+    /// Mean of the diagonal of the stiffness at rest, by vertex [N/m].
+    std::span<const double> firmness() const { return firmness_; }
+    /// Kinetic, elastic and of contacts, and of gravity about y = 0 [J].
+    double energy(const ReferenceState& state) const;
+    std::vector<double> volumes(std::span<const Vec3> positions) const;
+    /// Sets how much volume a piece should have above that at rest [m^3].
+    void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
+
+  private:
+    class Descent;
+    /// From which a stage goes on.
+    struct StageStart {
+        Vectors positions, velocities;
+    };
+
+    void linearise(const Vectors& positions);
+    Vectors residualAt(const Vectors& total, const Vectors& start, const StageStart& from) const;
+    std::vector<double> missingVolumes() const;
+    Vectors solveStage(const StageStart& from, const Vectors& start, ContactRows& rows,
+                       ImplicitReport& report);
+    ContactRows findRows(const ReferenceState& state);
+    void keepSlips(const ContactRows& rows);
+
+    const BodyModel& model_;
+    ImplicitSettings settings_;
+    std::vector<double> masses_, firmness_, volumeOffset_;
+    VertexGroups groups_;
+    RestInverse inverse_;
+    Preconditioner preconditioner_;
+    std::vector<double> steepness_;
+    ContactFinder* finder_ = nullptr;
+    struct Held {
+        std::uint64_t memory;
+        Vec3 slip;
+        double push;
+    };
+    std::vector<Held> held_;
+
+    // Of the body where it was linearised.
+    BlockMatrix matrix_;
+    std::vector<ConstraintPull> pulls_;
+    Vectors force_, volumeGradient_;
+    std::vector<double> volume_;
+};
+
+}  // namespace kerf
