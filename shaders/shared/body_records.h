@@ -62,8 +62,8 @@ struct BendRecord {
     uint v3;
     float rest_cosine;  // of the rest angle
     float rest_sine;
-    float geometry;  // [1/m^3]
-    uint unused;
+    float geometry;   // [1/m^3]
+    float steepness;  // square of the largest gradient of its angle at rest [1/m^2]
 };
 
 // The list of the bends at a vertex: first those of which it is an end of the edge, then those of

@@ -35,7 +35,7 @@ Spoke spokeOf(uvec4 words) {
 
 BendRecord bendOf(uvec4 v, uvec4 words) {
     vec4 rest = uintBitsToFloat(words);
-    return BendRecord(v.x, v.y, v.z, v.w, rest.x, rest.y, rest.z, 0u);
+    return BendRecord(v.x, v.y, v.z, v.w, rest.x, rest.y, rest.z, rest.w);
 }
 #define fetchBend(records, index) \
     bendOf(fetch(records, 2u * (index)), fetch(records, 2u * (index) + 1u))

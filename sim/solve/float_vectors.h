@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "shaders/shared/shared_types.h"
+#include "sim/base/boxes.h"
+#include "sim/base/mapped.h"
 #include "sim/base/math.h"
 
 namespace kerf {
@@ -18,11 +20,17 @@ inline shared::vec4 packed(const Vec3f& a, float w) {
     return {a.x(), a.y(), a.z(), w};
 }
 /// The values as the GPU stores them, with w = 0.
-std::vector<shared::vec4> packed(const std::vector<Vec3f>& values);
+inline std::vector<shared::vec4> packed(const std::vector<Vec3f>& values) {
+    return mapped(values, [](const Vec3f& a) { return packed(a, 0.0f); });
+}
 /// The values without w.
-std::vector<Vec3f> unpacked(std::span<const shared::vec4> values);
+inline std::vector<Vec3f> unpacked(std::span<const shared::vec4> values) {
+    return mapped(values, [](const shared::vec4& a) { return Vec3f(a.x, a.y, a.z); });
+}
 
 /// [m] or [m/s], as the values.
-Bounds boundsOf(const std::vector<Vec3f>& values);
+inline Bounds boundsOf(const std::vector<Vec3f>& values) {
+    return boxOf(values, [](const Vec3f& u) -> Vec3 { return u.cast<double>(); });
+}
 
 }  // namespace kerf

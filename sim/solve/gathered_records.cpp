@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/sort_unique.h"
+#include "sim/solve/implicit/constraint_pull.h"
 
 namespace kerf {
 
@@ -34,7 +35,7 @@ std::vector<uint> placesOf(const Incidence& incidence, const std::vector<uint>& 
     return places;
 }
 
-shared::BendRecord recordOf(const BendConstraint& bend) {
+shared::BendRecord recordOf(const BendConstraint& bend, const std::vector<Vec3f>& rest) {
     const double angle = bend.rest_angle;
     return {bend.v0,
             bend.v1,
@@ -43,7 +44,7 @@ shared::BendRecord recordOf(const BendConstraint& bend) {
             static_cast<float>(std::cos(angle)),
             static_cast<float>(std::sin(angle)),
             bend.geometry,
-            0};
+            static_cast<float>(steepnessAtRest(bend, rest))};
 }
 
 shared::BendRange rangeAt(WingPulls, const Incidence& incidence, uint vertex) {

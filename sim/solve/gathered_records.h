@@ -11,12 +11,12 @@ namespace kerf {
 // The constraints of a body as the solver's kernels read them: their records, and what they are
 // seen from their vertices, at the places of the model's incidence lists.
 
-/// The record on the GPU: that of the CPU, except for bends.
+/// The record on the GPU: that of the CPU, except for bends. `rest`: of all vertices [m].
 template <class Constraint>
-const Constraint& recordOf(const Constraint& constraint) {
+const Constraint& recordOf(const Constraint& constraint, const std::vector<Vec3f>&) {
     return constraint;
 }
-shared::BendRecord recordOf(const BendConstraint& bend);
+shared::BendRecord recordOf(const BendConstraint& bend, const std::vector<Vec3f>& rest);
 
 /// The list of a vertex. Bends with it at an end of their edge come first.
 template <class Gather>

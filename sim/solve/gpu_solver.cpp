@@ -74,6 +74,11 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
     }
 }
 
+ImplicitStepper& GpuSolver::implicitStepper() {
+    masses_.refresh();
+    return implicit_ ? *implicit_ : implicit_.emplace(body_);
+}
+
 void GpuSolver::makeRoom(const BodyModel& model) {
     body_.state.makeRoom(model);
     stepper_.makeRoom(model.restPositions.size());

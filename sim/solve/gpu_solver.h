@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "sim/solve/body_measure.h"
 #include "sim/solve/body_view.h"
 #include "sim/solve/collisions.h"
+#include "sim/solve/implicit_stepper.h"
 #include "sim/solve/solver_body.h"
 #include "sim/solve/time_stepper.h"
 #include "sim/solve/vertex_masses.h"
@@ -96,6 +98,9 @@ class GpuSolver {
     VertexMasses& masses() { return masses_; }
     Collisions& collisions() { return collisions_; }
     const Collisions& collisions() const { return collisions_; }
+    /// Steps of another kind, which take what they need by ImplicitStepper::setBody(). The first
+    /// call compiles their kernels: throws gpu::ShaderError.
+    ImplicitStepper& implicitStepper();
     TimeStepper& stepper() { return stepper_; }
     const TimeStepper& stepper() const { return stepper_; }
     BodyMeasurer& measurer() { return measurer_; }
@@ -115,6 +120,7 @@ class GpuSolver {
     VertexMasses masses_{body_};
     Collisions collisions_{body_};
     TimeStepper stepper_{body_, collisions_};
+    std::optional<ImplicitStepper> implicit_;
     BodyMeasurer measurer_{body_, collisions_};
     SavedPieces savedPieces_{body_};
 };

@@ -45,7 +45,7 @@ Record ofMaterial(Record record, const BodyModel& model, uint vertex) {
 
 template <class Constraint>
 auto materialRecordOf(const Constraint& constraint, const BodyModel& model) {
-    return ofMaterial(recordOf(constraint), model, verticesOf(constraint)[0]);
+    return ofMaterial(recordOf(constraint, model.restPositions), model, verticesOf(constraint)[0]);
 }
 
 template <class Constraint>
@@ -56,7 +56,7 @@ auto recordsOf(const BodyModel& model, const std::vector<Constraint>& list) {
 template <class Constraint>
 void updateRecords(const BodyModel& model, const std::vector<Constraint>& list,
                    const std::vector<uint>& slots, gpu::Buffer& records, Scatter& scatter) {
-    using Record = std::decay_t<decltype(recordOf(list[0]))>;
+    using Record = std::decay_t<decltype(recordOf(list[0], model.restPositions))>;
     scatter.write<Record>(records, list.size(), slots, Scatter::Gaps::fill,
                           [&](uint slot) { return materialRecordOf(list[slot], model); });
 }

@@ -18,6 +18,7 @@
 #include "shaders/shared/constraints.h"
 #include "shaders/shared/contact_records.h"
 #include "shaders/shared/edge_records.h"
+#include "shaders/shared/implicit_records.h"
 #include "shaders/shared/skin_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "shaders/shared/unfold_records.h"
@@ -75,7 +76,7 @@ std::vector<Record> sharedRecords() {
         RECORD(IncidenceRange, AT(first), AT(end)),
         RECORD(Spoke, AT(other), AT(rest_length), AT(geometry), AT(other_count)),
         RECORD(BendRecord, AT(v0), AT(v1), AT(v2), AT(v3), AT(rest_cosine), AT(rest_sine),
-               AT(geometry), AT(unused)),
+               AT(geometry), AT(steepness)),
         RECORD(BendRange, AT(first), AT(apexes), AT(end), AT(unused)),
         RECORD(ConstraintShare, AT(constraint), AT(weight)),
         RECORD(WordWrite, AT(word), AT(value)),
@@ -114,6 +115,19 @@ std::vector<Record> sharedRecords() {
                AT(friction), AT(floor_height), AT(lift_speed), AT(active_parts), AT(substeps),
                AT(sweeps), AT(vertex_count), AT(triangle_count), AT(piece_count), AT(pull_count),
                AT(runaway_speed), AT(catch_up_speed)),
+        RECORD(ImplicitUniforms, AT(gravity), AT(stage), AT(inertia), AT(rest), AT(damping),
+               AT(kept), AT(inverse_density), AT(modulus[0]), AT(vertex_count), AT(block_count),
+               AT(patch_count), AT(aggregate_count), AT(page_count)),
+        RECORD(ImplicitBlock, AT(place), AT(column), AT(first), AT(end)),
+        RECORD(ImplicitAggregate, AT(first), AT(end), AT(piece), AT(coarse)),
+        RECORD(ImplicitMember, AT(vertex), AT(patch_number), AT(neighbours), AT(inverse)),
+        RECORD(ImplicitPiece, AT(first_page), AT(page_count), AT(first_aggregate),
+               AT(aggregate_count)),
+        RECORD(ProductSums, AT(direction_image), AT(pressure_image), AT(gradient_direction),
+               AT(direction_residual), AT(pressure_residual), AT(residual_answer),
+               AT(gradient_pressure), AT(unused)),
+        RECORD(AnswerSums, AT(residual_answer), AT(gradient_answer), AT(unused_a), AT(unused_b),
+               AT(residual_mass)),
         RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),
     };
 }

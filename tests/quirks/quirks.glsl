@@ -153,8 +153,10 @@ void kerfTouchWord(const in int shadow, const in uint tag, const in bool isShare
     bool reads = (tag & 3u) == kerfReads;
     uint before = imageAtomicExchange(kerfWatch, reads ? shadow + 1 : shadow, tag);
     uint there = imageLoad(kerfWatch, reads ? shadow : shadow + 1).x;
-    // Of readers the last is kept, and whether there are others.
-    bool atOnce = (before >> 22) != (tag >> 22) || (before & 0x1ffcu) == (tag & 0x1ffcu);
+    // Of readers the last is kept, and whether there are others: of another group none in shared
+    // memory, which has the same words for each sixteenth.
+    bool sameGroup = (before >> 22) == (tag >> 22);
+    bool atOnce = sameGroup ? (before & 0x1ffcu) == (tag & 0x1ffcu) : !isShared;
     bool another = (before >> 13) != (tag >> 13) || (before & 3u) == kerfMany;
     if (reads && before != 0u && atOnce && another) imageAtomicOr(kerfWatch, shadow + 1, kerfMany);
     uint writer = reads ? there : before;

@@ -85,6 +85,8 @@ void beginStepOf(const Case& wanted) {
         solver.collisions().setBoxes(boxes);
         solver.step();
     }
+    solver.implicitStepper().setBody(buildBodyModel(wanted.mesh), wanted.params, {}, {});
+    solver.implicitStepper().run();
     if (wanted.params.paperContact != 0) {
         solver.collisions().respondAsThePaper();
     }

@@ -44,9 +44,11 @@ double steepestOf(const std::array<Vec3, 4>& gradients) {
     return most;
 }
 
-Dihedral<double> angleOf(const BendConstraint& bend, std::span<const Vec3> positions) {
-    const Vec3& p = positions[bend.v0];
-    return dihedral<double>(positions[bend.v1] - p, positions[bend.v2] - p, positions[bend.v3] - p);
+template <class Places>
+Dihedral<double> angleOf(const BendConstraint& bend, const Places& places) {
+    const auto at = [&](std::uint32_t v) -> Vec3 { return places[v].template cast<double>(); };
+    const Vec3 p = at(bend.v0);
+    return dihedral<double>(at(bend.v1) - p, at(bend.v2) - p, at(bend.v3) - p);
 }
 
 }  // namespace
@@ -67,7 +69,7 @@ ConstraintPull pullOf(const IspcConstraint& ispc, double modulus, std::span<cons
                          modulus / ispc.geometry);
 }
 
-double steepnessAtRest(const BendConstraint& bend, std::span<const Vec3> rest) {
+double steepnessAtRest(const BendConstraint& bend, std::span<const Vec3f> rest) {
     const auto angle = angleOf(bend, rest);
     return angle.valid ? steepestOf(angle.gradient) : 0.0;
 }
@@ -92,9 +94,9 @@ ConstraintPull pullOf(const BendConstraint& bend, double modulus, std::span<cons
 }
 
 std::vector<double> bendSteepness(const BodyModel& model) {
-    const std::vector<Vec3> rest = restPlaces(model);
-    return mapped(model.bends,
-                  [&](const BendConstraint& bend) { return steepnessAtRest(bend, rest); });
+    return mapped(model.bends, [&](const BendConstraint& bend) {
+        return steepnessAtRest(bend, model.restPositions);
+    });
 }
 
 std::vector<Vec3> restPlaces(const BodyModel& model) {

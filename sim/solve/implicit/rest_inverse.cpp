@@ -8,22 +8,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Where a vertex is among the groups of one way.
-struct Seat {
-    int group = -1;
-    int place = 0;
-};
-
-std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t vertexCount) {
-    std::vector<Seat> seats(vertexCount);
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-        for (std::size_t k = 0; k < groups[g].size(); ++k) {
-            seats[groups[g][k]] = {static_cast<int>(g), static_cast<int>(k)};
-        }
-    }
-    return seats;
-}
-
 AggregateFrame frameOf(const VertexGroup& group, std::span<const Vec3> rest) {
     constexpr double kFlattest = 0.1;
     Bounds bounds;

@@ -322,6 +322,16 @@ Items patchItems(const Items& vertices, const std::vector<VertexGroup>& patches,
 
 }  // namespace
 
+std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t vertexCount) {
+    std::vector<Seat> seats(vertexCount);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        for (std::size_t k = 0; k < groups[g].size(); ++k) {
+            seats[groups[g][k]] = {static_cast<int>(g), static_cast<int>(k)};
+        }
+    }
+    return seats;
+}
+
 VertexGroups groupVertices(const BodyModel& model, const TypeModuli& moduli,
                            std::size_t aggregateSize) {
     const Items vertices = vertexItems(model, moduli);

@@ -21,6 +21,14 @@ struct VertexGroups {
     std::vector<VertexGroup> aggregates;
 };
 
+/// Where a vertex is among groups; group -1: in none.
+struct Seat {
+    int group = -1;
+    int place = 0;
+};
+/// The seats of all vertices of a body.
+std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t vertexCount);
+
 inline constexpr std::size_t kPatchSize = 12;    ///< vertices of a patch, as a rule
 inline constexpr std::size_t kMostOfPatch = 16;  ///< where leftovers have joined it
 /// Groups the vertices of a body by its rest shape. `aggregateSize`: vertices of an aggregate, at

@@ -6,6 +6,7 @@
 #include "constraints.h"
 #include "contact_records.h"
 #include "edge_records.h"
+#include "implicit_records.h"
 #include "skin_records.h"
 #include "solver_uniforms.h"
 #include "unfold_records.h"

@@ -1,0 +1,131 @@
+// Records of the implicit solver, std430: see docs/physics.md.
+#pragma once
+#include "constraints.h"
+#include "shared_types.h"
+SHARED_BEGIN
+
+// Storage bindings of its kernels, besides those of positions, velocities and gradients
+// (bindings.h); the same numbers are texture and image units.
+SHARED_CONST uint kImplicitBinding = 0u;       // one: ImplicitUniforms
+SHARED_CONST uint kResidualBinding = 3u;       // per vertex: what is left of the forces [N]
+SHARED_CONST uint kAnswerBinding = 4u;         // per vertex: of the preconditioner to it [m]
+SHARED_CONST uint kDirectionBinding = 5u;      // per vertex: along which it moves [m]
+SHARED_CONST uint kImageBinding = 6u;          // per vertex: the matrix times that [N]
+SHARED_CONST uint kWayBinding = 7u;            // per vertex: how far the stage has moved it [m]
+SHARED_CONST uint kPressureBinding = 8u;       // per vertex: the answer to dV/dp [m^3/N]
+SHARED_CONST uint kPressureImageBinding = 9u;  // per vertex: the matrix times that [m^2]
+SHARED_CONST uint kForceBinding = 11u;         // per vertex: elastic force [N]
+SHARED_CONST uint kProductSumsBinding = 12u;   // per slot and page: ProductSums
+SHARED_CONST uint kAnswerSumsBinding = 13u;    // per slot and aggregate: see answers.glsl
+SHARED_CONST uint kModesBinding = 14u;         // per aggregate: residual by modes, three texels
+SHARED_CONST uint kFirstWayBinding = 15u;      // per vertex: way of the first stage [m]
+// Of kernels that write what the others fetch.
+SHARED_CONST uint kMadeFactorsBinding = 3u;
+SHARED_CONST uint kMadePullsBinding = 4u;
+SHARED_CONST uint kMadeBlocksBinding = 3u;
+SHARED_CONST uint kMadeTurnsBinding = 3u;
+SHARED_CONST uint kTurnedBinding = 10u;  // per member: its residual, as its patch has turned
+SHARED_CONST uint kTurnedUnit = 30u;     // the same
+// Texture and image units of what only a cut changes.
+SHARED_CONST uint kRowsUnit = 16u;          // per vertex: first and end of its blocks
+SHARED_CONST uint kBlocksUnit = 17u;        // per block: three rows; column in the first w
+SHARED_CONST uint kRowOrderUnit = 18u;      // per place on a page: its vertex, long rows first
+SHARED_CONST uint kPageTableUnit = 19u;     // the pages of each piece
+SHARED_CONST uint kAggregatesUnit = 20u;    // per aggregate: ImplicitAggregate
+SHARED_CONST uint kMembersUnit = 21u;       // per member of an aggregate: ImplicitMember
+SHARED_CONST uint kMemberSharesUnit = 22u;  // per member: its share of the modes 3 to 11
+SHARED_CONST uint kPatchInverseUnit = 23u;  // per block of a patch's inverse: three rows
+SHARED_CONST uint kCoarseUnit = 24u;        // of each aggregate: its rows of the inverse
+SHARED_CONST uint kPatchesUnit = 23u;       // per patch: first and end of its members
+SHARED_CONST uint kRestUnit = 24u;          // per vertex: place at rest [m]
+SHARED_CONST uint kTurnsUnit = 25u;         // per patch, then per aggregate: a quaternion
+SHARED_CONST uint kPiecesUnit = 26u;        // per piece: ImplicitPiece
+SHARED_CONST uint kBlockListUnit = 27u;     // per block: ImplicitBlock
+SHARED_CONST uint kBlockSharesUnit = 28u;   // what adds up to the blocks: see kSlotBits
+SHARED_CONST uint kDiagonalUnit = 27u;      // per vertex: ImplicitBlock
+SHARED_CONST uint kFactorsUnit = 29u;       // per slot of a constraint: see factors.comp
+SHARED_CONST uint kPullsUnit = 30u;         // per two texels of those: force over root of stiffness
+SHARED_CONST uint kSpokeOwnersUnit = 31u;   // per spoke: its vertex
+
+// The numbers of a step that hold for the whole body.
+struct ImplicitUniforms {
+    vec4 gravity;                     // xyz [m/s^2]
+    float stage;                      // s = (1 - sqrt(1/2)) h [s]
+    float inertia;                    // 1 / s^2 [1/s^2]
+    float rest;                       // h - s [s]
+    float damping;                    // 2 beta / h: of the stiffness
+    float kept;                       // of a velocity: exp(-c h)
+    float inverse_density;            // w = inverse_density / unit_mass [m^3/kg]
+    float modulus[kConstraintTypes];  // by type [Pa]
+    uint vertex_count;
+    uint block_count;
+    uint patch_count;
+    uint aggregate_count;
+    uint page_count;  // of the table of pages
+};
+
+// A block of the matrix, and what adds up to it.
+struct ImplicitBlock {
+    uint place;  // among the blocks
+    uint column;
+    uint first;  // of its shares
+    uint end;
+};
+
+// A share of a block names the factors of a constraint by half of the number of the first, and two
+// slots of the constraint, that of the row above that of the column.
+SHARED_CONST uint kSlotBits = 4u;
+
+// Vertices that move together in the coarse part of the preconditioner. Modes 0 to 2 are
+// translations; 3 m + axis is one along an axis, times the share m of a vertex.
+SHARED_CONST uint kAggregateModes = 12u;
+SHARED_CONST uint kMostMembers = 256u;  // of an aggregate
+struct ImplicitAggregate {
+    uint first;  // of its members; those of a patch lie together
+    uint end;
+    uint piece;
+    uint coarse;  // first texel of its rows of the inverse
+};
+
+// A vertex, and its rows of the inverse of its patch: as many blocks as that has members.
+struct ImplicitMember {
+    uint vertex;
+    uint patch_number;
+    uint neighbours;  // first member of its patch + 2^24 * their number
+    uint inverse;     // first block
+};
+
+struct ImplicitPiece {
+    uint first_page;  // in the table of pages
+    uint page_count;
+    uint first_aggregate;
+    uint aggregate_count;
+};
+
+// Sums that kernels leave in slots: one of the pressure, one of where a stage begins, and one of
+// each iteration.
+SHARED_CONST uint kPressureSlot = 0u;
+SHARED_CONST uint kStartSlot = 1u;
+SHARED_CONST uint kFirstSlot = 2u;
+// Over the vertices of a page. With p the direction and z its image:
+struct ProductSums {
+    float direction_image;     // p . z
+    float pressure_image;      // pressure . z
+    float gradient_direction;  // dV/dp . p
+    float direction_residual;  // p . r
+    float pressure_residual;   // pressure . r
+    // Of the whole piece, the same on each of its pages; not where a stage begins.
+    float residual_answer;    // r . z
+    float gradient_pressure;  // dV/dp . pressure
+    float unused;
+};
+// Over the vertices of an aggregate.
+struct AnswerSums {
+    float residual_answer;  // r . z
+    float gradient_answer;  // dV/dp . z
+    float unused_a, unused_b;
+    vec4 residual_mass;  // xyz: r [N]; w: mass, kHeldMass more where a vertex is held [kg]
+};
+SHARED_CONST float kHeldMass = 1e30f;
+
+SHARED_END

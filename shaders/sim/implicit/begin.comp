@@ -1,0 +1,51 @@
+// Begins a stage: where the body would be without forces, and the forces that it starts with:
+//   p = from + s speed - X,  r = M (p / s^2 + g) + F
+// The first stage goes from X at the speed of the body; the second, with OF_SECOND, from where the
+// first one's speed leads in the rest of the step, at a speed that its acceleration leads to.
+// Numbers: the slot of what the first stage left. One group for each aggregate. A storage barrier
+// follows.
+#include "sim/numbers.glsl"
+layout(local_size_x = GROUP) in;
+#include "sim/implicit/scalars.glsl"
+STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) velocities;
+STATE_TEXELS(kForceBinding) force;
+STATE_TEXELS(kWayBinding) ways;
+RECORD_QUADS(kAggregatesUnit) aggregates;
+RECORD_QUADS(kMembersUnit) members;
+layout(std430, binding = kResidualBinding) writeonly buffer Residuals { vec4 newResiduals[]; };
+layout(std430, binding = kDirectionBinding) writeonly buffer Directions { vec4 newDirections[]; };
+layout(std430, binding = kFirstWayBinding) writeonly buffer FirstWays { vec4 firstWays[]; };
+
+#ifdef OF_SECOND
+#include "sim/implicit/balance.glsl"
+vec3 shift;
+void prepare(uint piece) { shift = balancingShift(piece, numbers.x); }
+
+vec3 freeWay(uint v) {
+    vec3 way = fetch(ways, v).xyz + shift;
+    firstWays[v] = vec4(way, 0.0);
+    vec3 speed = way / implicit.stage;
+    vec3 before = fetch(velocities, v).xyz;
+    vec3 now = before + (implicit.rest / implicit.stage) * (speed - before);
+    return implicit.rest * speed + implicit.stage * now;
+}
+#else
+void prepare(uint piece) {}
+vec3 freeWay(uint v) { return implicit.stage * fetch(velocities, v).xyz; }
+#endif
+
+void main() {
+    uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
+    prepare(own.z);
+    for (uint k = own.x + gl_LocalInvocationID.x; k < own.y; k += GROUP) {
+        uint v = fetch(members, k).x;
+        float inverseUnitMass = fetch(positions, v).w;
+        bool held = !(inverseUnitMass > 0.0);
+        vec3 way = held ? vec3(0.0) : freeWay(v);
+        float mass = held ? 0.0 : massOf(inverseUnitMass);
+        vec3 forces = mass * (implicit.inertia * way + implicit.gravity.xyz) + fetch(force, v).xyz;
+        newDirections[v] = vec4(way, 0.0);
+        newResiduals[v] = vec4(held ? vec3(0.0) : forces, 0.0);
+    }
+}

@@ -1,0 +1,20 @@
+// A spring at X: an edge or an ISPC.
+struct Spring {
+    vec3 root;     // direction * sqrt(stiffness along it less that across)
+    float across;  // root of the stiffness across it, where it is stretched
+    float pull;    // force over the first root
+};
+
+Spring springOf(vec3 span, float restLength, float stiffness) {
+    float reach = length(span);
+    float error = reach - restLength;
+    float across = stiffness * max(error, 0.0) / max(reach, 1e-12);
+    float root = sqrt(stiffness * (1.0 + implicit.damping) - across);
+    bool acts = reach > 1e-12 && stiffness > 0.0;
+    return Spring(acts ? span * (root / reach) : vec3(0.0), acts ? sqrt(across) : 0.0,
+                  acts ? stiffness * error / root : 0.0);
+}
+
+void setFactor(uint at, Spring spring, float weight) {
+    factors[at] = weight * vec4(spring.root, spring.across);
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+
+#include "gpu/buffer.h"
+#include "shaders/shared/implicit_records.h"
+#include "sim/solve/implicit/rest_inverse.h"
+#include "sim/solve/implicit/row_lists.h"
+
+namespace kerf {
+
+/// The matrix of a stage. Lists are constant between cuts; factors, pulls and blocks are of the
+/// present step.
+struct MatrixBuffers {
+    gpu::Buffer rows{gpu::Buffer::Readers::texels};
+    gpu::Buffer blockList{gpu::Buffer::Readers::texels};
+    gpu::Buffer diagonal{gpu::Buffer::Readers::texels};
+    gpu::Buffer blockShares{gpu::Buffer::Readers::texels};
+    gpu::Buffer rowOrder{gpu::Buffer::Readers::texels};
+    gpu::Buffer pageTable{gpu::Buffer::Readers::texels};
+    gpu::Buffer spokeOwners{gpu::Buffer::Readers::texels};
+    gpu::Buffer factors, pulls, blocks;
+    std::array<std::uint32_t, kConstraintTypes> firstFactor{};  ///< of each type
+    std::uint32_t blockCount = 0;                               ///< beside the diagonal
+    std::uint32_t pageCount = 0;                                ///< of the table of pages
+
+    /// `places`, `pagesOfPieces`: as VertexPages has them.
+    void assign(const BodyModel& model, std::span<const std::uint32_t> places,
+                std::span<const std::vector<std::uint32_t>> pagesOfPieces);
+};
+
+/// The preconditioner of a stage. Constant between cuts, but for turns, modes and turned.
+struct InverseBuffers {
+    gpu::Buffer pieces{gpu::Buffer::Readers::texels};
+    gpu::Buffer aggregates{gpu::Buffer::Readers::texels};
+    gpu::Buffer members{gpu::Buffer::Readers::texels};
+    gpu::Buffer memberShares{gpu::Buffer::Readers::texels};
+    gpu::Buffer patches{gpu::Buffer::Readers::texels};
+    gpu::Buffer patchInverse{gpu::Buffer::Readers::texels};
+    gpu::Buffer coarse{gpu::Buffer::Readers::texels};
+    gpu::Buffer turns, modes, turned;
+    std::uint32_t patchCount = 0;
+    std::uint32_t aggregateCount = 0;
+
+    void assign(const BodyModel& model, const VertexGroups& groups, const RestInverse& inverse,
+                std::span<const std::vector<std::uint32_t>> pagesOfPieces);
+};
+
+/// The vectors of a stage, and sums over their elements.
+struct StageVectors {
+    gpu::Buffer residual, answer, direction, image, way, firstWay, force;
+    gpu::Buffer pressure, pressureImage;
+    gpu::Buffer productSums, answerSums;
+
+    void makeRoom(std::size_t vertexCount);
+    /// `pages`, `aggregates`: how many sums each slot has.
+    void makeSlots(std::uint32_t slots, std::uint32_t pages, std::uint32_t aggregates);
+};
+
+/// What the implicit solver has of a body besides SolverModel. All that allocates throws
+/// gpu::OutOfMemory.
+struct ImplicitBody {
+    MatrixBuffers matrix;
+    InverseBuffers inverse;
+    StageVectors vectors;
+};
+
+}  // namespace kerf

@@ -1,0 +1,248 @@
+#include "sim/solve/implicit_stepper.h"
+
+#include <cmath>
+#include <utility>
+
+#include "shaders/shared/bindings.h"
+#include "sim/body/piece_masses.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/solve/float_vectors.h"
+
+namespace kerf {
+
+namespace {
+
+using gpu::TexelFormat;
+using shared::uint;
+
+const double kGamma = 1 - std::sqrt(0.5);  // of SDIRK2
+
+shared::ImplicitUniforms implicitUniforms(const Params& params, double step) {
+    const double s = kGamma * step;
+    shared::ImplicitUniforms u{};
+    u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
+                 static_cast<float>(params.gravity.z()), 0};
+    u.stage = static_cast<float>(s);
+    u.inertia = static_cast<float>(1 / (s * s));
+    u.rest = static_cast<float>(step - s);
+    u.damping = static_cast<float>(2 * params.damping / step);
+    u.kept = static_cast<float>(std::exp(-params.airDrag * step));
+    u.inverse_density = static_cast<float>(1 / params.density);
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        u.modulus[type] = static_cast<float>(params.youngsModulus * modulusFactor(type, params));
+    }
+    return u;
+}
+
+/// A kernel of groups that work for a page or an aggregate.
+gpu::Program compileGroups(const SolverBody& body, const std::string& name,
+                           gpu::Defines defines = {}) {
+    const uint many = name == "product" ? shared::kPageSize : 64;
+    const uint threads = body.way == gpu::KernelWay::images ? 8 : many;
+    defines.emplace_back("GROUP", std::to_string(threads) + "u");
+    return body.compile("implicit/" + name, std::move(defines));
+}
+
+}  // namespace
+
+ImplicitStepper::MatrixKernels::MatrixKernels(const SolverBody& body)
+    : factors{body.compile("implicit/factors", {{"OF_EDGES", "1"}}),
+              body.compile("implicit/factors", {{"OF_BENDS", "1"}}),
+              body.compile("implicit/factors")},
+      blocks(body.compile("implicit/blocks")),
+      diagonal(body.compile("implicit/diagonal")),
+      turns(body.compile("implicit/turns")),
+      volume(body.compile("volume_gradient", body.groupsOfSums())) {}
+
+ImplicitStepper::PressureKernels::PressureKernels(const SolverBody& body)
+    : patches(compileGroups(body, "patches", {{"OF_PRESSURE", "1"}})),
+      coarse(compileGroups(body, "coarse", {{"OF_PRESSURE", "1"}})),
+      product(compileGroups(body, "product", {{"OF_START", "1"}})) {}
+
+ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
+    : begin{compileGroups(body, "begin"), compileGroups(body, "begin", {{"OF_SECOND", "1"}})},
+      startProduct(compileGroups(body, "product", {{"OF_START", "1"}, {"OF_MOTION", "1"}})),
+      startPatches(compileGroups(body, "patches", {{"OF_START", "1"}})),
+      coarse(compileGroups(body, "coarse")),
+      product(compileGroups(body, "product")),
+      patches(compileGroups(body, "patches")),
+      leave(compileGroups(body, "leave")),
+      end(compileGroups(body, "end")) {}
+
+ImplicitStepper::ImplicitStepper(SolverBody& body)
+    : body_(body), make_(body), press_(body), stage_(body) {}
+
+void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
+                              const ImplicitStep& step, std::span<const uint> pinned) {
+    uniforms_ = implicitUniforms(params, step.step);
+    TypeModuli moduli{};
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        moduli[type] = static_cast<double>(uniforms_.modulus[type]);
+    }
+    std::vector<double> masses = unitMasses(model);
+    for (double& mass : masses) {
+        mass *= params.density;
+    }
+    for (const uint v : pinned) {
+        masses[v] = 0;
+    }
+    const VertexGroups groups = groupVertices(model, moduli, step.aggregateSize);
+    const double s = kGamma * step.step;
+    const StageScale scale{1 / (s * s), 1 + 2 * params.damping / step.step};
+    std::vector<std::vector<uint>> pages;
+    for (std::size_t piece = 0; piece < model.pieces.size(); ++piece) {
+        pages.push_back(body_.pieces.pages().pagesOf(piece));
+    }
+    own_.matrix.assign(model, body_.pieces.pages().places(), pages);
+    own_.inverse.assign(model, groups, invertAtRest(model, moduli, groups, masses, scale), pages);
+    iterations_ = static_cast<uint>(step.iterations);
+    own_.vectors.makeRoom(model.restPositions.size());
+    own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
+                           own_.inverse.aggregateCount);
+    uniforms_.vertex_count = size32(model.restPositions.size());
+    uniforms_.block_count = own_.matrix.blockCount;
+    uniforms_.patch_count = own_.inverse.patchCount;
+    uniforms_.aggregate_count = own_.inverse.aggregateCount;
+    uniforms_.page_count = own_.matrix.pageCount;
+    uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
+}
+
+void ImplicitStepper::bindVectors() const {
+    uniformBuffer_.bindStorage(shared::kImplicitBinding);
+    const auto bind = [&](const gpu::Buffer& buffer, uint binding) {
+        buffer.bindStorage(binding);
+        body_.bindFetched(buffer, binding, TexelFormat::float32x4);
+    };
+    bind(body_.state.positions, shared::kPositionsBinding);
+    bind(body_.state.velocities, shared::kVelocitiesBinding);
+    bind(own_.vectors.residual, shared::kResidualBinding);
+    bind(own_.vectors.answer, shared::kAnswerBinding);
+    bind(own_.vectors.direction, shared::kDirectionBinding);
+    bind(own_.vectors.image, shared::kImageBinding);
+    bind(own_.vectors.way, shared::kWayBinding);
+    bind(own_.vectors.pressure, shared::kPressureBinding);
+    bind(own_.vectors.pressureImage, shared::kPressureImageBinding);
+    bind(own_.vectors.force, shared::kForceBinding);
+    bind(own_.vectors.productSums, shared::kProductSumsBinding);
+    bind(own_.vectors.answerSums, shared::kAnswerSumsBinding);
+    bind(own_.inverse.modes, shared::kModesBinding);
+    bind(own_.vectors.firstWay, shared::kFirstWayBinding);
+    own_.inverse.turned.bindStorage(shared::kTurnedBinding);
+    body_.bindFetched(body_.state.gradients, shared::kGradientsBinding, TexelFormat::float32x4);
+}
+
+void ImplicitStepper::bindLists() const {
+    const auto quads = TexelFormat::uint32x4;
+    const auto pairs = TexelFormat::uint32x2;
+    const auto floats = TexelFormat::float32x4;
+    body_.bindFetched(own_.matrix.rows, shared::kRowsUnit, pairs);
+    if (body_.way == gpu::KernelWay::images) {
+        own_.inverse.turned.bindImage(shared::kTurnedUnit, floats);
+    }
+    body_.bindFetched(own_.matrix.blocks, shared::kBlocksUnit, floats);
+    body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
+    body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, pairs);
+    body_.bindFetched(own_.inverse.aggregates, shared::kAggregatesUnit, quads);
+    body_.bindFetched(own_.inverse.members, shared::kMembersUnit, quads);
+    body_.bindFetched(own_.inverse.memberShares, shared::kMemberSharesUnit, floats);
+    body_.bindFetched(own_.inverse.patchInverse, shared::kPatchInverseUnit, floats);
+    body_.bindFetched(own_.inverse.coarse, shared::kCoarseUnit, floats);
+    body_.bindFetched(own_.inverse.turns, shared::kTurnsUnit, floats);
+    body_.bindFetched(own_.inverse.pieces, shared::kPiecesUnit, quads);
+}
+
+void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint slot, uint left) {
+    kernel.setNumbers({slot, left, 0, 0});
+    kernel.dispatchGroups(groups);
+    ++body_.dispatches;
+}
+
+void ImplicitStepper::run() {
+    linearise();
+    answerPressure();
+    solveStage(false);
+    solveStage(true);
+    runGroups(stage_.end, own_.inverse.aggregateCount, shared::kFirstSlot + iterations_ + 1);
+}
+
+/// The matrix, the forces, the volumes and their gradients, and how the parts of the preconditioner
+/// have turned: all at X.
+void ImplicitStepper::linearise() {
+    body_.state.displacement.clear();
+    body_.bind();
+    body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
+    body_.pieces.impulses.bindStorage(shared::kImpulsesBinding);
+    body_.runOverBlocks(make_.volume);
+
+    uniformBuffer_.bindStorage(shared::kImplicitBinding);
+    body_.bindFetched(body_.state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
+    own_.matrix.factors.bindStorage(shared::kMadeFactorsBinding);
+    own_.matrix.pulls.bindStorage(shared::kMadePullsBinding);
+    for (uint type = 0; type < kConstraintTypes; ++type) {
+        makeFactors(type);
+    }
+    body_.bindFetched(own_.matrix.factors, shared::kFactorsUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.matrix.pulls, shared::kPullsUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.matrix.blockShares, shared::kBlockSharesUnit, TexelFormat::uint32);
+    own_.matrix.blocks.bindStorage(shared::kMadeBlocksBinding);
+    own_.vectors.force.bindStorage(shared::kForceBinding);
+    body_.bindFetched(own_.matrix.blockList, shared::kBlockListUnit, TexelFormat::uint32x4);
+    body_.run(make_.blocks, own_.matrix.blockCount);
+    body_.bindFetched(own_.matrix.diagonal, shared::kDiagonalUnit, TexelFormat::uint32x4);
+    body_.run(make_.diagonal, uniforms_.vertex_count);
+
+    body_.bindFetched(own_.inverse.aggregates, shared::kAggregatesUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.inverse.members, shared::kMembersUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.inverse.patches, shared::kPatchesUnit, TexelFormat::uint32x2);
+    body_.bindFetched(body_.model.restPositions, shared::kRestUnit, TexelFormat::float32x4);
+    own_.inverse.turns.bindStorage(shared::kMadeTurnsBinding);
+    body_.run(make_.turns, own_.inverse.patchCount + own_.inverse.aggregateCount);
+}
+
+void ImplicitStepper::makeFactors(uint type) {
+    const ConstraintBuffers& constraints = body_.model.constraints[type];
+    const bool spokes = type == shared::kStretch;
+    body_.bindFetched(spokes ? constraints.entries : constraints.records,
+                      shared::kConstraintsBinding, TexelFormat::uint32x4);
+    body_.bindFetched(own_.matrix.spokeOwners, shared::kSpokeOwnersUnit, TexelFormat::uint32);
+    const uint count = spokes ? size32(constraints.entries.size() / sizeof(shared::Spoke))
+                              : body_.uniforms.count[type];
+    make_.factors[type].setNumbers({count, own_.matrix.firstFactor[type], 0, 0});
+    body_.run(make_.factors[type], count);
+}
+
+/// By which volumes are held: the preconditioner's answer to dV/dp, and the matrix times that.
+void ImplicitStepper::answerPressure() {
+    bindVectors();
+    bindLists();
+    body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
+    runGroups(press_.patches, own_.inverse.aggregateCount, shared::kPressureSlot);
+    own_.vectors.pressure.bindStorage(shared::kPressureBinding);
+    runGroups(press_.coarse, own_.inverse.aggregateCount, shared::kPressureSlot);
+    body_.bindFetched(own_.vectors.pressure, shared::kDirectionBinding, TexelFormat::float32x4);
+    own_.vectors.pressureImage.bindStorage(shared::kImageBinding);
+    runGroups(press_.product, own_.matrix.pageCount, shared::kPressureSlot);
+}
+
+void ImplicitStepper::solveStage(bool second) {
+    const uint aggregates = own_.inverse.aggregateCount;
+    const uint left = shared::kFirstSlot + iterations_ + 1;
+    bindVectors();
+    runGroups(stage_.begin[second ? 1 : 0], aggregates, left);
+    runGroups(stage_.startProduct, own_.matrix.pageCount, shared::kStartSlot);
+    body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
+    body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
+    runGroups(stage_.startPatches, aggregates, shared::kStartSlot);
+    bindVectors();
+    for (uint i = 0; i < iterations_; ++i) {
+        const uint slot = shared::kFirstSlot + i;
+        if (i > 0) {
+            runGroups(stage_.patches, aggregates, slot - 1);
+        }
+        runGroups(stage_.coarse, aggregates, slot);
+        runGroups(stage_.product, own_.matrix.pageCount, slot);
+    }
+    runGroups(stage_.leave, aggregates, left - 2, left);
+}
+
+}  // namespace kerf

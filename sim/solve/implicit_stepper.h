@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+
+#include "gpu/program.h"
+#include "sim/base/params.h"
+#include "sim/solve/implicit/implicit_body.h"
+#include "sim/solve/solver_body.h"
+
+namespace kerf {
+
+/// What a step of the implicit solver is done by.
+struct ImplicitStep {
+    double step = 1.0 / 240;         ///< [s]
+    int iterations = 4;              ///< of conjugate gradients, per stage
+    std::size_t aggregateSize = 60;  ///< see groupVertices()
+};
+
+/// Time steps of two linearly implicit stages each: ImplicitReference in floats, in the same order,
+/// with results that do not depend on the number of threads.
+class ImplicitStepper {
+  public:
+    /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
+    explicit ImplicitStepper(SolverBody& body);
+
+    /// Takes a body and its parameters: what the steps are prepared for. Throws gpu::OutOfMemory.
+    void setBody(const BodyModel& model, const Params& params, const ImplicitStep& step,
+                 std::span<const std::uint32_t> pinned);
+    /// Does one step. Masses must be fresh.
+    void run();
+
+  private:
+    void bindVectors() const;
+    void bindLists() const;
+    void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
+                   std::uint32_t left = 0);
+    void linearise();
+    void makeFactors(std::uint32_t type);
+    void answerPressure();
+    void solveStage(bool second);
+
+    SolverBody& body_;
+    ImplicitBody own_;
+    shared::ImplicitUniforms uniforms_{};
+    gpu::Buffer uniformBuffer_;
+    std::uint32_t iterations_ = 0;
+    /// Of where a step begins.
+    struct MatrixKernels {
+        explicit MatrixKernels(const SolverBody& body);
+        std::array<gpu::Program, kConstraintTypes> factors;
+        gpu::Program blocks, diagonal, turns, volume;
+    } make_;
+    struct PressureKernels {
+        explicit PressureKernels(const SolverBody& body);
+        gpu::Program patches, coarse, product;
+    } press_;
+    struct StageKernels {
+        explicit StageKernels(const SolverBody& body);
+        std::array<gpu::Program, 2> begin;  ///< of the first and the second stage
+        gpu::Program startProduct, startPatches, coarse, product, patches, leave, end;
+    } stage_;
+};
+
+}  // namespace kerf
