@@ -131,7 +131,7 @@ bool kerfMeets(const in uint own, const in uint other, const in bool groupsOrder
 
 // What this invocation came to since the last barrier: x: word, words there less 1 << 24, how << 26,
 // coherent << 28; y: line, shared or binding << 24. Looked at in one place, which compiles faster.
-const uint kerfQueueSize = 2048u;
+const uint kerfQueueSize = 4096u;
 uvec2 kerfQueue[kerfQueueSize];
 uint kerfQueued = 0u;
 

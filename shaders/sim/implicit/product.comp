@@ -70,7 +70,7 @@ Share shareOf(uint place, Turn turn) {
     return v == kNoVertex ? Share(vec4(0.0), 0.0) : multiply(v, turn);
 }
 
-#if GROUP == 8
+#ifdef LOAD_IMAGES  // groups of as many threads as rows
 // A thread has all places of its row.
 void leaveRows(uint page, Turn turn) {
     TwoSums sums = TwoSums(vec4(0.0), vec4(0.0));
