@@ -1,4 +1,4 @@
-// Records of the implicit solver, std430: see docs/physics.md.
+// Records of the implicit solver, std430: see docs/notes/implicit-steps.md.
 #pragma once
 #include "constraints.h"
 #include "shared_types.h"
@@ -75,6 +75,10 @@ struct ImplicitBlock {
 // A share of a block names the factors of a constraint by half of the number of the first, and two
 // slots of the constraint, that of the row above that of the column.
 SHARED_CONST uint kSlotBits = 4u;
+
+// A crushed triangle turns with the least motion: beyond this multiple of its steepness at rest a
+// bend is softer, so that it is no stiffer against motion.
+SHARED_CONST float kMostSteepness = 1.0f;
 
 // Vertices that move together in the coarse part of the preconditioner. Modes 0 to 2 are
 // translations; 3 m + axis is one along an axis, times the share m of a vertex.

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "shaders/shared/bindings.h"
-#include "sim/body/piece_masses.h"
-#include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {
@@ -15,21 +13,20 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-const double kGamma = 1 - std::sqrt(0.5);  // of SDIRK2
-
 shared::ImplicitUniforms implicitUniforms(const Params& params, double step) {
-    const double s = kGamma * step;
+    const StageScale scale = stageScale(step, params.damping);
+    const TypeModuli moduli = typeModuli(params);
     shared::ImplicitUniforms u{};
     u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
                  static_cast<float>(params.gravity.z()), 0};
-    u.stage = static_cast<float>(s);
-    u.inertia = static_cast<float>(1 / (s * s));
-    u.rest = static_cast<float>(step - s);
-    u.damping = static_cast<float>(2 * params.damping / step);
+    u.stage = static_cast<float>(scale.stage);
+    u.inertia = static_cast<float>(scale.inertia);
+    u.rest = static_cast<float>(step - scale.stage);
+    u.damping = static_cast<float>(scale.damped - 1);
     u.kept = static_cast<float>(std::exp(-params.airDrag * step));
     u.inverse_density = static_cast<float>(1 / params.density);
     for (uint type = 0; type < kConstraintTypes; ++type) {
-        u.modulus[type] = static_cast<float>(params.youngsModulus * modulusFactor(type, params));
+        u.modulus[type] = static_cast<float>(moduli[type]);
     }
     return u;
 }
@@ -75,26 +72,18 @@ ImplicitStepper::ImplicitStepper(SolverBody& body)
 void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
                               const ImplicitStep& step, std::span<const uint> pinned) {
     uniforms_ = implicitUniforms(params, step.step);
-    TypeModuli moduli{};
-    for (uint type = 0; type < kConstraintTypes; ++type) {
-        moduli[type] = static_cast<double>(uniforms_.modulus[type]);
-    }
-    std::vector<double> masses = unitMasses(model);
-    for (double& mass : masses) {
-        mass *= params.density;
-    }
-    for (const uint v : pinned) {
-        masses[v] = 0;
-    }
+    const TypeModuli moduli = typeModuli(params);
     const VertexGroups groups = groupVertices(model, moduli, step.aggregateSize);
-    const double s = kGamma * step.step;
-    const StageScale scale{1 / (s * s), 1 + 2 * params.damping / step.step};
+    const RestInverse inverse =
+        invertAtRest(model, moduli, groups, massesWithout(model, params.density, pinned),
+                     stageScale(step.step, params.damping));
     std::vector<std::vector<uint>> pages;
     for (std::size_t piece = 0; piece < model.pieces.size(); ++piece) {
         pages.push_back(body_.pieces.pages().pagesOf(piece));
     }
     own_.matrix.assign(model, body_.pieces.pages().places(), pages);
-    own_.inverse.assign(model, groups, invertAtRest(model, moduli, groups, masses, scale), pages);
+    own_.inverse.assign(model, groups, inverse, pages);
+    body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     iterations_ = static_cast<uint>(step.iterations);
     own_.vectors.makeRoom(model.restPositions.size());
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
@@ -168,7 +157,6 @@ void ImplicitStepper::run() {
 /// The matrix, the forces, the volumes and their gradients, and how the parts of the preconditioner
 /// have turned: all at X.
 void ImplicitStepper::linearise() {
-    body_.state.displacement.clear();
     body_.bind();
     body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
     body_.pieces.impulses.bindStorage(shared::kImpulsesBinding);

@@ -23,7 +23,8 @@ class ImplicitStepper {
     /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
     explicit ImplicitStepper(SolverBody& body);
 
-    /// Takes a body and its parameters: what the steps are prepared for. Throws gpu::OutOfMemory.
+    /// Takes a body and its parameters, from which the steps are prepared; anew after steps of
+    /// another kind. Throws gpu::OutOfMemory.
     void setBody(const BodyModel& model, const Params& params, const ImplicitStep& step,
                  std::span<const std::uint32_t> pinned);
     /// Does one step. Masses must be fresh.

@@ -1,8 +1,6 @@
 // A bend: see constraints/bend.glsl and ConstraintPull.
 #include "sim/bend_angle.glsl"
 
-const float kMostSteepness = 1.0;  // as in sim/solve/implicit/constraint_pull.h
-
 void setFactors(uint index, uint first) {
     BendRecord bend = fetchBend(records, index);
     vec3 x0 = placeOf(bend.v0);

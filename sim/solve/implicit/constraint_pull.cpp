@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/implicit_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/base/mapped.h"
 #include "sim/body/dihedral.h"
@@ -88,7 +89,8 @@ ConstraintPull pullOf(const BendConstraint& bend, double modulus, std::span<cons
     pull.vertices = verticesOf(bend);
     pull.gradients = angle.gradient;
     pull.value = std::clamp(error, -kMost, kMost);
-    pull.stiffness = modulus / bend.geometry * std::min(1.0, kMostSteepness * steepness / steepest);
+    pull.stiffness =
+        modulus / bend.geometry * std::min(1.0, shared::kMostSteepness * steepness / steepest);
     pull.secant = std::fabs(error) > kMost ? kMost / std::fabs(error) : 1.0;
     return pull;
 }

@@ -36,9 +36,8 @@ ConstraintPull pullOf(const IspcConstraint& ispc, double modulus, std::span<cons
 
 /// The square of the largest gradient of a bend at rest [1/m^2]; 0: it has none.
 double steepnessAtRest(const BendConstraint& bend, std::span<const Vec3f> rest);
-/// A crushed triangle turns with the least motion: beyond this multiple of its steepness at rest a
-/// bend is softer, so that it is no stiffer against motion.
-inline constexpr double kMostSteepness = 1;
+/// `steepness`: at rest. Where it has become steeper than shared::kMostSteepness allows it is
+/// softer.
 ConstraintPull pullOf(const BendConstraint& bend, double modulus, std::span<const Vec3> positions,
                       double steepness);
 

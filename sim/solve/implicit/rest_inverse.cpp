@@ -1,6 +1,10 @@
 #include "sim/solve/implicit/rest_inverse.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sim/body/piece_masses.h"
+#include "sim/body/solver_uniforms.h"
 
 namespace kerf {
 
@@ -151,6 +155,31 @@ Eigen::Vector4d AggregateFrame::sharesAt(const Vec3& p) const {
     Eigen::Vector4d shares;
     shares << 1, (p - center).cwiseQuotient(size);
     return shares;
+}
+
+StageScale stageScale(double step, double damping) {
+    const double s = (1 - std::sqrt(0.5)) * step;
+    return {s, 1 / (s * s), 1 + 2 * damping / step};
+}
+
+TypeModuli typeModuli(const Params& params) {
+    TypeModuli moduli{};
+    for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
+        moduli[type] = params.youngsModulus * modulusFactor(type, params);
+    }
+    return moduli;
+}
+
+std::vector<double> massesWithout(const BodyModel& model, double density,
+                                  std::span<const std::uint32_t> pinned) {
+    std::vector<double> masses = unitMasses(model);
+    for (double& mass : masses) {
+        mass *= density;
+    }
+    for (const std::uint32_t v : pinned) {
+        masses[v] = 0;
+    }
+    return masses;
 }
 
 RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,

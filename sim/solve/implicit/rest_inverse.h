@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/params.h"
 #include "sim/solve/implicit/vertex_groups.h"
 
 namespace kerf {
@@ -36,11 +37,20 @@ struct RestInverse {
     std::vector<CoarsePiece> pieces;
 };
 
-/// The system of a stage: M / s^2 + (1 + beta / s) K.
+/// The system of a stage: M / s^2 + (1 + 2 beta / h) K.
 struct StageScale {
+    double stage = 0;    ///< s = (1 - sqrt(1/2)) h, of SDIRK2 [s]
     double inertia = 0;  ///< 1 / s^2 [1/s^2]
-    double damped = 1;   ///< 1 + beta / s
+    double damped = 1;   ///< 1 + 2 beta / h
 };
+/// Of steps of h = `step`, with damping beta [s].
+StageScale stageScale(double step, double damping);
+
+/// The modulus of each type of constraints by the parameters.
+TypeModuli typeModuli(const Params& params);
+/// The masses of all vertices, those of `pinned` 0 [kg].
+std::vector<double> massesWithout(const BodyModel& model, double density,
+                                  std::span<const std::uint32_t> pinned);
 
 /// `masses`: of the vertices [kg]; those of 0 do not move.
 RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,

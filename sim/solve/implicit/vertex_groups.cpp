@@ -1,11 +1,14 @@
 #include "sim/solve/implicit/vertex_groups.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
+
+#include "shaders/shared/implicit_records.h"
 
 namespace kerf {
 
@@ -281,7 +284,7 @@ std::vector<VertexGroup> connectedBoxes(const Items& items, std::size_t pieceCou
             }
         }
     }
-    grouping.dissolveSmall(std::max<std::size_t>(4, most / 6), items.piece.size() * kMostOfPatch);
+    grouping.dissolveSmall(std::max<std::size_t>(4, most / 6), 2 * most);
     return grouping.done();
 }
 
@@ -334,6 +337,7 @@ std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t ve
 
 VertexGroups groupVertices(const BodyModel& model, const TypeModuli& moduli,
                            std::size_t aggregateSize) {
+    assert(2 * aggregateSize <= shared::kMostMembers);
     const Items vertices = vertexItems(model, moduli);
     VertexGroups groups{growPatches(vertices), {}};
     const Items patches = patchItems(vertices, groups.patches, model.restPositions);

@@ -3,37 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "gpu/context.h"
-#include "sim/body/body_updater.h"
-#include "sim/cut/stroke/cutter.h"
 #include "sim/solve/gpu_solver.h"
+#include "tests/support/cut_ball.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/reference/implicit/implicit_solver.h"
-#include "tests/support/shapes.h"
 #include "tests/support/variable.h"
 
 namespace kerf {
 namespace {
 
 class ImplicitStepperTest : public test::GlTest {};
-
-/// A ball of 0.2 m, cut from above at z = 0.003 down to a height.
-BodyModel ballCutTo(double height) {
-    SurfaceMesh mesh = test::cubeSphere(8, 0.1);
-    Cutter cutter(mesh, CutSettings{});
-    for (int i = 0; i <= 16; ++i) {
-        const double y = 0.12 + (height - 0.12) * i / 16;
-        const Blade blade{{-0.2, y, 0.003}, {0.2, y, 0.003}};
-        if (i == 0) {
-            cutter.begin(blade);
-        } else {
-            cutter.advance(blade);
-        }
-    }
-    cutter.finish();
-    BodyUpdater updater(mesh);
-    updater.castIspcs(IspcRays::turned);
-    return updater.model();
-}
 
 Params firm() {
     Params params;
@@ -96,21 +75,11 @@ struct ImplicitPair {
     GpuSolver gpu;
 };
 
-std::vector<std::uint32_t> verticesBelow(const BodyModel& model, float height) {
-    std::vector<std::uint32_t> vertices;
-    for (std::uint32_t v = 0; v < model.restPositions.size(); ++v) {
-        if (model.restPositions[v].y() < height) {
-            vertices.push_back(v);
-        }
-    }
-    return vertices;
-}
-
 TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
     for (const double height : {-0.03, -0.12}) {
-        const BodyModel model = ballCutTo(height);
-        for (const float pinnedBelow : {-1.0F, -0.08F}) {
-            ImplicitPair pair(model, firm(), {}, verticesBelow(model, pinnedBelow));
+        const BodyModel model = test::cutBallModel(height);
+        for (const double pinnedBelow : {-1.0, -0.08}) {
+            ImplicitPair pair(model, firm(), {}, test::verticesBelow(model, pinnedBelow));
             for (int i = 0; i < 4; ++i) {
                 pair.solver.step(pair.state);
                 pair.gpu.implicitStepper().run();
@@ -122,7 +91,7 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
 
 /// The state of a slit body after some steps.
 BodyState stateAfterSteps(const Params& params) {
-    ImplicitPair pair(ballCutTo(-0.03), params, {}, {});
+    ImplicitPair pair(test::cutBallModel(-0.03), params, {}, {});
     for (int i = 0; i < 6; ++i) {
         pair.gpu.implicitStepper().run();
     }

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "sim/body/body_updater.h"
-#include "sim/cut/stroke/cutter.h"
+#include "tests/support/cut_ball.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/reference/implicit/surface_contacts.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -23,45 +21,14 @@ Params materialOf(double modulus) {
     return params;
 }
 
-/// A ball of 0.2 m, whole or cut from above at z = 0.003 down to a height.
-BodyModel ballCutTo(double height) {
-    SurfaceMesh mesh = test::cubeSphere(8, 0.1);
-    if (height < 0.1) {
-        Cutter cutter(mesh, CutSettings{});
-        for (int i = 0; i <= 16; ++i) {
-            const double y = 0.12 + (height - 0.12) * i / 16;
-            const Blade blade{{-0.2, y, 0.003}, {0.2, y, 0.003}};
-            if (i == 0) {
-                cutter.begin(blade);
-            } else {
-                cutter.advance(blade);
-            }
-        }
-        cutter.finish();
-    }
-    BodyUpdater updater(mesh);
-    updater.castIspcs(IspcRays::turned);
-    return updater.model();
-}
-
 BodyModel ball() {
-    return ballCutTo(0.1);
+    return test::cutBallModel(1);
 }
 BodyModel slitBall() {
-    return ballCutTo(-0.03);
+    return test::cutBallModel(-0.03);
 }
 BodyModel halves() {
-    return ballCutTo(-0.12);
-}
-
-std::vector<std::uint32_t> verticesBelow(const BodyModel& model, double height) {
-    std::vector<std::uint32_t> vertices;
-    for (std::uint32_t v = 0; v < model.restPositions.size(); ++v) {
-        if (model.restPositions[v].y() < height) {
-            vertices.push_back(v);
-        }
-    }
-    return vertices;
+    return test::cutBallModel(-0.12);
 }
 
 void run(ImplicitReference& solver, ReferenceState& state, double seconds, double step) {
@@ -137,7 +104,7 @@ Vectors swingOf(const BodyModel& model, double step, int iterations, int passes)
     settings.passes = passes;
     settings.tolerance = passes > 1 ? 1e-8 : 0;
     settings.gravity = {0, -4, 9};
-    ImplicitReference solver(model, settings, verticesBelow(model, -0.08));
+    ImplicitReference solver(model, settings, test::verticesBelow(model, -0.08));
     ReferenceState state = restState(model);
     run(solver, state, 0.1, step);
     return state.positions;
@@ -199,7 +166,7 @@ TEST(ImplicitReference, KeepsVolumes) {
     const BodyModel model = halves();
     ImplicitSettings settings = implicitSettings(materialOf(2e4));
     settings.gravity = {0, -9.81, 0};
-    ImplicitReference solver(model, settings, verticesBelow(model, -0.08));
+    ImplicitReference solver(model, settings, test::verticesBelow(model, -0.08));
     ReferenceState state = restState(model);
     run(solver, state, 0.2, settings.step);
     const std::vector<double> volumes = solver.volumes(state.positions);

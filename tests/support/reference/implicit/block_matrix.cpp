@@ -42,10 +42,6 @@ void BlockMatrix::add(std::uint32_t row, std::uint32_t column, const Eigen::Matr
     blocks_[find(row, column)] += block;
 }
 
-Eigen::Matrix3d BlockMatrix::diagonal(std::uint32_t row) const {
-    return blocks_[find(row, row)];
-}
-
 Vectors BlockMatrix::times(std::span<const Vec3> x) const {
     Vectors y(x.size());
     for (std::size_t row = 0; row < y.size(); ++row) {

@@ -18,7 +18,6 @@ class BlockMatrix {
 
     void clear();
     void add(std::uint32_t row, std::uint32_t column, const Eigen::Matrix3d& block);
-    Eigen::Matrix3d diagonal(std::uint32_t row) const;
     /// Its product with `x`.
     Vectors times(std::span<const Vec3> x) const;
 

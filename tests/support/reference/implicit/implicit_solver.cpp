@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/base/mapped.h"
-#include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
@@ -13,27 +12,8 @@ namespace kerf {
 
 namespace {
 
-const double kGamma = 1 - std::sqrt(0.5);  // of SDIRK2
-
-double stageOf(const ImplicitSettings& settings) {
-    return kGamma * settings.step;
-}
-
 StageScale scaleOf(const ImplicitSettings& settings) {
-    const double s = stageOf(settings);
-    return {1 / (s * s), 1 + 2 * settings.damping / settings.step};
-}
-
-std::vector<double> massesOf(const BodyModel& model, double density,
-                             std::span<const std::uint32_t> pinned) {
-    std::vector<double> masses = unitMasses(model);
-    for (double& mass : masses) {
-        mass *= density;
-    }
-    for (const std::uint32_t v : pinned) {
-        masses[v] = 0;
-    }
-    return masses;
+    return stageScale(settings.step, settings.damping);
 }
 
 /// Changes with vertices `i` and `j` of a pull.
@@ -94,9 +74,7 @@ double gripOf(const ContactRow& row, const Vec3& slip, double most) {
 
 ImplicitSettings implicitSettings(const Params& params) {
     ImplicitSettings settings;
-    for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
-        settings.moduli[type] = params.youngsModulus * modulusFactor(type, params);
-    }
+    settings.moduli = typeModuli(params);
     settings.density = params.density;
     settings.damping = params.damping;
     settings.drag = params.airDrag;
@@ -109,8 +87,8 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
                                      std::span<const std::uint32_t> pinned)
     : model_(model),
       settings_(settings),
-      masses_(massesOf(model, settings.density, pinned)),
-      volumeOffset_(model.pieces.size(), 0.0),
+      masses_(massesWithout(model, settings.density, pinned)),
+
       groups_(groupVertices(model, settings.moduli, settings.aggregateSize)),
       inverse_(invertAtRest(model, settings.moduli, groups_, masses_, scaleOf(settings))),
       preconditioner_(model, groups_, inverse_, masses_),
@@ -269,12 +247,10 @@ class ImplicitReference::Descent {
     /// Leaves in the rows what they push and hold.
     void finish(ImplicitReport& report) {
         report.pushing = 0;
-        report.depth = 0;
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const double depth = std::max(0.0, -gaps_[k]);
             rows_[k].push = rows_[k].stiffness * depth;
             report.pushing += depth > 0;
-            report.depth = std::max(report.depth, depth);
         }
     }
     const std::vector<Vec3>& slips() const { return slips_; }
@@ -463,7 +439,7 @@ class ImplicitReference::Descent {
 
 Vectors ImplicitReference::residualAt(const Vectors& total, const Vectors& start,
                                       const StageStart& from) const {
-    const double s = stageOf(settings_);
+    const double s = scaleOf(settings_).stage;
     const double inertia = scaleOf(settings_).inertia;
     Vectors residual(start.size());
     for (std::size_t v = 0; v < start.size(); ++v) {
@@ -486,7 +462,7 @@ Vectors ImplicitReference::residualAt(const Vectors& total, const Vectors& start
 std::vector<double> ImplicitReference::missingVolumes() const {
     std::vector<double> missing(volume_.size());
     for (std::size_t p = 0; p < missing.size(); ++p) {
-        missing[p] = model_.pieces[p].restVolume + volumeOffset_[p] - volume_[p];
+        missing[p] = model_.pieces[p].restVolume - volume_[p];
     }
     return missing;
 }
@@ -508,7 +484,7 @@ Vectors ImplicitReference::solveStage(const StageStart& from, const Vectors& sta
             descent.addVolume(missingVolumes());
         }
         if (pass == 0) {
-            const Vectors free = sumOf(from.positions, stageOf(settings_), from.velocities);
+            const Vectors free = sumOf(from.positions, scaleOf(settings_).stage, from.velocities);
             descent.goAlong(sumOf(free, -1, start));
         }
         report.residual = descent.iterate(settings_.iterations, settings_.tolerance);
@@ -560,7 +536,7 @@ void ImplicitReference::keepSlips(const ContactRows& rows) {
 }
 
 ImplicitReport ImplicitReference::step(ReferenceState& state) {
-    const double s = stageOf(settings_);
+    const double s = scaleOf(settings_).stage;
     const double rest = settings_.step - s;
     ImplicitReport report;
     ContactRows rows = findRows(state);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "sim/base/params.h"
 #include "tests/support/reference/implicit/contact_row.h"
 #include "tests/support/reference/implicit/preconditioner.h"
@@ -33,13 +31,13 @@ ImplicitSettings implicitSettings(const Params& params);
 struct ImplicitReport {
     double residual = 0;  ///< left by the last stage, as a share of what it began with
     int pushing = 0;      ///< contacts that push
-    double depth = 0;     ///< of the deepest of them [m]
 };
 
 /// Two linearly implicit stages a step (SDIRK2, Alexander 1977; L-stable, second order), of a body
 /// linearised where the step begins, each solved by a few conjugate gradients that start along the
 /// velocity, with volumes kept by projection and contacts as one-sided springs. In double
-/// precision: what the kernels of the implicit solver are tested against. See docs/physics.md.
+/// precision: what the kernels of the implicit solver are tested against. See
+/// docs/notes/implicit-steps.md.
 class ImplicitReference {
   public:
     /// `model` must outlive it; `pinned` vertices keep their places.
@@ -52,13 +50,9 @@ class ImplicitReference {
     ImplicitReport step(ReferenceState& state);
 
     std::span<const double> masses() const { return masses_; }  ///< 0 where pinned [kg]
-    /// Mean of the diagonal of the stiffness at rest, by vertex [N/m].
-    std::span<const double> firmness() const { return firmness_; }
-    /// Kinetic, elastic and of contacts, and of gravity about y = 0 [J].
+    /// Kinetic, elastic and of gravity about the origin, without that of contacts [J].
     double energy(const ReferenceState& state) const;
     std::vector<double> volumes(std::span<const Vec3> positions) const;
-    /// Sets how much volume a piece should have above that at rest [m^3].
-    void setVolumeOffset(int piece, double offset) { volumeOffset_[piece] = offset; }
 
   private:
     class Descent;
@@ -77,7 +71,8 @@ class ImplicitReference {
 
     const BodyModel& model_;
     ImplicitSettings settings_;
-    std::vector<double> masses_, firmness_, volumeOffset_;
+    std::vector<double> masses_;
+    std::vector<double> firmness_;  ///< mean of the diagonal of the stiffness at rest [N/m]
     VertexGroups groups_;
     RestInverse inverse_;
     Preconditioner preconditioner_;
