@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/context.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/cut_ball.h"
 #include "tests/support/gl_fixture.h"

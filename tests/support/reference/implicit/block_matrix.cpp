@@ -21,8 +21,8 @@ BlockMatrix::BlockMatrix(const BodyModel& model) {
     starts_.push_back(0);
     for (auto& row : rows) {
         std::ranges::sort(row);
-        const auto repeated = std::ranges::unique(row);
-        columns_.insert(columns_.end(), row.begin(), repeated.begin());
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        columns_.insert(columns_.end(), row.begin(), row.end());
         starts_.push_back(columns_.size());
     }
     clear();
