@@ -16,7 +16,7 @@ SHARED_CONST uint kPressureBinding = 8u;       // per vertex: the answer to dV/d
 SHARED_CONST uint kPressureImageBinding = 9u;  // per vertex: the matrix times that [m^2]
 SHARED_CONST uint kForceBinding = 11u;         // per vertex: elastic force [N]
 SHARED_CONST uint kProductSumsBinding = 12u;   // per slot and page: ProductSums
-SHARED_CONST uint kAnswerSumsBinding = 13u;    // per slot and aggregate: see answers.glsl
+SHARED_CONST uint kAnswerSumsBinding = 13u;    // per slot and aggregate: AnswerSums
 SHARED_CONST uint kModesBinding = 14u;         // per aggregate: residual by modes, three texels
 SHARED_CONST uint kFirstWayBinding = 15u;      // per vertex: way of the first stage [m]
 // Of kernels that write what the others fetch.
@@ -26,6 +26,29 @@ SHARED_CONST uint kMadeBlocksBinding = 3u;
 SHARED_CONST uint kMadeTurnsBinding = 3u;
 SHARED_CONST uint kTurnedBinding = 10u;  // per member: its residual, as its patch has turned
 SHARED_CONST uint kTurnedUnit = 30u;     // the same
+// Of contact: written, then fetched by the units below.
+SHARED_CONST uint kTotalBinding = 15u;  // per vertex two: what is left of all forces, by turns [N]
+SHARED_CONST uint kContactForcesBinding = 1u;    // per vertex: ivec4, in units of force_unit
+SHARED_CONST uint kRelativeBinding = 2u;         // per row: along the direction, see reach.comp
+SHARED_CONST uint kReachesBinding = 8u;          // per piece: Reach
+SHARED_CONST uint kRowStatesBinding = 9u;        // per row: RowState
+SHARED_CONST uint kMadeRowsBinding = 3u;         // per row: ContactRow
+SHARED_CONST uint kMadeRowVerticesBinding = 5u;  // per row: uvec4
+SHARED_CONST uint kParentsBinding = 6u;          // per piece: one that it touches, or itself
+SHARED_CONST uint kMadePiecesBinding = 7u;       // per piece: ImplicitPiece
+SHARED_CONST uint kMadeListBinding = 8u;         // per piece: its rows
+SHARED_CONST uint kMeetContactBinding = 9u;      // one: ContactUniforms
+SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row: slip [m], push [N]
+SHARED_CONST uint kContactForcesUnit = 0u;
+SHARED_CONST uint kRelativeUnit = 2u;
+SHARED_CONST uint kReachesUnit = 11u;
+SHARED_CONST uint kTotalUnit = 15u;
+SHARED_CONST uint kContactRowsUnit = 27u;
+SHARED_CONST uint kRowVerticesUnit = 28u;
+SHARED_CONST uint kRowListUnit = 29u;
+SHARED_CONST uint kRowStatesUnit = 31u;
+SHARED_CONST uint kFirmnessUnit = 16u;   // per vertex, see contactFirmness() [N/m]
+SHARED_CONST uint kKeptSlipsUnit = 17u;  // per row: slip [m], push [N]
 // Texture and image units of what only a cut changes.
 SHARED_CONST uint kRowsUnit = 16u;          // per vertex: first and end of its blocks
 SHARED_CONST uint kBlocksUnit = 17u;        // per block: three rows; column in the first w
@@ -57,11 +80,17 @@ struct ImplicitUniforms {
     float kept;                       // of a velocity: exp(-c h)
     float inverse_density;            // w = inverse_density / unit_mass [m^3/kg]
     float modulus[kConstraintTypes];  // by type [Pa]
+    float step;                       // h [s]
+    float friction;                   // Coulomb coefficient
+    float floor_height;               // far below all where there is none [m]
+    float reach;                      // of the floor: nearer than that is met at any speed [m]
+    float force_unit;                 // of sums of the forces of contact [N]
     uint vertex_count;
     uint block_count;
     uint patch_count;
     uint aggregate_count;
     uint page_count;  // of the table of pages
+    uint piece_count;
 };
 
 // A block of the matrix, and what adds up to it.
@@ -104,7 +133,37 @@ struct ImplicitPiece {
     uint page_count;
     uint first_aggregate;
     uint aggregate_count;
+    // Of the step. Pieces that touch each other go equally far along their direction.
+    uint root;       // the first of those
+    uint next;       // of them; kNoPiece behind the last
+    uint row_count;  // of contact
+    uint held;       // by an obstacle
 };
+
+// What a vertex meets in a step: row 2 v an obstacle, 2 v + 1 a triangle. It pushes by stiffness *
+// depth, and holds with the same stiffness across, by friction * push at most. Three texels.
+struct ContactRow {
+    vec4 normal;   // towards the vertex; w: gap where the step begins [m]
+    vec4 slip;     // across, what the step before has left held back [m]; w: stiffness [N/m], 0:
+                   // nothing is met
+    vec4 weights;  // of the corners, below 0; x: push of the step before [N]
+};
+// What a row is like where the iterations are. Two texels.
+struct RowState {
+    vec4 slip;  // w: gap [m]
+    vec4 push;  // x: the most that friction holds; y: push [N]
+};
+// How far a piece goes.
+struct Reach {
+    float alpha;     // along its direction
+    float pressure;  // of dV/dp, that is left in the residual
+    // Where a stage begins, of the answer to dV/dp:
+    float missing;   // brings the volume back
+    float swelling;  // keeps it along the direction
+};
+// Contacts are as stiff as this share of their vertices, and the square of the rate times mass.
+SHARED_CONST float kContactShare = 0.05f;
+SHARED_CONST float kContactRate = 600.0f;  // [1/s]
 
 // Sums that kernels leave in slots: one of the pressure, one of where a stage begins, and one of
 // each iteration.
@@ -125,10 +184,13 @@ struct ProductSums {
 };
 // Over the vertices of an aggregate.
 struct AnswerSums {
-    float residual_answer;  // r . z
+    float left_answer;      // what is left . z
     float gradient_answer;  // dV/dp . z
-    float unused_a, unused_b;
-    vec4 residual_mass;  // xyz: r [N]; w: mass, kHeldMass more where a vertex is held [kg]
+    float before_answer;    // what was left an iteration before . z
+    float left_pressure;    // what is left . pressure
+    // x: what was left before . pressure. At the end of a stage xyz: what is left [N]; w: mass,
+    // kHeldMass more where a vertex is held [kg].
+    vec4 rest;
 };
 SHARED_CONST float kHeldMass = 1e30f;
 

@@ -76,7 +76,7 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
 
 ImplicitStepper& GpuSolver::implicitStepper() {
     masses_.refresh();
-    return implicit_ ? *implicit_ : implicit_.emplace(body_);
+    return implicit_ ? *implicit_ : implicit_.emplace(body_, collisions_);
 }
 
 void GpuSolver::makeRoom(const BodyModel& model) {

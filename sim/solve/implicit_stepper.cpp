@@ -24,12 +24,17 @@ shared::ImplicitUniforms implicitUniforms(const Params& params, double step) {
     u.rest = static_cast<float>(step - scale.stage);
     u.damping = static_cast<float>(scale.damped - 1);
     u.kept = static_cast<float>(std::exp(-params.airDrag * step));
+    u.step = static_cast<float>(step);
+    u.friction = static_cast<float>(params.friction);
+    u.floor_height = static_cast<float>(params.floor.value_or(BodyReach::kNoFloor));
     u.inverse_density = static_cast<float>(1 / params.density);
     for (uint type = 0; type < kConstraintTypes; ++type) {
         u.modulus[type] = static_cast<float>(moduli[type]);
     }
     return u;
 }
+
+constexpr double kFloorReach = 0.02;  // diagonals: nearer vertices are looked at in each step
 
 /// A kernel of groups that work for a page or an aggregate.
 gpu::Program compileGroups(const SolverBody& body, const std::string& name,
@@ -51,6 +56,12 @@ ImplicitStepper::MatrixKernels::MatrixKernels(const SolverBody& body)
       turns(body.compile("implicit/turns")),
       volume(body.compile("volume_gradient", body.groupsOfSums())) {}
 
+ImplicitStepper::ContactKernels::ContactKernels(const SolverBody& body)
+    : meet(body.compile("implicit/meet")),
+      rows(compileGroups(body, "rows")),
+      startReach(compileGroups(body, "reach", {{"OF_START", "1"}})),
+      reach(compileGroups(body, "reach")) {}
+
 ImplicitStepper::PressureKernels::PressureKernels(const SolverBody& body)
     : patches(compileGroups(body, "patches", {{"OF_PRESSURE", "1"}})),
       coarse(compileGroups(body, "coarse", {{"OF_PRESSURE", "1"}})),
@@ -66,23 +77,29 @@ ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
       leave(compileGroups(body, "leave")),
       end(compileGroups(body, "end")) {}
 
-ImplicitStepper::ImplicitStepper(SolverBody& body)
-    : body_(body), make_(body), press_(body), stage_(body) {}
+ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
+    : body_(body),
+      collisions_(collisions),
+      make_(body),
+      contact_(body),
+      press_(body),
+      stage_(body) {}
 
 void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
                               const ImplicitStep& step, std::span<const uint> pinned) {
     uniforms_ = implicitUniforms(params, step.step);
     const TypeModuli moduli = typeModuli(params);
     const VertexGroups groups = groupVertices(model, moduli, step.aggregateSize);
+    const std::vector<double> masses = massesWithout(model, params.density, pinned);
     const RestInverse inverse =
-        invertAtRest(model, moduli, groups, massesWithout(model, params.density, pinned),
-                     stageScale(step.step, params.damping));
+        invertAtRest(model, moduli, groups, masses, stageScale(step.step, params.damping));
     std::vector<std::vector<uint>> pages;
     for (std::size_t piece = 0; piece < model.pieces.size(); ++piece) {
         pages.push_back(body_.pieces.pages().pagesOf(piece));
     }
     own_.matrix.assign(model, body_.pieces.pages().places(), pages);
     own_.inverse.assign(model, groups, inverse, pages);
+    own_.contact.assign(model, contactFirmness(model, moduli, masses), own_.matrix.pageCount);
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     iterations_ = static_cast<uint>(step.iterations);
     own_.vectors.makeRoom(model.restPositions.size());
@@ -93,6 +110,9 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     uniforms_.patch_count = own_.inverse.patchCount;
     uniforms_.aggregate_count = own_.inverse.aggregateCount;
     uniforms_.page_count = own_.matrix.pageCount;
+    uniforms_.piece_count = size32(model.pieces.size());
+    uniforms_.reach = static_cast<float>(kFloorReach * model.diagonal);
+    uniforms_.force_unit = own_.contact.forceUnit;
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 
@@ -147,11 +167,65 @@ void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint sl
 }
 
 void ImplicitStepper::run() {
+    collisions_.beginStep(nullptr);
+    if (collisions_.searchesBefore(0)) {
+        collisions_.search();
+    }
+    meet();
     linearise();
     answerPressure();
     solveStage(false);
     solveStage(true);
+    bindVectors();
+    body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
+    own_.contact.keptSlips.bindStorage(shared::kKeptSlipsBinding);
     runGroups(stage_.end, own_.inverse.aggregateCount, shared::kFirstSlot + iterations_ + 1);
+}
+
+/// Which contacts there may be in the step, and which pieces they join.
+void ImplicitStepper::meet() {
+    const ContactSolver& contacts = collisions_.contacts();
+    if (contacts.mayTouch()) {
+        contacts.bindAnswers({shared::kMeetContactBinding, shared::kMadeListBinding,
+                              shared::kMadeListBinding, shared::kMadeListBinding},
+                             body_.way);
+    }
+    body_.bind();
+    uniformBuffer_.bindStorage(shared::kImplicitBinding);
+    own_.contact.parents.copyFrom(own_.contact.unjoined);
+    own_.contact.parents.bindStorage(shared::kParentsBinding);
+    own_.contact.rows.bindStorage(shared::kMadeRowsBinding);
+    own_.contact.rowVertices.bindStorage(shared::kMadeRowVerticesBinding);
+    body_.bindFetched(own_.contact.firmness, shared::kFirmnessUnit, TexelFormat::uint32);
+    body_.bindFetched(own_.contact.keptSlips, shared::kKeptSlipsUnit, TexelFormat::float32x4);
+    contact_.meet.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
+    body_.run(contact_.meet, uniforms_.vertex_count);
+
+    own_.inverse.pieces.bindStorage(shared::kMadePiecesBinding);
+    own_.contact.list.bindStorage(shared::kMadeListBinding);
+    body_.bindFetched(own_.inverse.pieces, shared::kPiecesUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
+    body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, TexelFormat::uint32x2);
+    runGroups(contact_.rows, uniforms_.piece_count, 0);
+}
+
+/// What the iterations of a stage have of contact, besides vectors.
+void ImplicitStepper::bindContacts() const {
+    const auto floats = TexelFormat::float32x4;
+    own_.contact.forces.bindStorage(shared::kContactForcesBinding);
+    own_.contact.relatives.bindStorage(shared::kRelativeBinding);
+    own_.contact.reaches.bindStorage(shared::kReachesBinding);
+    own_.contact.states.bindStorage(shared::kRowStatesBinding);
+    own_.vectors.total.bindStorage(shared::kTotalBinding);
+    body_.bindFetched(own_.contact.forces, shared::kContactForcesUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.contact.relatives, shared::kRelativeUnit, floats);
+    body_.bindFetched(own_.contact.reaches, shared::kReachesUnit, floats);
+    body_.bindFetched(own_.vectors.total, shared::kTotalUnit, floats);
+    body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, floats);
+    body_.bindFetched(own_.contact.rowVertices, shared::kRowVerticesUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.contact.list, shared::kRowListUnit, TexelFormat::uint32);
+    body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, floats);
 }
 
 /// The matrix, the forces, the volumes and their gradients, and how the parts of the preconditioner
@@ -216,19 +290,25 @@ void ImplicitStepper::solveStage(bool second) {
     const uint aggregates = own_.inverse.aggregateCount;
     const uint left = shared::kFirstSlot + iterations_ + 1;
     bindVectors();
+    body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
+    own_.contact.states.bindStorage(shared::kRowStatesBinding);
     runGroups(stage_.begin[second ? 1 : 0], aggregates, left);
     runGroups(stage_.startProduct, own_.matrix.pageCount, shared::kStartSlot);
+    bindContacts();
     body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
     body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
+    runGroups(contact_.startReach, uniforms_.piece_count, shared::kStartSlot);
+    own_.vectors.answerSums.bindStorage(shared::kAnswerSumsBinding);
     runGroups(stage_.startPatches, aggregates, shared::kStartSlot);
-    bindVectors();
     for (uint i = 0; i < iterations_; ++i) {
         const uint slot = shared::kFirstSlot + i;
-        if (i > 0) {
-            runGroups(stage_.patches, aggregates, slot - 1);
-        }
         runGroups(stage_.coarse, aggregates, slot);
         runGroups(stage_.product, own_.matrix.pageCount, slot);
+        runGroups(contact_.reach, uniforms_.piece_count, slot, i + 1 == iterations_ / 2 ? 1 : 0);
+        if (i + 1 < iterations_) {
+            runGroups(stage_.patches, aggregates, slot);
+        }
     }
     runGroups(stage_.leave, aggregates, left - 2, left);
 }

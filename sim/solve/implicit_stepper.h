@@ -4,6 +4,7 @@
 
 #include "gpu/program.h"
 #include "sim/base/params.h"
+#include "sim/solve/collisions.h"
 #include "sim/solve/implicit/implicit_body.h"
 #include "sim/solve/solver_body.h"
 
@@ -20,8 +21,8 @@ struct ImplicitStep {
 /// with results that do not depend on the number of threads.
 class ImplicitStepper {
   public:
-    /// The body must outlive it. Compiles the kernels: throws gpu::ShaderError.
-    explicit ImplicitStepper(SolverBody& body);
+    /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
+    ImplicitStepper(SolverBody& body, Collisions& collisions);
 
     /// Takes a body and its parameters, from which the steps are prepared; anew after steps of
     /// another kind. Throws gpu::OutOfMemory.
@@ -35,12 +36,15 @@ class ImplicitStepper {
     void bindLists() const;
     void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
                    std::uint32_t left = 0);
+    void meet();
+    void bindContacts() const;
     void linearise();
     void makeFactors(std::uint32_t type);
     void answerPressure();
     void solveStage(bool second);
 
     SolverBody& body_;
+    Collisions& collisions_;
     ImplicitBody own_;
     shared::ImplicitUniforms uniforms_{};
     gpu::Buffer uniformBuffer_;
@@ -51,6 +55,10 @@ class ImplicitStepper {
         std::array<gpu::Program, kConstraintTypes> factors;
         gpu::Program blocks, diagonal, turns, volume;
     } make_;
+    struct ContactKernels {
+        explicit ContactKernels(const SolverBody& body);
+        gpu::Program meet, rows, startReach, reach;
+    } contact_;
     struct PressureKernels {
         explicit PressureKernels(const SolverBody& body);
         gpu::Program patches, coarse, product;

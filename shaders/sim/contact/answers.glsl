@@ -6,7 +6,7 @@
 // vertex by takeShare(v, share), shareTaken(v) and clearShare(v), positionOf(v), displacementOf(v),
 // setPosition(v, x), setDisplacement(v, d), with UNFOLDS pieceOf(v).
 #include "contact_bindings.h"
-#include "closest_point.glsl"
+#include "nearest.glsl"
 #include "sim/contact_answer.glsl"
 #include "sim/fetch.glsl"
 #include "sim/fixed_sums.glsl"
@@ -16,19 +16,12 @@
 #include "sim/plane_weights.glsl"
 
 STATE_TEXELS(kContactNormalsUnit) contactNormals;
-RECORD_QUADS(kContactTrianglesUnit) contactTriangles;
-RECORD_PAIRS(kContactCandidatesUnit) contactCandidates;
 RECORD_WORDS(kContactPointsUnit) contactPoints;
 RECORD_WORDS(kContactEdgePairsUnit) contactEdgePairs;
 
 vec3 skinNormalOf(uint v) { return fetch(contactNormals, 2u * v).xyz; }
 vec3 wallNormalOf(uint v) { return fetch(contactNormals, 2u * v + 1u).xyz; }
-uvec4 triangleAt(uint t) { return fetch(contactTriangles, t); }
 uint pointAt(uint index) { return fetch(contactPoints, index).x; }
-ContactCandidate candidateAt(uint place) {
-    uvec2 words = fetch(contactCandidates, place).xy;
-    return ContactCandidate(words.x, uintBitsToFloat(words.y));
-}
 EdgePair edgePairAt(uint place) {
     return EdgePair(fetch(contactEdgePairs, 3u * place).x,
                     fetch(contactEdgePairs, 3u * place + 1u).x,
@@ -43,53 +36,12 @@ EdgePair edgePairAt(uint place) {
 // With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece, see
 // folds.glsl.
 
-struct Nearest {
-    uvec4 triangle;
-    vec3 offset;      // from the closest point to the vertex [m]
-    vec3 areaNormal;  // not of unit length
-    float thickness;
-};
-
 // The corners of a triangle, as seen from the vertex [m].
 struct SeenCorners {
     vec3 a;
     vec3 b;
     vec3 c;
 };
-
-// Differences of positions and of displacements are taken apart, since d is far smaller than X.
-vec3 span(vec3 x, vec3 d, uint to) {
-    return (positionOf(to).xyz - x) + (displacementOf(to).xyz - d);
-}
-
-Nearest nearest(uint v) {
-    Nearest best = Nearest(uvec4(0u), vec3(0.0), vec3(0.0), 0.0);  // where all is NaN
-    float least = 1e30;
-    vec3 x = positionOf(v).xyz;
-    vec3 d = displacementOf(v).xyz;
-    for (uint k = 0u; k < kCandidatesPerPoint; ++k) {
-        ContactCandidate candidate = candidateAt(kCandidatesPerPoint * v + k);
-        if (candidate.triangle == kNoVertex) break;
-        uvec4 t = triangleAt(candidate.triangle);
-        vec3 a = span(x, d, t.x);
-        vec3 b = span(x, d, t.y);
-        vec3 c = span(x, d, t.z);
-        vec3 weights = closestWeights(a, b, c);
-        vec3 offset = -(weights.x * a + weights.y * b + weights.z * c);
-        float away = dot(offset, offset);
-        if (away < kNearerBy * least) {
-            least = away;
-            best = Nearest(t, offset, cross(b - a, c - a), candidate.thickness);
-        }
-    }
-    return best;
-}
-
-// How far beside the triangle the vertex comes to lie [m].
-float lateralDistance(Nearest near) {
-    vec3 normal = near.areaNormal / max(length(near.areaNormal), 1e-30);
-    return length(near.offset - dot(normal, near.offset) * normal);
-}
 
 // Whether one of the two is folded and would be caught by the other.
 bool passesFold(uint v, Nearest near) {

@@ -215,8 +215,11 @@ void main() {
     Bounds group = boundsOfGroup(own);
     search(own, group);
     uint v = self.vertex;
-    if (found == 0u) return;
     uint first = kCandidatesPerPoint * v;
+    if (found == 0u) {
+        if (v < uniforms.vertex_count) candidates[first] = ContactCandidate(kNoVertex, 0.0);
+        return;
+    }
     for (uint i = 0u; i < found; ++i) {
         candidates[first + i] = ContactCandidate(bestTriangle[i], bestThickness[i]);
     }

@@ -2,6 +2,7 @@
 //   p = from + s speed - X,  r = M (p / s^2 + g) + F
 // The first stage goes from X at the speed of the body; the second, with OF_SECOND, from where the
 // first one's speed leads in the rest of the step, at a speed that its acceleration leads to.
+// Contacts begin where the step does, with friction by the push of the stage before.
 // Numbers: the slot of what the first stage left. One group for each aggregate. A storage barrier
 // follows.
 #include "sim/numbers.glsl"
@@ -13,15 +14,19 @@ STATE_TEXELS(kForceBinding) force;
 STATE_TEXELS(kWayBinding) ways;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
+#include "sim/implicit/contact_rows.glsl"
+STATE_TEXELS(kRowStatesUnit) states;
 layout(std430, binding = kResidualBinding) writeonly buffer Residuals { vec4 newResiduals[]; };
 layout(std430, binding = kDirectionBinding) writeonly buffer Directions { vec4 newDirections[]; };
 layout(std430, binding = kFirstWayBinding) writeonly buffer FirstWays { vec4 firstWays[]; };
+layout(std430, binding = kRowStatesBinding) writeonly buffer States { vec4 newStates[]; };
 
 #ifdef OF_SECOND
 #include "sim/implicit/balance.glsl"
 vec3 shift;
 void prepare(uint piece) { shift = balancingShift(piece, numbers.x); }
 
+float lastPush(uint row, ContactRow contact) { return fetch(states, 2u * row + 1u).y; }
 vec3 freeWay(uint v) {
     vec3 way = fetch(ways, v).xyz + shift;
     firstWays[v] = vec4(way, 0.0);
@@ -32,8 +37,18 @@ vec3 freeWay(uint v) {
 }
 #else
 void prepare(uint piece) {}
+float lastPush(uint row, ContactRow contact) { return contact.weights.x; }
 vec3 freeWay(uint v) { return implicit.stage * fetch(velocities, v).xyz; }
 #endif
+
+void beginRow(uint row) {
+    ContactRow contact = rowAt(row);
+    for (uint once = contact.slip.w > 0.0 ? 1u : 0u; once > 0u; --once) {
+        float grip = implicit.friction * lastPush(row, contact);
+        newStates[2u * row] = vec4(contact.slip.xyz, contact.normal.w);
+        newStates[2u * row + 1u] = vec4(grip, 0.0, 0.0, 0.0);
+    }
+}
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
@@ -47,5 +62,7 @@ void main() {
         vec3 forces = mass * (implicit.inertia * way + implicit.gravity.xyz) + fetch(force, v).xyz;
         newDirections[v] = vec4(way, 0.0);
         newResiduals[v] = vec4(held ? vec3(0.0) : forces, 0.0);
+        beginRow(2u * v);
+        beginRow(2u * v + 1u);
     }
 }

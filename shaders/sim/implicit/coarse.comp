@@ -3,11 +3,10 @@
 // With OF_PRESSURE it is the answer to dV/dp. Numbers: the slot.
 // One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
-#include "sim/implicit/uniforms.glsl"
+#include "sim/implicit/pieces.glsl"
 #include "sim/unfold/best_rotation.glsl"
 layout(local_size_x = GROUP) in;
 STATE_TEXELS(kPositionsBinding) positions;
-RECORD_QUADS(kPiecesUnit) pieces;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
 STATE_TEXELS(kMemberSharesUnit) memberShares;
@@ -15,11 +14,19 @@ STATE_TEXELS(kCoarseUnit) coarse;
 STATE_TEXELS(kTurnsUnit) turns;
 STATE_TEXELS(kModesBinding) modes;
 STATE_TEXELS(kAnswerBinding) answers;
-STATE_TEXELS(kResidualBinding) residuals;
 STATE_TEXELS(kGradientsBinding) gradients;
 #ifdef OF_PRESSURE
 layout(std430, binding = kPressureBinding) writeonly buffer Pressures { vec4 newAnswers[]; };
+mat2x3 leftAt(uint v) { return mat2x3(0.0); }
+vec3 pressureAt(uint v) { return vec3(0.0); }
 #else
+STATE_TEXELS(kTotalUnit) totals;  // two texels a vertex, see advance.glsl
+STATE_TEXELS(kPressureBinding) pressures;
+mat2x3 leftAt(uint v) {
+    uint now = (numbers.x + 1u) & 1u;  // of the slot before
+    return mat2x3(fetch(totals, 2u * v + now).xyz, fetch(totals, 2u * v + 1u - now).xyz);
+}
+vec3 pressureAt(uint v) { return fetch(pressures, v).xyz; }
 layout(std430, binding = kAnswerBinding) writeonly buffer Answers { vec4 newAnswers[]; };
 #endif
 layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSums[]; };
@@ -27,8 +34,11 @@ layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSum
 const uint kParts = 4u;  // of a row, each every fourth aggregate
 const uint kSumGroups = 8u;
 shared float parts[kAggregateModes * kParts];
-shared vec2 products[kMostMembers];
-shared vec2 productRows[kSumGroups];
+// AnswerSums, first texel: a vertex has none of the second. Then the last of its sums.
+shared vec4 products[kMostMembers];
+shared float lasts[kMostMembers];
+shared vec4 productRows[kSumGroups];
+shared float lastRows[kSumGroups];
 
 float partOf(uint row, uint part, uvec2 all, uint firstTexel) {
     float sum = 0.0;
@@ -55,23 +65,33 @@ vec4 modesOf(uint axis) {
 
 void leaveSums(uint count) {
     for (uint row = gl_LocalInvocationID.x; row < kSumGroups; row += GROUP) {
-        vec2 sum = vec2(0.0);
-        for (uint k = row; k < count; k += kSumGroups) sum += products[k];
+        vec4 sum = vec4(0.0);
+        float last = 0.0;
+        for (uint k = row; k < count; k += kSumGroups) {
+            sum += products[k];
+            last += lasts[k];
+        }
         productRows[row] = sum;
+        lastRows[row] = last;
     }
     barrier();
     if (gl_LocalInvocationID.x == 0u) {
-        vec2 sum = vec2(0.0);
-        for (uint row = 0u; row < kSumGroups; ++row) sum += productRows[row];
+        vec4 sum = vec4(0.0);
+        float last = 0.0;
+        for (uint row = 0u; row < kSumGroups; ++row) {
+            sum += productRows[row];
+            last += lastRows[row];
+        }
         uint at = 2u * (numbers.x * implicit.aggregate_count + gl_WorkGroupID.x);
-        newSums[at] = vec4(sum, 0.0, 0.0);
-        newSums[at + 1u] = vec4(0.0);
+        newSums[at] = sum;
+        newSums[at + 1u] = vec4(last, 0.0, 0.0, 0.0);
     }
 }
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
-    uvec2 all = fetch(pieces, own.z).zw;
+    ImplicitPiece piece = pieceAt(own.z);
+    uvec2 all = uvec2(piece.first_aggregate, piece.aggregate_count);
     for (uint task = gl_LocalInvocationID.x; task < kAggregateModes * kParts; task += GROUP) {
         parts[task] = partOf(task / kParts, task % kParts, all, own.w);
     }
@@ -88,8 +108,11 @@ void main() {
         bool held = !(fetch(positions, v).w > 0.0);
         vec3 answer = held ? vec3(0.0) : fetch(answers, v).xyz + moved;
         newAnswers[v] = vec4(answer, 0.0);
-        products[k] = vec2(dot(fetch(residuals, v).xyz, answer),
-                           dot(fetch(gradients, v).xyz, answer));
+        mat2x3 left = leftAt(v);
+        vec3 pressure = pressureAt(v);
+        products[k] = vec4(dot(left[0], answer), dot(fetch(gradients, v).xyz, answer),
+                           dot(left[1], answer), dot(left[0], pressure));
+        lasts[k] = dot(left[1], pressure);
     }
     barrier();
     leaveSums(count);

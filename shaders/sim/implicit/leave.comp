@@ -23,8 +23,8 @@ void main() {
     for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
         uint v = fetch(members, own.x + k).x;
         float inverseUnitMass = fetch(positions, v).w;
-        vec3 residual = residualOf(v);
-        lefts[k] = inverseUnitMass > 0.0 ? vec4(residual, massOf(inverseUnitMass))
+        vec3 left = residualOf(v);
+        lefts[k] = inverseUnitMass > 0.0 ? vec4(left, massOf(inverseUnitMass))
                                          : vec4(0.0, 0.0, 0.0, kHeldMass);
     }
     barrier();

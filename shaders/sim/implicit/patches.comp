@@ -1,11 +1,11 @@
 // Goes along the direction, and begins the preconditioner's answer to the residual that is left:
 // patch by patch, and the residual by the modes of each aggregate, which coarse.comp goes on with.
 //   way += alpha p,  r -= alpha image + pressure dV/dp
-// With OF_START it goes from where the stage begins (start.glsl), with OF_PRESSURE it only answers
-// to dV/dp. Numbers: the slot. One group for each aggregate. A storage barrier follows.
+// With OF_START it goes from where the stage begins, with OF_PRESSURE it only answers to dV/dp.
+// Numbers: the slot. One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
-#include "sim/implicit/scalars.glsl"
+#include "sim/implicit/uniforms.glsl"
 #include "sim/unfold/best_rotation.glsl"
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kGradientsBinding) gradients;
@@ -87,7 +87,8 @@ void main() {
     for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
         ImplicitMember member = memberAt(own.first + k);
         bool held = !(fetch(positions, member.vertex).w > 0.0);
-        vec3 residual = held ? vec3(0.0) : residualOf(member.vertex);
+        vec3 residual = residualOf(member.vertex);
+        if (held) residual = vec3(0.0);
         setTurned(own.first + k, own.first,
                   rotated(inverseOf(fetch(turns, member.patch_number)), residual));
     }

@@ -110,7 +110,7 @@ void main() {
 #elif defined(OF_START)
     Turn turn = Turn(0.0, 0.0, 0.0, 0.0);
 #else
-    Turn turn = turnOf(pieceAt(page.y), numbers.x);
+    Turn turn = turnOf(page.y, numbers.x);
 #endif
     leaveRows(page.x, turn);
     TwoSums sums = sumOfRows();

@@ -1,9 +1,8 @@
-// The scalars of conjugate gradients, piece by piece: what happens in one reaches no other. They
-// follow from the sums that the kernels before left, added up in an order that does not depend on
-// the number of threads. The includer has groups of GROUP threads, of which each group works for
-// one piece.
-#include "sim/implicit/uniforms.glsl"
-RECORD_QUADS(kPiecesUnit) pieces;
+// The scalars of conjugate gradients, piece by piece: what happens in one reaches no other, unless
+// they touch. They follow from the sums that the kernels before left, added up in an order that
+// does not depend on the number of threads. The includer has groups of GROUP threads, of which each
+// group works for one piece.
+#include "sim/implicit/pieces.glsl"
 STATE_TEXELS(kProductSumsBinding) productSums;  // two texels a page: ProductSums
 STATE_TEXELS(kAnswerSumsBinding) answerSums;    // two texels an aggregate: AnswerSums
 
@@ -16,11 +15,6 @@ struct TwoSums {
     vec4 first;
     vec4 second;
 };
-
-ImplicitPiece pieceAt(uint index) {
-    uvec4 words = fetch(pieces, index);
-    return ImplicitPiece(words.x, words.y, words.z, words.w);
-}
 
 void leaveRow(uint row, TwoSums sums) {
     rowSums[2u * row] = sums.first;
@@ -82,26 +76,26 @@ float ratio(float a, float b) {
 struct Turn {
     float beta;
     float pressure;
-    float size;   // r . z
+    float size;   // left . z, of all that touch
     float gamma;  // dV/dp . pressure
 };
 
-Turn turnOf(ImplicitPiece piece, uint slot) {
-    vec4 now = sumOfAnswers(piece, slot).first;
+// Polak and Ribiere's, since contact bends the way.
+Turn turnOf(uint index, uint slot) {
+    ImplicitPiece piece = pieceAt(index);
     vec4 before = knownOf(piece, slot - 1u);
-    float beta = slot > kFirstSlot ? max(ratio(now.x, before.y), 0.0) : 0.0;
-    return Turn(beta, ratio(now.y, before.z), now.x, before.z);
-}
-
-// How far an iteration goes along its direction, and how much pressure it leaves in the residual.
-struct Reach {
-    float alpha;
-    float pressure;
-};
-
-Reach reachOf(ImplicitPiece piece, uint slot) {
-    vec4 product = sumOfProducts(piece, slot).first;
-    vec4 known = knownOf(piece, slot);
-    float alpha = ratio(known.y, product.x);
-    return Reach(alpha, -alpha * ratio(product.y, known.z));
+    float size = 0.0;
+    float turned = 0.0;
+    float pressure = 0.0;
+    for (uint p = piece.root; p != kNoPiece;) {
+        ImplicitPiece other = pieceAt(p);
+        TwoSums now = sumOfAnswers(other, slot);
+        float swelling = ratio(now.first.y, knownOf(other, slot - 1u).z);
+        size += now.first.x - swelling * now.first.w;
+        turned += now.first.z - swelling * now.second.x;
+        if (p == index) pressure = swelling;
+        p = other.next;
+    }
+    float beta = slot > kFirstSlot ? max(ratio(size - turned, before.y), 0.0) : 0.0;
+    return Turn(beta, pressure, size, before.z);
 }

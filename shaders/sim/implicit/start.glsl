@@ -3,13 +3,6 @@
 layout(std430, binding = kPiecesBinding) readonly buffer Records { PieceRecord records[]; };
 layout(std430, binding = kBlockSumsBinding) readonly buffer Volumes { VolumeSum volumes[]; };
 
-struct Start {
-    float missing;   // of the pressure: brings the volume back
-    float alpha;     // of the motion
-    float swelling;  // of the pressure, in the motion
-    float pressure;  // of dV/dp, in the residual
-};
-
 float missingVolume(PieceRecord record) {
     float volume = 0.0;
     for (uint k = 0u; k < record.block_count; ++k) {
@@ -18,7 +11,7 @@ float missingVolume(PieceRecord record) {
     return record.target_volume - volume;
 }
 
-Start startOf(uint index) {
+Line lineOf(uint index) {
     ImplicitPiece piece = pieceAt(index);
     TwoSums pressed = sumOfProducts(piece, kPressureSlot);
     TwoSums moved = sumOfProducts(piece, kStartSlot);
@@ -27,11 +20,9 @@ Start startOf(uint index) {
     float pressureImage = moved.first.y;  // pressure . image
     float missing = ratio(missingVolume(records[index]), gamma);
     float swelling = -ratio(moved.first.z, gamma);
-    float curve =
-        moved.first.x + 2.0 * swelling * pressureImage + swelling * swelling * kappa;
-    float slope = moved.first.w + swelling * moved.second.x -
-        missing * (pressureImage + swelling * kappa);
-    float alpha = ratio(slope, curve);
-    float left = moved.second.x - missing * kappa - alpha * (pressureImage + swelling * kappa);
-    return Start(missing, alpha, swelling, ratio(left, gamma));
+    float along = pressureImage + swelling * kappa;
+    float curve = moved.first.x + swelling * (pressureImage + along);
+    float slope = moved.first.w + swelling * moved.second.x - missing * along;
+    vec2 pressure = vec2(ratio(moved.second.x - missing * kappa, gamma), ratio(along, gamma));
+    return Line(curve, slope, pressure, missing, swelling);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "shaders/shared/body_records.h"
 #include "sim/base/mapped.h"
@@ -140,7 +141,8 @@ void InverseBuffers::assign(const BodyModel& model, const VertexGroups& groups,
     uint page = 0;
     for (const std::vector<uint>& pages : pagesOfPieces) {
         const uint count = static_cast<uint>(pages.size());
-        records.push_back({page, count, 0, 0});
+        const uint piece = static_cast<uint>(records.size());
+        records.push_back({page, count, 0, 0, piece, shared::kNoPiece, 0, 0});
         page += count;
     }
     Members lists = membersOf(model, groups, inverse);
@@ -158,7 +160,31 @@ void InverseBuffers::assign(const BodyModel& model, const VertexGroups& groups,
     modes.resize(std::max(3 * aggregateCount, 1U) * sizeof(vec4));
 }
 
+void ContactBuffers::assign(const BodyModel& model, std::span<const double> firm, uint pages) {
+    constexpr double kFarthest = 0.25;  // of the diagonal, that contacts are pressed together
+    constexpr double kMostUnits = 1e9;
+    const std::size_t rowCount = 2 * std::max<std::size_t>(firm.size(), 1);
+    rows.resize(rowCount * sizeof(shared::ContactRow));
+    rowVertices.resize(rowCount * sizeof(std::array<uint, 4>));
+    states.resize(rowCount * sizeof(shared::RowState));
+    relatives.resize(rowCount * sizeof(vec4));
+    keptSlips.resize(rowCount * sizeof(vec4));
+    keptSlips.clear();
+    forces.resize(rowCount / 2 * sizeof(std::array<int, 4>));
+    forces.clear();
+    list.resize(std::max(2 * shared::kPageSize * pages, 1U) * sizeof(uint));
+    std::vector<uint> own(std::max<std::size_t>(model.pieces.size(), 1));
+    std::iota(own.begin(), own.end(), 0U);
+    unjoined.assign(own);
+    parents.resize(own.size() * sizeof(uint));
+    reaches.resize(own.size() * sizeof(shared::Reach));
+    firmness.assign(std::vector<float>(firm.begin(), firm.end()));
+    const double firmest = firm.empty() ? 0 : *std::ranges::max_element(firm);
+    forceUnit = static_cast<float>(kFarthest * model.diagonal * firmest / kMostUnits);
+}
+
 void StageVectors::makeRoom(std::size_t vertexCount) {
+    total.resize(2 * vertexCount * sizeof(vec4));
     for (gpu::Buffer* vector : {&residual, &answer, &direction, &image, &way, &firstWay, &force,
                                 &pressure, &pressureImage}) {
         vector->resize(vertexCount * sizeof(vec4));

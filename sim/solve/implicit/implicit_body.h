@@ -31,7 +31,7 @@ struct MatrixBuffers {
 
 /// The preconditioner of a stage. Constant between cuts, but for turns, modes and turned.
 struct InverseBuffers {
-    gpu::Buffer pieces{gpu::Buffer::Readers::texels};
+    gpu::Buffer pieces;
     gpu::Buffer aggregates{gpu::Buffer::Readers::texels};
     gpu::Buffer members{gpu::Buffer::Readers::texels};
     gpu::Buffer memberShares{gpu::Buffer::Readers::texels};
@@ -48,7 +48,7 @@ struct InverseBuffers {
 
 /// The vectors of a stage, and sums over their elements.
 struct StageVectors {
-    gpu::Buffer residual, answer, direction, image, way, firstWay, force;
+    gpu::Buffer residual, total, answer, direction, image, way, firstWay, force;
     gpu::Buffer pressure, pressureImage;
     gpu::Buffer productSums, answerSums;
 
@@ -57,11 +57,26 @@ struct StageVectors {
     void makeSlots(std::uint32_t slots, std::uint32_t pages, std::uint32_t aggregates);
 };
 
+/// What a body meets in a step: two rows a vertex.
+struct ContactBuffers {
+    gpu::Buffer rows, rowVertices, list, states, relatives;
+    gpu::Buffer keptSlips;  ///< between steps
+    gpu::Buffer forces;     ///< sums by vertex, 0 between the kernels that add and take them
+    gpu::Buffer parents, reaches;
+    gpu::Buffer firmness{gpu::Buffer::Readers::texels};
+    gpu::Buffer unjoined{gpu::Buffer::Readers::texels};  ///< parents before a step
+    float forceUnit = 0;                                 ///< of sums [N]
+
+    /// Forgets what pushed. `firmness`: contactFirmness(); `pages`: of all pieces.
+    void assign(const BodyModel& model, std::span<const double> firmness, std::uint32_t pages);
+};
+
 /// What the implicit solver has of a body besides SolverModel. All that allocates throws
 /// gpu::OutOfMemory.
 struct ImplicitBody {
     MatrixBuffers matrix;
     InverseBuffers inverse;
+    ContactBuffers contact;
     StageVectors vectors;
 };
 

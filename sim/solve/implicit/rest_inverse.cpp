@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/implicit_records.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
 
@@ -180,6 +181,21 @@ std::vector<double> massesWithout(const BodyModel& model, double density,
         masses[v] = 0;
     }
     return masses;
+}
+
+std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli,
+                                    std::span<const double> masses) {
+    std::vector<double> firmness(masses.size());
+    constexpr double kRate = shared::kContactRate;
+    std::ranges::transform(masses, firmness.begin(), [](double m) { return kRate * kRate * m; });
+    forEachPull(
+        model, moduli, bendSteepness(model), restPlaces(model), [&](const ConstraintPull& pull) {
+            for (int k = 0; k < pull.count; ++k) {
+                firmness[pull.vertices[k]] +=
+                    shared::kContactShare * pull.stiffness * pull.gradients[k].squaredNorm() / 3;
+            }
+        });
+    return firmness;
 }
 
 RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,

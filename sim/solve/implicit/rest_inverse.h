@@ -52,6 +52,10 @@ TypeModuli typeModuli(const Params& params);
 std::vector<double> massesWithout(const BodyModel& model, double density,
                                   std::span<const std::uint32_t> pinned);
 
+/// By which contacts of each vertex are firm [N/m]: see shared::kContactShare.
+std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli,
+                                    std::span<const double> masses);
+
 /// `masses`: of the vertices [kg]; those of 0 do not move.
 RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,
                          const VertexGroups& groups, std::span<const double> masses,

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "gpu/context.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/cut_ball.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/reference/implicit/implicit_solver.h"
+#include "tests/support/reference/implicit/surface_contacts.h"
 #include "tests/support/variable.h"
 
 namespace kerf {
@@ -20,6 +23,7 @@ Params firm() {
     params.trueModulus = 1;
     params.youngsModulus = 1e5;
     params.floor.reset();
+    params.contact = 0;
     return params;
 }
 
@@ -41,6 +45,10 @@ struct ImplicitPair {
         gpu.setModel(model, start);
         gpu.setUniforms(solverUniforms(params));
         gpu.masses().setPinned(pinned);
+        ContactSettings contact = contactSettings(params);
+        contact.substep = step.step;
+        contact.substeps = 1;
+        gpu.collisions().setSettings(contact);
         gpu.implicitStepper().setBody(model, params, step, pinned);
     }
     static ImplicitSettings settingsOf(const Params& params, const ImplicitStep& step) {
@@ -90,13 +98,49 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
     }
 }
 
-/// The state of a slit body after some steps.
-BodyState stateAfterSteps(const Params& params) {
-    ImplicitPair pair(test::cutBallModel(-0.03), params, {}, {});
-    for (int i = 0; i < 6; ++i) {
+/// Halves of a ball that meet the floor and, with contact, each other.
+struct FallingHalves {
+    explicit FallingHalves(bool contact)
+        : model(test::cutBallModel(-0.12)),
+          params(onFloor(contact)),
+          pair(model, params, {1.0 / 240, 8}, {}),
+          surfaces(model, params.friction, params.floor, contact) {
+        pair.solver.setContacts(&surfaces);
+        for (std::size_t v = 0; v < pair.state.positions.size(); ++v) {
+            const double towards = pair.state.positions[v].z() > 0.003 ? -0.3 : 0.3;
+            pair.state.velocities[v] = Vec3(0.2, -0.7, towards);
+        }
+        pair.gpu.setState(ImplicitPair::stateOf(pair.state));
+    }
+    static Params onFloor(bool contact) {
+        Params params = firm();
+        params.contact = contact ? 1 : 0;
+        params.floor = -0.102;
+        return params;
+    }
+    void stepKernels() {
+        pair.gpu.measure();  // for the search
         pair.gpu.implicitStepper().run();
     }
-    return pair.gpu.readState();
+
+    BodyModel model;
+    Params params;
+    ImplicitPair pair;
+    SurfaceContacts surfaces;
+};
+
+// Of triangles that are equally near the kernels may take another one.
+TEST_F(ImplicitStepperTest, TouchesLikeTheReference) {
+    for (const bool contact : {false, true}) {
+        FallingHalves halves(contact);
+        int pushing = 0;
+        for (int i = 0; i < 12; ++i) {
+            halves.stepKernels();
+            pushing = std::max(pushing, halves.pair.solver.step(halves.pair.state).pushing);
+            EXPECT_LT(halves.pair.error(), contact ? 1e-4 : 1e-5) << "step " << i;
+        }
+        EXPECT_GT(pushing, contact ? 100 : 5);
+    }
 }
 
 TEST_F(ImplicitStepperTest, BothWaysOfKernelsGiveTheSameBits) {
@@ -106,10 +150,23 @@ TEST_F(ImplicitStepperTest, BothWaysOfKernelsGiveTheSameBits) {
     std::vector<BodyState> states;
     for (const std::string way : {"images", "shared"}) {
         const test::Variable kernels("KERF_KERNELS", way);
-        states.push_back(stateAfterSteps(firm()));
+        FallingHalves halves(true);
+        for (int i = 0; i < 8; ++i) {
+            halves.stepKernels();
+        }
+        states.push_back(halves.pair.gpu.readState());
     }
     EXPECT_EQ(states[0].positions, states[1].positions);
     EXPECT_EQ(states[0].velocities, states[1].velocities);
+}
+
+/// The state of a slit body after some steps.
+BodyState stateAfterSteps(const Params& params) {
+    ImplicitPair pair(test::cutBallModel(-0.03), params, {}, {});
+    for (int i = 0; i < 6; ++i) {
+        pair.gpu.implicitStepper().run();
+    }
+    return pair.gpu.readState();
 }
 
 TEST_F(ImplicitStepperTest, StaysFiniteWithoutStiffness) {

@@ -88,20 +88,12 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
     : model_(model),
       settings_(settings),
       masses_(massesWithout(model, settings.density, pinned)),
-
+      firmness_(contactFirmness(model, settings.moduli, masses_)),
       groups_(groupVertices(model, settings.moduli, settings.aggregateSize)),
       inverse_(invertAtRest(model, settings.moduli, groups_, masses_, scaleOf(settings))),
       preconditioner_(model, groups_, inverse_, masses_),
       steepness_(bendSteepness(model)),
-      matrix_(model) {
-    firmness_.assign(masses_.size(), 0.0);
-    forEachPull(
-        model, settings.moduli, steepness_, restPlaces(model), [&](const ConstraintPull& pull) {
-            for (int k = 0; k < pull.count; ++k) {
-                firmness_[pull.vertices[k]] += pull.stiffness * pull.gradients[k].squaredNorm() / 3;
-            }
-        });
-}
+      matrix_(model) {}
 
 std::vector<double> ImplicitReference::volumes(std::span<const Vec3> positions) const {
     return volumesOf(model_, positions, nullptr);
@@ -508,9 +500,7 @@ ContactRows ImplicitReference::findRows(const ReferenceState& state) {
         double point = 0;
         for (int k = 0; k < row.count; ++k) {
             const std::uint32_t v = row.vertices[k];
-            const double firm = settings_.contactShare * firmness_[v] +
-                                settings_.contactRate * settings_.contactRate * masses_[v];
-            (row.weights[k] > 0 ? point : yielding) += std::fabs(row.weights[k]) * firm;
+            (row.weights[k] > 0 ? point : yielding) += std::fabs(row.weights[k]) * firmness_[v];
         }
         row.stiffness = row.count == 1 ? point : 2 * point * yielding / (point + yielding);
         const auto held = std::ranges::lower_bound(held_, row.memory, {}, &Held::memory);

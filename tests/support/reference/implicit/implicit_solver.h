@@ -20,8 +20,6 @@ struct ImplicitSettings {
     double drag = 1;         ///< [1/s]
     Vec3 gravity{0, -9.81, 0};
     bool holdsVolume = true;
-    double contactShare = 0.05;  ///< stiffness of contacts over that of the vertices
-    double contactRate = 600;    ///< above that it is mass times the square of this [1/s]
 };
 
 /// Those that scene parameters stand for; step and iterations as above.
@@ -72,7 +70,7 @@ class ImplicitReference {
     const BodyModel& model_;
     ImplicitSettings settings_;
     std::vector<double> masses_;
-    std::vector<double> firmness_;  ///< mean of the diagonal of the stiffness at rest [N/m]
+    std::vector<double> firmness_;  ///< contactFirmness()
     VertexGroups groups_;
     RestInverse inverse_;
     Preconditioner preconditioner_;

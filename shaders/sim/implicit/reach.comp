@@ -1,0 +1,232 @@
+// How far pieces that touch each other go along their directions: to where that does most, which
+// Newton's method finds, since the forces of contact have kinks. Then what the contacts push there.
+// With OF_START that is from where a stage begins (start.glsl).
+// Numbers: the slot; not 0: friction's bounds are renewed. One group for each piece, of which the
+// first of those that touch works for all of them. A storage barrier follows.
+#include "sim/numbers.glsl"
+layout(local_size_x = GROUP) in;
+#include "sim/implicit/scalars.glsl"
+#include "sim/implicit/contact_rows.glsl"
+STATE_TEXELS(kDirectionBinding) directions;
+STATE_TEXELS(kPressureBinding) pressures;
+RECORD_QUADS(kRowVerticesUnit) rowVertices;
+RECORD_WORDS(kRowListUnit) rowList;
+layout(std430, binding = kContactForcesBinding) buffer Forces { int sums[]; };
+layout(std430, binding = kReachesBinding) coherent buffer Reaches { vec4 reaches[]; };
+layout(std430, binding = kRelativeBinding) coherent buffer Relatives { vec4 relatives[]; };
+layout(std430, binding = kRowStatesBinding) coherent buffer States { vec4 states[]; };
+#ifdef LOAD_IMAGES  // storage is read lane by lane there
+layout(binding = kRelativeUnit, rgba32f) coherent readonly uniform imageBuffer relativeTexels;
+layout(binding = kRowStatesUnit, rgba32f) coherent readonly uniform imageBuffer stateTexels;
+vec3 relativeAt(uint row) { return imageLoad(relativeTexels, int(row)).xyz; }
+vec4 stateAt(uint at) { return imageLoad(stateTexels, int(at)); }
+#else
+vec3 relativeAt(uint row) { return relatives[row].xyz; }
+vec4 stateAt(uint at) { return states[at]; }
+#endif
+#include "sim/fixed_sums.glsl"
+
+// Of a piece: what is gained along the direction is slope * alpha - curve * alpha^2 / 2, and
+// pressure.x - alpha * pressure.y of dV/dp is left in the residual.
+struct Line {
+    float curve;
+    float slope;
+    vec2 pressure;
+    float missing;   // see Reach
+    float swelling;
+};
+
+#ifdef OF_START
+#include "sim/implicit/start.glsl"
+#else
+Line lineOf(uint index) {
+    ImplicitPiece piece = pieceAt(index);
+    vec4 product = sumOfProducts(piece, numbers.x).first;
+    float pressure = ratio(product.y, knownOf(piece, numbers.x).z);
+    return Line(product.x, product.w, vec2(0.0, pressure), 0.0, 0.0);
+}
+#endif
+
+// Of all pieces that touch this one.
+struct Touching {
+    uint root;
+    uint row_count;
+    float curve;
+    float slope;
+};
+
+// Leaves what a piece has to know later in the place of its reach.
+Touching begin(uint root) {
+    Touching all = Touching(root, 0u, 0.0, 0.0);
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        Line line = lineOf(p);
+        all.curve += line.curve;
+        all.slope += line.slope;
+        all.row_count += pieceAt(p).row_count;
+        if (gl_LocalInvocationID.x == 0u) {
+            reaches[p] = vec4(line.pressure, line.missing, line.swelling);
+        }
+    }
+    return all;
+}
+
+void end(uint root, float alpha) {
+    if (gl_LocalInvocationID.x != 0u) return;
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        vec4 line = reaches[p];
+        reaches[p] = vec4(alpha, line.x - alpha * line.y, line.zw);
+    }
+}
+
+uint rowOf(uint p, uint k) {
+    return fetch(rowList, 2u * kPageSize * pieceAt(p).first_page + k).x;
+}
+
+#ifdef OF_START
+// Along the motion, and by the volume that is missing.
+vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
+    uvec4 others = fetch(rowVertices, row);
+    vec2 own = reaches[p].zw;
+    vec3 pressure = fetch(pressures, row / 2u).xyz;
+    vec3 relative = fetch(directions, row / 2u).xyz + own.y * pressure;
+    swollen = own.x * pressure;
+    if (others.x == kNoPiece) return relative;
+    own = reaches[others.x].zw;
+    for (int k = 1; k < 4; ++k) {
+        pressure = fetch(pressures, others[k]).xyz;
+        relative += weights[k] * (fetch(directions, others[k]).xyz + own.y * pressure);
+        swollen += (weights[k] * own.x) * pressure;
+    }
+    return relative;
+}
+#else
+vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
+    uvec4 others = fetch(rowVertices, row);
+    vec3 relative = fetch(directions, row / 2u).xyz;
+    swollen = vec3(0.0);
+    if (others.x == kNoPiece) return relative;
+    for (int k = 1; k < 4; ++k) {
+        relative += weights[k] * fetch(directions, others[k]).xyz;
+    }
+    return relative;
+}
+#endif
+
+void moveRow(uint row, vec3 normal, vec3 by) {
+    vec4 state = stateAt(2u * row);
+    float opening = dot(normal, by);
+    states[2u * row] = state + vec4(by - opening * normal, opening);
+}
+
+void leaveRelatives(uint root) {
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        uint count = pieceAt(p).row_count;
+        for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
+            uint row = rowOf(p, k);
+            vec3 swollen;
+            vec3 relative = relativeOf(row, p, fetch(rows, 3u * row + 2u), swollen);
+            relatives[row] = vec4(relative, 0.0);
+#ifdef OF_START
+            moveRow(row, fetch(rows, 3u * row).xyz, swollen);
+#endif
+        }
+    }
+}
+
+// First and second derivative of what a contact adds to the energy along the direction.
+vec2 bendOf(uint row, float alpha) {
+    vec3 normal = fetch(rows, 3u * row).xyz;
+    float stiffness = fetch(rows, 3u * row + 1u).w;
+    vec4 state = stateAt(2u * row);
+    float most = stateAt(2u * row + 1u).x;
+    vec3 relative = relativeAt(row);
+    float opening = dot(normal, relative);
+    vec3 across = relative - opening * normal;
+    float push = pushOf(stiffness, state.w + alpha * opening);
+    vec2 bend = vec2(-push * opening, push > 0.0 ? stiffness * opening * opening : 0.0);
+    vec3 slip = state.xyz + alpha * across;
+    float grip = most > 0.0 ? gripOf(stiffness, slip, most) : 0.0;
+    return bend + grip * vec2(dot(slip, across), dot(across, across));
+}
+
+const uint kSearchRows = 64u;
+shared vec2 searched[kSearchRows];
+
+// Over all contacts of the pieces that touch.
+vec2 bendOfAll(uint root, float alpha) {
+    for (uint place = gl_LocalInvocationID.x; place < kSearchRows; place += GROUP) {
+        vec2 sum = vec2(0.0);
+        for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+            uint count = pieceAt(p).row_count;
+            for (uint k = place; k < count; k += kSearchRows) sum += bendOf(rowOf(p, k), alpha);
+        }
+        searched[place] = sum;
+    }
+    barrier();
+    vec2 sum = vec2(0.0);
+    for (uint place = 0u; place < kSearchRows; ++place) sum += searched[place];
+    barrier();
+    return sum;
+}
+
+const uint kMostTurns = 6u;
+const float kSettled = 1e-4;
+
+float search(Touching all) {
+    if (all.row_count == 0u || !(all.curve > 0.0)) return ratio(all.slope, all.curve);
+    float alpha = 0.0;
+    for (uint turn = 0u; turn < kMostTurns; ++turn) {
+        vec2 bend = bendOfAll(all.root, alpha);
+        float by = (all.slope - alpha * all.curve - bend.x) / (all.curve + bend.y);
+        alpha += by;
+        if (abs(by) <= kSettled * abs(alpha)) break;
+    }
+    return alpha;
+}
+
+void addForce(uint v, vec3 force) {
+    addFixed(4u * v, implicit.force_unit, force);
+}
+
+// Goes along the direction, and adds up what it pushes there.
+void pushAt(uint row, float alpha) {
+    ContactRow contact = rowAt(row);
+    vec3 normal = contact.normal.xyz;
+    float stiffness = contact.slip.w;
+    vec3 relative = relativeAt(row);
+    float opening = dot(normal, relative);
+    vec4 state = stateAt(2u * row);
+    state += alpha * vec4(relative - opening * normal, opening);
+    states[2u * row] = state;
+    float push = pushOf(stiffness, state.w);
+    float most = numbers.y != 0u ? implicit.friction * push : stateAt(2u * row + 1u).x;
+    states[2u * row + 1u] = vec4(most, push, 0.0, 0.0);
+    float grip = most > 0.0 ? gripOf(stiffness, state.xyz, most) : 0.0;
+    vec3 force = push * normal - grip * state.xyz;
+    if (force == vec3(0.0)) return;
+    addForce(row / 2u, force);
+    uvec4 others = fetch(rowVertices, row);
+    if (others.x == kNoPiece) return;
+    addForce(others.y, contact.weights.y * force);
+    addForce(others.z, contact.weights.z * force);
+    addForce(others.w, contact.weights.w * force);
+}
+
+void main() {
+    uint root = gl_WorkGroupID.x;
+    if (pieceAt(root).root != root) return;
+    Touching all = begin(root);
+    memoryBarrier();
+    barrier();
+    leaveRelatives(root);
+    memoryBarrier();
+    barrier();
+    float alpha = search(all);
+    end(root, alpha);
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        uint count = pieceAt(p).row_count;
+        for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
+            pushAt(rowOf(p, k), alpha);
+        }
+    }
+}
