@@ -7,6 +7,7 @@
 #include <atomic>
 #include <string_view>
 
+#include "gpu/driver_threads.h"
 #include "gpu/kernel_way.h"
 #include "gpu/limits.h"
 
@@ -71,6 +72,7 @@ void loadFunctions(ProcLoader getProcAddress) {
     if (!lack.empty()) {
         throw ContextError(lack);
     }
+    spreadDriverThreads();
 }
 
 DeviceInfo queryDevice() {
