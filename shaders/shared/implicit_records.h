@@ -1,5 +1,6 @@
 // Records of the implicit solver, std430: see docs/notes/implicit-steps.md.
 #pragma once
+#include "body_records.h"
 #include "constraints.h"
 #include "shared_types.h"
 SHARED_BEGIN
@@ -39,6 +40,12 @@ SHARED_CONST uint kMadePiecesBinding = 7u;       // per piece: ImplicitPiece
 SHARED_CONST uint kMadeListBinding = 8u;         // per piece: its rows
 SHARED_CONST uint kMeetContactBinding = 9u;      // one: ContactUniforms
 SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row: slip [m], push [N]
+SHARED_CONST uint kMeetObstacleBinding = 7u;     // one: BoxUniforms
+SHARED_CONST uint kMeetBoxesUnit = 18u;          // BoxRecord
+SHARED_CONST uint kMeetPieceBoundsUnit = 19u;    // PieceBounds, by words
+SHARED_CONST uint kPullRowsBinding = 3u;         // as kMadeRowsBinding
+SHARED_CONST uint kPullVerticesBinding = 7u;     // as kMadeRowVerticesBinding
+SHARED_CONST uint kDriftUnit = 0u;  // per vertex: the matrix times the way of what is held [N]
 SHARED_CONST uint kContactForcesUnit = 0u;
 SHARED_CONST uint kRelativeUnit = 2u;
 SHARED_CONST uint kReachesUnit = 11u;
@@ -141,12 +148,13 @@ struct ImplicitPiece {
 };
 
 // What a vertex meets in a step: row 2 v an obstacle, 2 v + 1 a triangle. It pushes by stiffness *
-// depth, and holds with the same stiffness across, by friction * push at most. Three texels.
+// depth, and holds with the same stiffness across, by friction * push at most. Behind those of all
+// vertices are pulls, which have no normal and hold in all directions. Three texels.
 struct ContactRow {
     vec4 normal;   // towards the vertex; w: gap where the step begins [m]
     vec4 slip;     // across, what the step before has left held back [m]; w: stiffness [N/m], 0:
                    // nothing is met
-    vec4 weights;  // of the corners, below 0; x: push of the step before [N]
+    vec4 weights;  // of the corners, below 0; x: push of the step before [N], of a pull the piece
 };
 // What a row is like where the iterations are. Two texels.
 struct RowState {
@@ -161,9 +169,14 @@ struct Reach {
     float missing;   // brings the volume back
     float swelling;  // keeps it along the direction
 };
+SHARED_CONST uint kRowsOfPage = 3u * kPageSize;  // at most
+// What leads is as stiff as this multiple of mass / s^2.
+SHARED_CONST float kLeadStrength = 4.0f;
 // Contacts are as stiff as this share of their vertices, and the square of the rate times mass.
 SHARED_CONST float kContactShare = 0.05f;
 SHARED_CONST float kContactRate = 600.0f;  // [1/s]
+// In a step, of a depth that no push has made.
+SHARED_CONST float kLetOut = 0.1f;
 
 // Sums that kernels leave in slots: one of the pressure, one of where a stage begins, and one of
 // each iteration.

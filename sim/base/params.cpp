@@ -17,7 +17,7 @@ using Member =
                  SolverMode Params::*, CutSearch Params::*>;
 
 // In the order of the enumerators.
-constexpr std::array<std::string_view, 2> kSolverModes{"small_steps", "pbd"};
+constexpr std::array<std::string_view, 3> kSolverModes{"small_steps", "pbd", "implicit"};
 constexpr std::array<std::string_view, 3> kCutSearches{"tree", "adjacency", "all"};
 
 struct Row {
@@ -211,8 +211,9 @@ const std::array kRows = {
         &Params::cutSearch},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
-         "factors, which lose volume.",
-         ParamType::choice, 0, 1, false, kSolverModes},
+         "factors, which lose volume; implicit: large steps, which do not know hands, boxes nor a "
+         "pushing blade yet.",
+         ParamType::choice, 0, 2, false, kSolverModes},
         &Params::solver},
 };
 

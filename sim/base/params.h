@@ -16,6 +16,7 @@ namespace kerf {
 enum class SolverMode {
     smallSteps,  ///< XPBD, one sweep per substep (Macklin et al. 2019): stiffness in pascals
     pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
+    implicit,    ///< large implicit steps: see ImplicitStepper
 };
 
 /// The parameters of a single model of a scene; those without a value are those of all models.
@@ -88,6 +89,8 @@ struct SceneParams : BladeParams, TearParams {
 /// Everything that a person can tune. paramTable() has names, ranges and meanings.
 struct Params : SceneParams {
     std::vector<OwnMaterial> models = {};  ///< of models 1, 2, ...; those behind have none
+    /// Of how many implicit steps the coming time step is made; chosen by the run, no parameter.
+    int implicitSteps = 1;
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>

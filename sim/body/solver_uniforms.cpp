@@ -44,7 +44,7 @@ uint activeParts(const Params& params) {
     parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
     // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
-    parts |= params.solver == SolverMode::smallSteps ? shared::kPullAsBeforePart : 0u;
+    parts |= params.solver != SolverMode::pbd ? shared::kPullAsBeforePart : 0u;
     parts |= hasTrueModulus(params) ? shared::kTrueModulusPart : 0u;
     return parts;
 }
@@ -52,7 +52,8 @@ uint activeParts(const Params& params) {
 }  // namespace
 
 bool hasTrueModulus(const Params& params) {
-    return params.solver == SolverMode::smallSteps && params.trueModulus != 0;
+    return params.solver == SolverMode::implicit ||
+           (params.solver == SolverMode::smallSteps && params.trueModulus != 0);
 }
 
 namespace {
@@ -91,7 +92,7 @@ IspcRays ispcRays(const Params& params) {
 }
 
 bool holdsVolume(const Params& params) {
-    return params.solver == SolverMode::smallSteps && params.ispcStiffness > 0;
+    return params.solver != SolverMode::pbd && params.ispcStiffness > 0;
 }
 
 bool keepsShape(const Params& params) {
@@ -134,8 +135,8 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
     return u;
 }
 
-shared::SolverUniforms smallStepUniforms(const Params& params) {
-    const int substeps = numberOfIterations(params);
+/// Of `substeps` of a sweep each, or as many implicit steps.
+shared::SolverUniforms materialUniforms(const Params& params, int substeps) {
     const double h = params.timeStep / substeps;
     shared::SolverUniforms u = commonUniforms(params, h);
     u.substeps = static_cast<uint>(substeps);
@@ -165,11 +166,21 @@ shared::SolverUniforms pbdUniforms(const Params& params) {
 }  // namespace
 
 int numberOfIterations(const Params& params) {
-    return params.iterations == kAutoIterations ? Params{}.iterations : params.iterations;
+    constexpr int kOfImplicitStage = 8;
+    const int usual =
+        params.solver == SolverMode::implicit ? kOfImplicitStage : Params{}.iterations;
+    return params.iterations == kAutoIterations ? usual : params.iterations;
 }
 
 shared::SolverUniforms solverUniforms(const Params& params) {
-    return params.solver == SolverMode::pbd ? pbdUniforms(params) : smallStepUniforms(params);
+    switch (params.solver) {
+        case SolverMode::pbd:
+            return pbdUniforms(params);
+        case SolverMode::implicit:
+            return materialUniforms(params, params.implicitSteps);
+        default:
+            return materialUniforms(params, numberOfIterations(params));
+    }
 }
 
 void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {

@@ -112,7 +112,10 @@ void Simulation::State::applyParameters() {
     }
     const bool hasBoxes = !input.boxes.empty();
     const int iterations = body.iterationsFor(input.params, hasBoxes);
-    if (std::exchange(input.iterations, iterations) != iterations || changed) {
+    const int steps = body.implicitStepsFor(input.params, hasBoxes);
+    const bool sameIterations = std::exchange(input.iterations, iterations) == iterations;
+    const bool sameSteps = std::exchange(input.implicitSteps, steps) == steps;
+    if (!sameIterations || !sameSteps || changed) {
         body.applyToSolver(input.solved());
     }
 }
@@ -124,7 +127,7 @@ bool Simulation::State::sleeps() const {
 }
 
 void Simulation::State::solve() {
-    body.prepareStep(input.params);
+    body.prepareStep(input.solved());
     const bool keepsApart = body.keepsTrianglesApart(input.params);
     const std::vector<Vec3> before = keepsApart ? body.mesh().positions() : std::vector<Vec3>();
     moveBody();

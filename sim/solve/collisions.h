@@ -64,6 +64,8 @@ class Collisions {
     /// The bounds of positions and velocities [m, m/s] at the start of the coming step, for
     /// possible contacts; an empty box of velocities: all at rest. They give the speed of `motion`.
     void expect(const Bounds& positions, const Bounds& velocities, RelativeMotion motion = {});
+    /// No two vertices differed by more in velocity then [m/s].
+    double relativeSpeed() const { return motion_.speed; }
     /// Whether the skin was folded then.
     bool expectsFolds() const { return motion_.folded; }
 

@@ -50,6 +50,7 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
     }
     switch (portion - static_cast<int>(2 * kConstraintTypes)) {
         case 0:
+            prepared_.reset();
             body_.model.takeVertices(model);
             masses_.freeAll();
             return body_.pieces.setPages(std::move(pages));
@@ -74,9 +75,21 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
     }
 }
 
-ImplicitStepper& GpuSolver::implicitStepper() {
-    masses_.refresh();
-    return implicit_ ? *implicit_ : implicit_.emplace(body_, collisions_);
+void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
+                               const ImplicitStep& step, std::vector<uint> pinned) {
+    if (!implicit_) {
+        implicit_.emplace(body_, collisions_);
+    }
+    Prepared wanted{params, step.prepared, std::move(pinned)};
+    wanted.params.iterations = 0;  // which the body does not depend on
+    if (prepared_ != wanted) {
+        prepared_.reset();
+        implicit_->setBody(model, params, step, wanted.pinned);
+        prepared_ = std::move(wanted);
+    } else {
+        implicit_->setStep(params, step);
+    }
+    stepper_.stepImplicitly(&*implicit_);
 }
 
 void GpuSolver::makeRoom(const BodyModel& model) {
@@ -86,6 +99,7 @@ void GpuSolver::makeRoom(const BodyModel& model) {
 
 void GpuSolver::update(const BodyModel& model, const BodyChange& change,
                        std::span<const uint> written, const BodyState& state) {
+    prepared_.reset();
     body_.pieces.updatePages(change.pieces.moves, model);
     body_.pieces.upload(model, body_.scatter);
     pausePoint();
@@ -101,6 +115,7 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
 }
 
 void GpuSolver::takeMaterials(const BodyModel& model) {
+    prepared_.reset();
     body_.pieces.upload(model, body_.scatter);
     body_.model.uploadConstraints(model);
     stepper_.setBody(model, false);
@@ -122,7 +137,7 @@ std::vector<Vec3f> GpuSolver::readDisplacements() const {
 
 void GpuSolver::step() {
     masses_.refresh();
-    stepper_.step();
+    stepper_.step(masses_.takeCarries());
 }
 
 void GpuSolver::predictAndStretch() {

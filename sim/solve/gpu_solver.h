@@ -84,7 +84,15 @@ class GpuSolver {
     /// The vertices that hands hold in the coming steps; each at most once.
     void setPulls(const std::vector<shared::PullRecord>& pulls) { body_.setPulls(pulls); }
 
-    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps.
+    /// Makes the coming time steps of implicit ones, prepared for this body, these parameters and
+    /// pinned vertices if any of them has changed. The first call compiles their kernels. Throws
+    /// gpu::ShaderError, gpu::OutOfMemory.
+    void stepImplicitly(const BodyModel& model, const Params& params, const ImplicitStep& step,
+                        std::vector<std::uint32_t> pinned);
+    /// Makes the coming time steps of substeps again, the default.
+    void stepBySubsteps() { stepper_.stepImplicitly(nullptr); }
+    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps, or as many implicit
+    /// steps.
     void step();
     /// The phases of a substep, the first with fresh masses.
     void predictAndStretch();
@@ -98,9 +106,6 @@ class GpuSolver {
     VertexMasses& masses() { return masses_; }
     Collisions& collisions() { return collisions_; }
     const Collisions& collisions() const { return collisions_; }
-    /// Steps of another kind, which take what they need by ImplicitStepper::setBody(). The first
-    /// call compiles their kernels: throws gpu::ShaderError.
-    ImplicitStepper& implicitStepper();
     TimeStepper& stepper() { return stepper_; }
     const TimeStepper& stepper() const { return stepper_; }
     BodyMeasurer& measurer() { return measurer_; }
@@ -121,6 +126,14 @@ class GpuSolver {
     Collisions collisions_{body_};
     TimeStepper stepper_{body_, collisions_};
     std::optional<ImplicitStepper> implicit_;
+    /// For what the implicit steps were prepared; none: for nothing that is there now.
+    struct Prepared {
+        Params params;
+        double step = 0;  ///< ImplicitStep::prepared
+        std::vector<std::uint32_t> pinned;
+        bool operator==(const Prepared&) const = default;
+    };
+    std::optional<Prepared> prepared_;
     BodyMeasurer measurer_{body_, collisions_};
     SavedPieces savedPieces_{body_};
 };

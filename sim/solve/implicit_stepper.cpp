@@ -1,10 +1,13 @@
 #include "sim/solve/implicit_stepper.h"
 
+#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "shaders/shared/bindings.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
+#include "sim/solve/implicit/step_choice.h"
 
 namespace kerf {
 
@@ -57,10 +60,13 @@ ImplicitStepper::MatrixKernels::MatrixKernels(const SolverBody& body)
       volume(body.compile("volume_gradient", body.groupsOfSums())) {}
 
 ImplicitStepper::ContactKernels::ContactKernels(const SolverBody& body)
-    : meet(body.compile("implicit/meet")),
+    : meet{body.compile("implicit/meet"), body.compile("implicit/meet", {{"MEETS_BOXES", "1"}})},
+      pulls(body.compile("implicit/pulls")),
       rows(compileGroups(body, "rows")),
       startReach(compileGroups(body, "reach", {{"OF_START", "1"}})),
-      reach(compileGroups(body, "reach")) {}
+      reach(compileGroups(body, "reach")),
+      hold(body.compile("implicit/hold")),
+      carry(body.compile("implicit/hold", {{"CARRIES", "1"}})) {}
 
 ImplicitStepper::PressureKernels::PressureKernels(const SolverBody& body)
     : patches(compileGroups(body, "patches", {{"OF_PRESSURE", "1"}})),
@@ -77,6 +83,16 @@ ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
       leave(compileGroups(body, "leave")),
       end(compileGroups(body, "end")) {}
 
+ImplicitStep ImplicitStep::of(const Params& params, std::size_t vertexCount, double longest) {
+    constexpr std::size_t kMany = 5000;  // whose coarse inverse would be larger than the matrix
+    ImplicitStep step;
+    step.step = params.timeStep / params.implicitSteps;
+    step.prepared = params.timeStep / stepsWithin(params.timeStep, longest);
+    step.iterations = numberOfIterations(params);
+    step.aggregateSize = vertexCount > kMany ? 120 : 60;
+    return step;
+}
+
 ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
     : body_(body),
       collisions_(collisions),
@@ -87,12 +103,11 @@ ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
 
 void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
                               const ImplicitStep& step, std::span<const uint> pinned) {
-    uniforms_ = implicitUniforms(params, step.step);
     const TypeModuli moduli = typeModuli(params);
     const VertexGroups groups = groupVertices(model, moduli, step.aggregateSize);
     const std::vector<double> masses = massesWithout(model, params.density, pinned);
     const RestInverse inverse =
-        invertAtRest(model, moduli, groups, masses, stageScale(step.step, params.damping));
+        invertAtRest(model, moduli, groups, masses, stageScale(step.prepared, params.damping));
     std::vector<std::vector<uint>> pages;
     for (std::size_t piece = 0; piece < model.pieces.size(); ++piece) {
         pages.push_back(body_.pieces.pages().pagesOf(piece));
@@ -101,10 +116,7 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     own_.inverse.assign(model, groups, inverse, pages);
     own_.contact.assign(model, contactFirmness(model, moduli, masses), own_.matrix.pageCount);
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
-    iterations_ = static_cast<uint>(step.iterations);
     own_.vectors.makeRoom(model.restPositions.size());
-    own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
-                           own_.inverse.aggregateCount);
     uniforms_.vertex_count = size32(model.restPositions.size());
     uniforms_.block_count = own_.matrix.blockCount;
     uniforms_.patch_count = own_.inverse.patchCount;
@@ -113,6 +125,23 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     uniforms_.piece_count = size32(model.pieces.size());
     uniforms_.reach = static_cast<float>(kFloorReach * model.diagonal);
     uniforms_.force_unit = own_.contact.forceUnit;
+    setStep(params, step);
+}
+
+void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
+    iterations_ = static_cast<uint>(step.iterations);
+    own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
+                           own_.inverse.aggregateCount);
+    shared::ImplicitUniforms of = implicitUniforms(params, step.step);
+    of.vertex_count = uniforms_.vertex_count;
+    of.block_count = uniforms_.block_count;
+    of.patch_count = uniforms_.patch_count;
+    of.aggregate_count = uniforms_.aggregate_count;
+    of.page_count = uniforms_.page_count;
+    of.piece_count = uniforms_.piece_count;
+    of.reach = uniforms_.reach;
+    of.force_unit = uniforms_.force_unit;
+    uniforms_ = of;
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 
@@ -166,20 +195,53 @@ void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint sl
     ++body_.dispatches;
 }
 
-void ImplicitStepper::run() {
-    collisions_.beginStep(nullptr);
-    if (collisions_.searchesBefore(0)) {
-        collisions_.search();
-    }
+void ImplicitStepper::run(bool heldMove) {
     meet();
     linearise();
     answerPressure();
+    driftBy(heldMove);
     solveStage(false);
     solveStage(true);
     bindVectors();
     body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
     own_.contact.keptSlips.bindStorage(shared::kKeptSlipsBinding);
     runGroups(stage_.end, own_.inverse.aggregateCount, shared::kFirstSlot + iterations_ + 1);
+    if (heldMove) {
+        body_.run(contact_.carry, uniforms_.vertex_count);
+    }
+}
+
+/// What the motion of held vertices does to the others.
+void ImplicitStepper::driftBy(bool heldMove) {
+    if (heldMove) {
+        bindVectors();
+        body_.run(contact_.hold, uniforms_.vertex_count);
+        own_.vectors.drift.bindStorage(shared::kImageBinding);
+        runGroups(press_.product, own_.matrix.pageCount, shared::kStartSlot);
+    } else if (drifts_) {
+        own_.vectors.drift.clear();
+    }
+    drifts_ = heldMove;
+}
+
+/// What hands, forces and bonds do in a stage that ends then.
+void ImplicitStepper::pull(double stageEnd, bool begins) {
+    const uint count = body_.uniforms.pull_count;
+    if (count == 0) {
+        return;
+    }
+    body_.bind();
+    uniformBuffer_.bindStorage(shared::kImplicitBinding);
+    body_.pulls.bindStorage(shared::kPullsBinding);
+    own_.contact.parents.bindStorage(shared::kParentsBinding);
+    own_.contact.states.bindStorage(shared::kRowStatesBinding);
+    own_.contact.rows.bindStorage(shared::kPullRowsBinding);
+    own_.contact.rowVertices.bindStorage(shared::kPullVerticesBinding);
+    own_.vectors.force.bindStorage(shared::kForceBinding);
+    contact_.pulls.setNumbers({2 * uniforms_.vertex_count, count,
+                               std::bit_cast<uint>(static_cast<float>(stageEnd)),
+                               begins ? 1U : 0U});
+    body_.run(contact_.pulls, count);
 }
 
 /// Which contacts there may be in the step, and which pieces they join.
@@ -198,8 +260,17 @@ void ImplicitStepper::meet() {
     own_.contact.rowVertices.bindStorage(shared::kMadeRowVerticesBinding);
     body_.bindFetched(own_.contact.firmness, shared::kFirmnessUnit, TexelFormat::uint32);
     body_.bindFetched(own_.contact.keptSlips, shared::kKeptSlipsUnit, TexelFormat::float32x4);
-    contact_.meet.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
-    body_.run(contact_.meet, uniforms_.vertex_count);
+    const ObstacleContact& boxes = collisions_.boxes();
+    if (boxes.mayTouch()) {
+        boxes.bindAnswers({shared::kMeetObstacleBinding, shared::kMadeListBinding,
+                           shared::kMeetBoxesUnit, shared::kMeetPieceBoundsUnit},
+                          body_.way);
+    }
+    const gpu::Program& kernel = contact_.meet[boxes.mayTouch() ? 1 : 0];
+    kernel.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
+    body_.run(kernel, uniforms_.vertex_count);
+    own_.contact.makeRows(2 * uniforms_.vertex_count + body_.uniforms.pull_count);
+    pull(uniforms_.step, true);
 
     own_.inverse.pieces.bindStorage(shared::kMadePiecesBinding);
     own_.contact.list.bindStorage(shared::kMadeListBinding);
@@ -207,7 +278,8 @@ void ImplicitStepper::meet() {
     body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
     body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, TexelFormat::uint32x2);
-    runGroups(contact_.rows, uniforms_.piece_count, 0);
+    runGroups(contact_.rows, uniforms_.piece_count, 2 * uniforms_.vertex_count,
+              body_.uniforms.pull_count);
 }
 
 /// What the iterations of a stage have of contact, besides vectors.
@@ -289,7 +361,9 @@ void ImplicitStepper::answerPressure() {
 void ImplicitStepper::solveStage(bool second) {
     const uint aggregates = own_.inverse.aggregateCount;
     const uint left = shared::kFirstSlot + iterations_ + 1;
+    pull(second ? uniforms_.step : uniforms_.stage, false);
     bindVectors();
+    body_.bindFetched(own_.vectors.drift, shared::kDriftUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
     own_.contact.states.bindStorage(shared::kRowStatesBinding);

@@ -15,6 +15,10 @@ struct ImplicitStep {
     double step = 1.0 / 240;         ///< [s]
     int iterations = 4;              ///< of conjugate gradients, per stage
     std::size_t aggregateSize = 60;  ///< see groupVertices()
+    double prepared = step;          ///< for which parts are inverted; good for shorter steps [s]
+
+    /// As the parameters say, of a body whose longestStep() this is.
+    static ImplicitStep of(const Params& params, std::size_t vertexCount, double longest);
 };
 
 /// Time steps of two linearly implicit stages each: ImplicitReference in floats, in the same order,
@@ -24,12 +28,15 @@ class ImplicitStepper {
     /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
     ImplicitStepper(SolverBody& body, Collisions& collisions);
 
-    /// Takes a body and its parameters, from which the steps are prepared; anew after steps of
-    /// another kind. Throws gpu::OutOfMemory.
+    /// Takes a body and its parameters, from which the steps are prepared; anew whenever either or
+    /// the pins change, and after steps of another kind. Throws gpu::OutOfMemory.
     void setBody(const BodyModel& model, const Params& params, const ImplicitStep& step,
                  std::span<const std::uint32_t> pinned);
-    /// Does one step. Masses must be fresh.
-    void run();
+    /// Changes length and iterations of the coming steps, of what was taken with these parameters.
+    void setStep(const Params& params, const ImplicitStep& step);
+    /// Does one step. Masses must be fresh, and contacts searched for. `heldMove`: whether any
+    /// vertex without a mass has a velocity, with which it is moved.
+    void run(bool heldMove = false);
 
   private:
     void bindVectors() const;
@@ -37,6 +44,8 @@ class ImplicitStepper {
     void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
                    std::uint32_t left = 0);
     void meet();
+    void pull(double stageEnd, bool begins);
+    void driftBy(bool heldMove);
     void bindContacts() const;
     void linearise();
     void makeFactors(std::uint32_t type);
@@ -49,6 +58,7 @@ class ImplicitStepper {
     shared::ImplicitUniforms uniforms_{};
     gpu::Buffer uniformBuffer_;
     std::uint32_t iterations_ = 0;
+    bool drifts_ = true;  ///< the drift may not be zero
     /// Of where a step begins.
     struct MatrixKernels {
         explicit MatrixKernels(const SolverBody& body);
@@ -57,7 +67,8 @@ class ImplicitStepper {
     } make_;
     struct ContactKernels {
         explicit ContactKernels(const SolverBody& body);
-        gpu::Program meet, rows, startReach, reach;
+        std::array<gpu::Program, 2> meet;  ///< the second one beside boxes
+        gpu::Program pulls, rows, startReach, reach, hold, carry;
     } contact_;
     struct PressureKernels {
         explicit PressureKernels(const SolverBody& body);

@@ -229,7 +229,7 @@ double SweepStrength::leastError(const Params& params) const {
 
 int SweepStrength::iterationsFor(const Params& params, double speed) const {
     if (params.solver != SolverMode::smallSteps) {
-        return Params{}.iterations;
+        return numberOfIterations(params);
     }
     const int most = mostIterations();
     Params tried = params;

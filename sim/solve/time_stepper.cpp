@@ -26,20 +26,22 @@ void TimeStepper::setBody(const BodyModel& model, bool isNew) {
     sweepsFaster_ = isNew ? FasterWay() : sweepsFaster_;
 }
 
-void TimeStepper::step() {
+void TimeStepper::step(bool heldMove) {
     unfolds_ = unfolds();
     const gpu::Buffer* folds = unfolds_ ? &unfolding_.folds() : nullptr;
     collisions_.beginStep(folds);
     phases_.setFolds(folds);
     smallBody_.setFolds(folds);
-    solve();
+    solve(heldMove);
     if (collisions_.followsThePaper()) {
         timed(collideTimer_, [&] { collisions_.respondAsThePaper(); });
     }
 }
 
-void TimeStepper::solve() {
-    if (sweepsInOneGroup() && smallBody_.large()) {
+void TimeStepper::solve(bool heldMove) {
+    if (implicit_ != nullptr) {
+        stepImplicitly(heldMove);
+    } else if (sweepsInOneGroup() && smallBody_.large()) {
         stepTheFasterWay();
     } else if (sweepsInOneGroup()) {
         stepBySweeps();
@@ -128,6 +130,13 @@ void TimeStepper::holdVolumeAndCollide(uint substep, bool last) {
             phases_.collideFloor();
         }
     });
+}
+
+void TimeStepper::stepImplicitly(bool heldMove) {
+    for (uint i = 0; i < body_.uniforms.substeps; ++i) {
+        searchBefore(i);
+        timed(deformTimer_, [&] { implicit_->run(heldMove); });
+    }
 }
 
 void TimeStepper::stepAtOnce() {

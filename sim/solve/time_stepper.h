@@ -8,6 +8,7 @@
 
 #include "gpu/timer.h"
 #include "sim/solve/collisions.h"
+#include "sim/solve/implicit_stepper.h"
 #include "sim/solve/small_body.h"
 #include "sim/solve/solver_body.h"
 #include "sim/solve/substep_phases.h"
@@ -62,8 +63,12 @@ class TimeStepper {
     /// A body that is new or changed.
     void setBody(const BodyModel& model, bool isNew);
 
-    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps. Masses must be fresh.
-    void step();
+    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps, or as many implicit
+    /// steps. Masses must be fresh. `heldMove`: whether any vertex without one has a velocity.
+    void step(bool heldMove);
+    /// Makes the coming time steps of implicit ones; null: of substeps, the default. It must
+    /// outlive them.
+    void stepImplicitly(ImplicitStepper* implicit) { implicit_ = implicit; }
     /// Whether small bodies may be solved by one work group (the default), or in a dispatch for
     /// each phase like larger ones.
     void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
@@ -92,7 +97,7 @@ class TimeStepper {
     double takeCollideMilliseconds() { return collideTimer_.takeMilliseconds(); }
 
   private:
-    void solve();
+    void solve(bool heldMove);
     void stepByPhases();
     void stepBySweeps();
     void stepTheFasterWay();
@@ -105,6 +110,7 @@ class TimeStepper {
     /// `afterPhases`: of the substep before.
     void unfoldBefore(bool afterPhases);
     bool searchBefore(std::uint32_t substep);
+    void stepImplicitly(bool heldMove);
     template <class Run>
     void runSmallBody(const Run& run);
 
@@ -114,6 +120,7 @@ class TimeStepper {
     SmallBodySolver smallBody_;
     FasterWay sweepsFaster_;  ///< 0: in one group, 1: by phases
     Unfolding unfolding_;
+    ImplicitStepper* implicit_ = nullptr;
     bool unfolds_ = false;  ///< in this step
     bool oneGroupAllowed_ = true;
     bool settlingAllowed_ = true;

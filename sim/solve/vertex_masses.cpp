@@ -50,6 +50,7 @@ void VertexMasses::anchor(int vertex, const Vec3f& velocity) {
     if (isPinned(vertex)) {
         return;
     }
+    carries_ = true;
     setInverse(vertex, 0.0f);
     const shared::vec4 value = packed(velocity, 0.0f);
     body_.state.velocities.write(vertex, std::span<const shared::vec4>(&value, 1));
@@ -71,6 +72,7 @@ void VertexMasses::release(int vertex) {
 
 void VertexMasses::carry(std::span<const uint> vertices, std::span<const Vec3f> velocities) {
     assert(velocities.size() == vertices.size());
+    carries_ = true;
     refresh();
     body_.scatter.write<shared::vec4>(body_.state.velocities, body_.model.areas.size(), vertices,
                                       Scatter::Gaps::keep, [&](uint v) {

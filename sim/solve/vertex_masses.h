@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gpu/program.h"
@@ -36,6 +37,8 @@ class VertexMasses {
                    std::span<const Vec3f> velocities);
     /// Sets the fixed vertices, ascending, from the next refresh() on.
     void setPinned(std::vector<std::uint32_t> vertices);
+    /// Whether any velocity was prescribed since the last call.
+    bool takeCarries() { return std::exchange(carries_, false); }
     /// Unpins all vertices: of a new body, whose masses are computed later.
     void freeAll() { pinned_.clear(); }
 
@@ -50,6 +53,7 @@ class VertexMasses {
     gpu::Program kernel_;
     std::vector<std::uint32_t> pinned_;  ///< ascending
     bool stale_ = false;
+    bool carries_ = false;
 };
 
 }  // namespace kerf

@@ -85,8 +85,9 @@ void beginStepOf(const Case& wanted) {
         solver.collisions().setBoxes(boxes);
         solver.step();
     }
-    solver.implicitStepper().setBody(buildBodyModel(wanted.mesh), wanted.params, {}, {});
-    solver.implicitStepper().run();
+    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, {}, {});
+    solver.step();
+    solver.stepBySubsteps();
     if (wanted.params.paperContact != 0) {
         solver.collisions().respondAsThePaper();
     }

@@ -1,5 +1,5 @@
 // Begins a stage: where the body would be without forces, and the forces that it starts with:
-//   p = from + s speed - X,  r = M (p / s^2 + g) + F
+//   p = from + s speed - X,  r = M (p / s^2 + g) + F - A (way of what is held)
 // The first stage goes from X at the speed of the body; the second, with OF_SECOND, from where the
 // first one's speed leads in the rest of the step, at a speed that its acceleration leads to.
 // Contacts begin where the step does, with friction by the push of the stage before.
@@ -12,6 +12,7 @@ STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kVelocitiesBinding) velocities;
 STATE_TEXELS(kForceBinding) force;
 STATE_TEXELS(kWayBinding) ways;
+STATE_TEXELS(kDriftUnit) drift;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
 #include "sim/implicit/contact_rows.glsl"
@@ -24,6 +25,7 @@ layout(std430, binding = kRowStatesBinding) writeonly buffer States { vec4 newSt
 #ifdef OF_SECOND
 #include "sim/implicit/balance.glsl"
 vec3 shift;
+float done = 1.0;  // of the step, when the stage ends
 void prepare(uint piece) { shift = balancingShift(piece, numbers.x); }
 
 float lastPush(uint row, ContactRow contact) { return fetch(states, 2u * row + 1u).y; }
@@ -36,6 +38,7 @@ vec3 freeWay(uint v) {
     return implicit.rest * speed + implicit.stage * now;
 }
 #else
+float done = implicit.stage / implicit.step;
 void prepare(uint piece) {}
 float lastPush(uint row, ContactRow contact) { return contact.weights.x; }
 vec3 freeWay(uint v) { return implicit.stage * fetch(velocities, v).xyz; }
@@ -59,7 +62,8 @@ void main() {
         bool held = !(inverseUnitMass > 0.0);
         vec3 way = held ? vec3(0.0) : freeWay(v);
         float mass = held ? 0.0 : massOf(inverseUnitMass);
-        vec3 forces = mass * (implicit.inertia * way + implicit.gravity.xyz) + fetch(force, v).xyz;
+        vec3 forces = mass * (implicit.inertia * way + implicit.gravity.xyz) + fetch(force, v).xyz -
+            done * fetch(drift, v).xyz;
         newDirections[v] = vec4(way, 0.0);
         newResiduals[v] = vec4(held ? vec3(0.0) : forces, 0.0);
         beginRow(2u * v);

@@ -34,9 +34,7 @@ layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSum
 const uint kParts = 4u;  // of a row, each every fourth aggregate
 const uint kSumGroups = 8u;
 shared float parts[kAggregateModes * kParts];
-// AnswerSums, first texel: a vertex has none of the second. Then the last of its sums.
-shared vec4 products[kMostMembers];
-shared float lasts[kMostMembers];
+shared float ownModes[kAggregateModes];
 shared vec4 productRows[kSumGroups];
 shared float lastRows[kSumGroups];
 
@@ -60,20 +58,87 @@ float modeOf(uint row) {
 // Along an axis.
 vec4 modesOf(uint axis) {
     uint row = 4u * axis;
-    return vec4(modeOf(row), modeOf(row + 1u), modeOf(row + 2u), modeOf(row + 3u));
+    return vec4(ownModes[row], ownModes[row + 1u], ownModes[row + 2u], ownModes[row + 3u]);
 }
 
-void leaveSums(uint count) {
+// How an aggregate moves.
+struct Motion {
+    vec4 x, y, z;  // by the modes along an axis
+    vec4 turn;
+};
+
+// AnswerSums of a vertex: the first texel, then the last of its sums.
+struct Products {
+    vec4 first;
+    float last;
+};
+
+// Adds the motion of the aggregate to the answer of a member.
+Products finish(uint member, Motion motion) {
+    uint v = fetch(members, member).x;
+    vec4 shares = vec4(1.0, fetch(memberShares, member).xyz);
+    vec3 moved = rotated(motion.turn, vec3(dot(motion.x, shares), dot(motion.y, shares),
+                                           dot(motion.z, shares)));
+    bool held = !(fetch(positions, v).w > 0.0);
+    vec3 answer = held ? vec3(0.0) : fetch(answers, v).xyz + moved;
+    newAnswers[v] = vec4(answer, 0.0);
+    mat2x3 left = leftAt(v);
+    vec3 pressure = pressureAt(v);
+    return Products(vec4(dot(left[0], answer), dot(fetch(gradients, v).xyz, answer),
+                         dot(left[1], answer), dot(left[0], pressure)),
+                    dot(left[1], pressure));
+}
+
+#ifdef LOAD_IMAGES  // groups of as many threads as rows of sums
+void finishAll(uvec4 own, Motion motion) {
+    Products sums = Products(vec4(0.0), 0.0);
+    for (uint k = own.x + gl_LocalInvocationID.x; k < own.y; k += GROUP) {
+        Products products = finish(k, motion);
+        sums.first += products.first;
+        sums.last += products.last;
+    }
+    productRows[gl_LocalInvocationID.x] = sums.first;
+    lastRows[gl_LocalInvocationID.x] = sums.last;
+}
+#else
+shared vec4 firsts[kMostMembers];
+shared float lasts[kMostMembers];
+
+void finishAll(uvec4 own, Motion motion) {
+    uint count = own.y - own.x;
+    for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
+        Products products = finish(own.x + k, motion);
+        firsts[k] = products.first;
+        lasts[k] = products.last;
+    }
+    barrier();
     for (uint row = gl_LocalInvocationID.x; row < kSumGroups; row += GROUP) {
         vec4 sum = vec4(0.0);
         float last = 0.0;
         for (uint k = row; k < count; k += kSumGroups) {
-            sum += products[k];
+            sum += firsts[k];
             last += lasts[k];
         }
         productRows[row] = sum;
         lastRows[row] = last;
     }
+}
+#endif
+
+void main() {
+    uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
+    ImplicitPiece piece = pieceAt(own.z);
+    uvec2 all = uvec2(piece.first_aggregate, piece.aggregate_count);
+    for (uint task = gl_LocalInvocationID.x; task < kAggregateModes * kParts; task += GROUP) {
+        parts[task] = partOf(task / kParts, task % kParts, all, own.w);
+    }
+    barrier();
+    for (uint row = gl_LocalInvocationID.x; row < kAggregateModes; row += GROUP) {
+        ownModes[row] = modeOf(row);
+    }
+    barrier();
+    vec4 turn = fetch(turns, implicit.patch_count + gl_WorkGroupID.x);
+    finishAll(own, Motion(modesOf(0u), modesOf(1u), modesOf(2u), turn));
     barrier();
     if (gl_LocalInvocationID.x == 0u) {
         vec4 sum = vec4(0.0);
@@ -86,34 +151,4 @@ void leaveSums(uint count) {
         newSums[at] = sum;
         newSums[at + 1u] = vec4(last, 0.0, 0.0, 0.0);
     }
-}
-
-void main() {
-    uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
-    ImplicitPiece piece = pieceAt(own.z);
-    uvec2 all = uvec2(piece.first_aggregate, piece.aggregate_count);
-    for (uint task = gl_LocalInvocationID.x; task < kAggregateModes * kParts; task += GROUP) {
-        parts[task] = partOf(task / kParts, task % kParts, all, own.w);
-    }
-    barrier();
-    vec4 x = modesOf(0u);
-    vec4 y = modesOf(1u);
-    vec4 z = modesOf(2u);
-    vec4 turn = fetch(turns, implicit.patch_count + gl_WorkGroupID.x);
-    uint count = own.y - own.x;
-    for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
-        uint v = fetch(members, own.x + k).x;
-        vec4 shares = vec4(1.0, fetch(memberShares, own.x + k).xyz);
-        vec3 moved = rotated(turn, vec3(dot(x, shares), dot(y, shares), dot(z, shares)));
-        bool held = !(fetch(positions, v).w > 0.0);
-        vec3 answer = held ? vec3(0.0) : fetch(answers, v).xyz + moved;
-        newAnswers[v] = vec4(answer, 0.0);
-        mat2x3 left = leftAt(v);
-        vec3 pressure = pressureAt(v);
-        products[k] = vec4(dot(left[0], answer), dot(fetch(gradients, v).xyz, answer),
-                           dot(left[1], answer), dot(left[0], pressure));
-        lasts[k] = dot(left[1], pressure);
-    }
-    barrier();
-    leaveSums(count);
 }

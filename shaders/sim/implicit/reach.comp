@@ -79,7 +79,11 @@ void end(uint root, float alpha) {
 }
 
 uint rowOf(uint p, uint k) {
-    return fetch(rowList, 2u * kPageSize * pieceAt(p).first_page + k).x;
+    return fetch(rowList, kRowsOfPage * pieceAt(p).first_page + k).x;
+}
+
+uint ownOf(uint row, uvec4 others) {
+    return row < 2u * implicit.vertex_count ? row / 2u : others.z;
 }
 
 #ifdef OF_START
@@ -87,8 +91,9 @@ uint rowOf(uint p, uint k) {
 vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
     uvec4 others = fetch(rowVertices, row);
     vec2 own = reaches[p].zw;
-    vec3 pressure = fetch(pressures, row / 2u).xyz;
-    vec3 relative = fetch(directions, row / 2u).xyz + own.y * pressure;
+    uint v = ownOf(row, others);
+    vec3 pressure = fetch(pressures, v).xyz;
+    vec3 relative = fetch(directions, v).xyz + own.y * pressure;
     swollen = own.x * pressure;
     if (others.x == kNoPiece) return relative;
     own = reaches[others.x].zw;
@@ -102,7 +107,7 @@ vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
 #else
 vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
     uvec4 others = fetch(rowVertices, row);
-    vec3 relative = fetch(directions, row / 2u).xyz;
+    vec3 relative = fetch(directions, ownOf(row, others)).xyz;
     swollen = vec3(0.0);
     if (others.x == kNoPiece) return relative;
     for (int k = 1; k < 4; ++k) {
@@ -199,13 +204,14 @@ void pushAt(uint row, float alpha) {
     state += alpha * vec4(relative - opening * normal, opening);
     states[2u * row] = state;
     float push = pushOf(stiffness, state.w);
-    float most = numbers.y != 0u ? implicit.friction * push : stateAt(2u * row + 1u).x;
+    bool renews = numbers.y != 0u && normal != vec3(0.0);
+    float most = renews ? implicit.friction * push : stateAt(2u * row + 1u).x;
     states[2u * row + 1u] = vec4(most, push, 0.0, 0.0);
     float grip = most > 0.0 ? gripOf(stiffness, state.xyz, most) : 0.0;
     vec3 force = push * normal - grip * state.xyz;
     if (force == vec3(0.0)) return;
-    addForce(row / 2u, force);
     uvec4 others = fetch(rowVertices, row);
+    addForce(ownOf(row, others), force);
     if (others.x == kNoPiece) return;
     addForce(others.y, contact.weights.y * force);
     addForce(others.z, contact.weights.z * force);

@@ -1,5 +1,7 @@
-// Lists the rows of contact of each piece in the order of its vertices on their pages, and the
-// pieces that touch: see ImplicitPiece. One group for each piece. A storage barrier follows.
+// Lists the rows of contact of each piece in the order of its vertices on their pages, then those
+// of pulls, and the pieces that touch: see ImplicitPiece.
+// Numbers: the first row of pulls, how many. One group for each piece. A storage barrier follows.
+#include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
 #include "sim/implicit/contact_rows.glsl"
@@ -12,16 +14,33 @@ layout(std430, binding = kMadeListBinding) writeonly buffer List { uint list[]; 
 shared uvec2 found[GROUP];  // 1 for an obstacle, 1 for a triangle
 shared uint nextOne;
 shared uint isHeld;
+uint firstPull = numbers.x;
+uint pullCount = numbers.y;
 
-uvec2 rowsOf(uint v) {
-    if (v == kNoVertex) return uvec2(0u);
-    return uvec2(fetch(rows, 6u * v + 1u).w > 0.0 ? 1u : 0u,
-                 fetch(rows, 6u * v + 4u).w > 0.0 ? 1u : 0u);
+bool isRow(uint row) { return fetch(rows, 3u * row + 1u).w > 0.0; }
+
+// Two rows, of which there may be the first and the second.
+struct Pair {
+    uvec2 rows;
+    uvec2 there;
+};
+
+Pair pairOf(uint v) {
+    if (v == kNoVertex) return Pair(uvec2(0u), uvec2(0u));
+    return Pair(uvec2(2u * v, 2u * v + 1u), uvec2(isRow(2u * v), isRow(2u * v + 1u)));
+}
+
+// Of a hand or a bond.
+Pair pullOf(uint row, uint piece) {
+    bool there = row < firstPull + pullCount && isRow(row) &&
+        uint(fetch(rows, 3u * row + 2u).x) == piece;
+    bool isBond = there && fetch(rows, 3u * row + 2u).y != 0.0;
+    return Pair(uvec2(row), uvec2(there && !isBond, isBond));
 }
 
 // Appends the rows of as many vertices as the group has threads; returns how many there are then.
-uint appendRows(uint v, uint first, uint count) {
-    uvec2 own = rowsOf(v);
+uint append(Pair pair, uint first, uint count) {
+    uvec2 own = pair.there;
     found[gl_LocalInvocationID.x] = own;
     barrier();
     uint place = 0u;
@@ -33,10 +52,10 @@ uint appendRows(uint v, uint first, uint count) {
     barrier();
     uint at = first + count + place;
     if (own.x != 0u) {
-        list[at] = 2u * v;
+        list[at] = pair.rows.x;
         isHeld = 1u;
     }
-    if (own.y != 0u) list[at + own.x] = 2u * v + 1u;
+    if (own.y != 0u) list[at + own.x] = pair.rows.y;
     return count + sum;
 }
 
@@ -63,13 +82,16 @@ void main() {
         isHeld = 0u;
     }
     barrier();
-    uint first = 2u * kPageSize * piece.first_page;
+    uint first = kRowsOfPage * piece.first_page;
     uint count = 0u;
     for (uint page = 0u; page < piece.page_count; ++page) {
         uint places = kPageSize * fetch(pageTable, piece.first_page + page).x;
         for (uint k = gl_LocalInvocationID.x; k < kPageSize; k += GROUP) {
-            count = appendRows(fetch(rowOrder, places + k).x, first, count);
+            count = append(pairOf(fetch(rowOrder, places + k).x), first, count);
         }
+    }
+    for (uint k = 0u; k < pullCount; k += GROUP) {
+        count = append(pullOf(firstPull + k + gl_LocalInvocationID.x, own), first, count);
     }
     uint root = rootOf(own);
     findNext(own, root);

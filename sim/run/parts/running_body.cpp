@@ -13,6 +13,7 @@
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/impact_zones.h"
 #include "sim/mesh/oriented_box.h"
+#include "sim/solve/implicit/step_choice.h"
 
 namespace kerf {
 
@@ -156,8 +157,28 @@ int RunningBody::iterationsFor(const Params& params, bool hasBoxes) {
     if (params.iterations != kAutoIterations) {
         return params.iterations;
     }
+    if (params.solver == SolverMode::implicit) {
+        const double step = params.timeStep / implicitStepsFor(params, hasBoxes);
+        return implicitIterations(model(), relativeSpeed(params, hasBoxes) * step);
+    }
     memory.sweeps.follow(model(), params);
     return memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes));
+}
+
+int RunningBody::implicitStepsFor(const Params& params, bool hasBoxes) const {
+    if (params.solver != SolverMode::implicit) {
+        return 1;
+    }
+    return stepsWithin(params.timeStep,
+                       std::min(longestStep(model(), params),
+                                longestStepAt(relativeSpeed(params, hasBoxes), diagonal)));
+}
+
+double RunningBody::relativeSpeed(const Params& params, bool hasBoxes) const {
+    const BodyMeasure& measure = memory.measure;
+    const double way = 2 * measure.fastest * params.timeStep;
+    const bool nearFloor = params.floor && measure.bounds.low.y() < *params.floor + way;
+    return nearFloor || hasBoxes ? measure.fastest : solver.collisions().relativeSpeed();
 }
 
 void RunningBody::applyToSolver(const Params& params) {
@@ -275,9 +296,20 @@ void RunningBody::prepareStep(const Params& params) {
         pulls.insert(pulls.end(), bonds.begin(), bonds.end());
     }
     solver.setPulls(pulls);
+    chooseSteps(params);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {
         solver.masses().carryFrom(course.vertices, course.from, course.velocities);
+    }
+}
+
+void RunningBody::chooseSteps(const Params& params) {
+    if (params.solver == SolverMode::implicit) {
+        const ImplicitStep step =
+            ImplicitStep::of(params, model().restPositions.size(), longestStep(model(), params));
+        solver.stepImplicitly(model(), params, step, memory.pins.vertices());
+    } else {
+        solver.stepBySubsteps();
     }
 }
 

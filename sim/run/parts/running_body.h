@@ -38,6 +38,11 @@ struct RunningBody {
     /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
     /// as it needs (SweepStrength::iterationsFor()).
     int iterationsFor(const Params& params, bool hasBoxes);
+    /// Of how many implicit steps the coming time step is made, by how fast the body meets
+    /// something.
+    int implicitStepsFor(const Params& params, bool hasBoxes) const;
+    /// At which something near may be met in the coming step, or parts meet each other [m/s].
+    double relativeSpeed(const Params& params, bool hasBoxes) const;
     /// Gives the solver parameters with a number of iterations; after apply().
     void applyToSolver(const Params& params);
 
@@ -100,6 +105,8 @@ struct RunningBody {
     const PieceMap& pieces();
     /// Gives the solver the volumes at which it holds the pieces.
     void holdVolumes();
+    /// Prepares the solver for the kind of steps that the parameters ask for.
+    void chooseSteps(const Params& params);
     /// The solver has the changed model.
     void becomeWhole();
 

@@ -19,14 +19,16 @@ struct SimulationInput {
     Params params;
     bool paramsChanged = false;  ///< since the body got them
     int iterations = 0;          ///< of the coming step: those of the parameters, or chosen
+    int implicitSteps = 1;       ///< of the coming step: see Params
     std::vector<StaticBox> boxes;
     LedBlade blade;
     bool timeRuns = true;  ///< see SetTime
 
-    /// The parameters with the number of iterations of the coming step.
+    /// The parameters with the number of iterations and implicit steps of the coming step.
     Params solved() const {
         Params numbers = params;
         numbers.iterations = iterations;
+        numbers.implicitSteps = implicitSteps;
         return numbers;
     }
 };

@@ -164,15 +164,11 @@ void ContactBuffers::assign(const BodyModel& model, std::span<const double> firm
     constexpr double kFarthest = 0.25;  // of the diagonal, that contacts are pressed together
     constexpr double kMostUnits = 1e9;
     const std::size_t rowCount = 2 * std::max<std::size_t>(firm.size(), 1);
-    rows.resize(rowCount * sizeof(shared::ContactRow));
-    rowVertices.resize(rowCount * sizeof(std::array<uint, 4>));
-    states.resize(rowCount * sizeof(shared::RowState));
-    relatives.resize(rowCount * sizeof(vec4));
+    makeRows(rowCount);
     keptSlips.resize(rowCount * sizeof(vec4));
-    keptSlips.clear();
     forces.resize(rowCount / 2 * sizeof(std::array<int, 4>));
     forces.clear();
-    list.resize(std::max(2 * shared::kPageSize * pages, 1U) * sizeof(uint));
+    list.resize(std::max(shared::kRowsOfPage * pages, 1U) * sizeof(uint));
     std::vector<uint> own(std::max<std::size_t>(model.pieces.size(), 1));
     std::iota(own.begin(), own.end(), 0U);
     unjoined.assign(own);
@@ -183,10 +179,17 @@ void ContactBuffers::assign(const BodyModel& model, std::span<const double> firm
     forceUnit = static_cast<float>(kFarthest * model.diagonal * firmest / kMostUnits);
 }
 
+void ContactBuffers::makeRows(std::size_t count) {
+    rows.resize(count * sizeof(shared::ContactRow));
+    rowVertices.resize(count * sizeof(std::array<uint, 4>));
+    states.resize(count * sizeof(shared::RowState));
+    relatives.resize(count * sizeof(vec4));
+}
+
 void StageVectors::makeRoom(std::size_t vertexCount) {
     total.resize(2 * vertexCount * sizeof(vec4));
     for (gpu::Buffer* vector : {&residual, &answer, &direction, &image, &way, &firstWay, &force,
-                                &pressure, &pressureImage}) {
+                                &pressure, &pressureImage, &drift}) {
         vector->resize(vertexCount * sizeof(vec4));
     }
 }

@@ -49,6 +49,7 @@ struct InverseBuffers {
 /// The vectors of a stage, and sums over their elements.
 struct StageVectors {
     gpu::Buffer residual, total, answer, direction, image, way, firstWay, force;
+    gpu::Buffer drift;  ///< the matrix times the way of what is held
     gpu::Buffer pressure, pressureImage;
     gpu::Buffer productSums, answerSums;
 
@@ -67,7 +68,9 @@ struct ContactBuffers {
     gpu::Buffer unjoined{gpu::Buffer::Readers::texels};  ///< parents before a step
     float forceUnit = 0;                                 ///< of sums [N]
 
-    /// Forgets what pushed. `firmness`: contactFirmness(); `pages`: of all pieces.
+    /// Of all vertices, and pulls.
+    void makeRows(std::size_t count);
+    /// Keeps what pushed and held. `firmness`: contactFirmness(); `pages`: of all pieces.
     void assign(const BodyModel& model, std::span<const double> firmness, std::uint32_t pages);
 };
 

@@ -165,8 +165,9 @@ StageScale stageScale(double step, double damping) {
 
 TypeModuli typeModuli(const Params& params) {
     TypeModuli moduli{};
+    constexpr double kFirmest = 1000;  // as firm as a part gets that the parameters call rigid
     for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
-        moduli[type] = params.youngsModulus * modulusFactor(type, params);
+        moduli[type] = params.youngsModulus * std::min(modulusFactor(type, params), kFirmest);
     }
     return moduli;
 }

@@ -20,7 +20,8 @@ class ImplicitStepperTest : public test::GlTest {};
 
 Params firm() {
     Params params;
-    params.trueModulus = 1;
+    params.solver = SolverMode::implicit;
+    params.timeStep = 1.0 / 240;
     params.youngsModulus = 1e5;
     params.floor.reset();
     params.contact = 0;
@@ -45,11 +46,8 @@ struct ImplicitPair {
         gpu.setModel(model, start);
         gpu.setUniforms(solverUniforms(params));
         gpu.masses().setPinned(pinned);
-        ContactSettings contact = contactSettings(params);
-        contact.substep = step.step;
-        contact.substeps = 1;
-        gpu.collisions().setSettings(contact);
-        gpu.implicitStepper().setBody(model, params, step, pinned);
+        gpu.collisions().setSettings(contactSettings(params));
+        gpu.stepImplicitly(model, params, step, pinned);
     }
     static ImplicitSettings settingsOf(const Params& params, const ImplicitStep& step) {
         ImplicitSettings settings = implicitSettings(params);
@@ -91,7 +89,7 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
             ImplicitPair pair(model, firm(), {}, test::verticesBelow(model, pinnedBelow));
             for (int i = 0; i < 4; ++i) {
                 pair.solver.step(pair.state);
-                pair.gpu.implicitStepper().run();
+                pair.gpu.step();
                 EXPECT_LT(pair.error(), 1e-6) << "cut to " << height << ", step " << i;
             }
         }
@@ -120,7 +118,7 @@ struct FallingHalves {
     }
     void stepKernels() {
         pair.gpu.measure();  // for the search
-        pair.gpu.implicitStepper().run();
+        pair.gpu.step();
     }
 
     BodyModel model;
@@ -164,7 +162,7 @@ TEST_F(ImplicitStepperTest, BothWaysOfKernelsGiveTheSameBits) {
 BodyState stateAfterSteps(const Params& params) {
     ImplicitPair pair(test::cutBallModel(-0.03), params, {}, {});
     for (int i = 0; i < 6; ++i) {
-        pair.gpu.implicitStepper().run();
+        pair.gpu.step();
     }
     return pair.gpu.readState();
 }

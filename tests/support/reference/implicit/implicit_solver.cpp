@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/implicit_records.h"
 #include "sim/base/mapped.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/triangle.h"
@@ -14,6 +15,10 @@ namespace {
 
 StageScale scaleOf(const ImplicitSettings& settings) {
     return stageScale(settings.step, settings.damping);
+}
+
+StageScale preparedScaleOf(const ImplicitSettings& settings) {
+    return stageScale(settings.prepared > 0 ? settings.prepared : settings.step, settings.damping);
 }
 
 /// Changes with vertices `i` and `j` of a pull.
@@ -90,7 +95,7 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
       masses_(massesWithout(model, settings.density, pinned)),
       firmness_(contactFirmness(model, settings.moduli, masses_)),
       groups_(groupVertices(model, settings.moduli, settings.aggregateSize)),
-      inverse_(invertAtRest(model, settings.moduli, groups_, masses_, scaleOf(settings))),
+      inverse_(invertAtRest(model, settings.moduli, groups_, masses_, preparedScaleOf(settings))),
       preconditioner_(model, groups_, inverse_, masses_),
       steepness_(bendSteepness(model)),
       matrix_(model) {}
@@ -508,6 +513,8 @@ ContactRows ImplicitReference::findRows(const ReferenceState& state) {
             row.slip = row.across(held->slip);
             row.push = held->push;
         }
+        const double pressed = row.push / row.stiffness + shared::kLetOut * std::max(0.0, -row.gap);
+        row.gap = std::max(row.gap, -pressed);
     }
     return rows;
 }

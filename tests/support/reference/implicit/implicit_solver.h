@@ -10,6 +10,7 @@ namespace kerf {
 /// The parameters of the implicit solver.
 struct ImplicitSettings {
     double step = 1.0 / 240;  ///< [s]
+    double prepared = 0;      ///< step for which parts are inverted, if not that one [s]
     int iterations = 4;       ///< of conjugate gradients, per stage
     double tolerance = 0;     ///< of the residual, as a share: ends them earlier; 0: never
     int passes = 1;           ///< of Newton's method, per stage

@@ -85,8 +85,7 @@ void SurfaceContacts::addSurfaces(const ReferenceState& state, double step,
             row.vertices = {v, t[0], t[1], t[2]};
             row.weights = {1, -weights[0], -weights[1], -weights[2]};
             row.normal = unitNormal(here[0], here[1], here[2]);
-            row.gap = row.normal.dot(state.positions[v] - here[0]) -
-                      std::max(candidate.thickness, shared::kHair * edge);
+            row.gap = row.normal.dot(state.positions[v] - here[0]) - candidate.thickness;
         }
         if (row.count > 0) {
             row.friction = friction_;
