@@ -211,8 +211,8 @@ const std::array kRows = {
         &Params::cutSearch},
     Row{{"solver", "Solver", "",
          "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
-         "factors, which lose volume; implicit: large steps, which do not know hands, boxes nor a "
-         "pushing blade yet.",
+         "factors, which lose volume; implicit: a few large steps, quick for firm bodies, not "
+         "complete yet: a blade does not push, folds stay, edges pass each other.",
          ParamType::choice, 0, 2, false, kSolverModes},
         &Params::solver},
 };

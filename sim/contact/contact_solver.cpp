@@ -192,6 +192,7 @@ ContactMemory ContactSolver::memory() const {
             searchedVelocities_.read<shared::vec4>(0, body_.vertexCount),
             candidateSettings_,
             uniforms_,
+            {},
             {}};
 }
 

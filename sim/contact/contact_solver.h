@@ -88,11 +88,13 @@ struct ContactMemory {
     ContactSettings settings;
     shared::ContactUniforms uniforms{};
     RelativeMotion motion;
+    /// What contacts push and hold back between implicit steps, two a vertex; empty: nothing.
+    std::vector<shared::vec4> slips;
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(positions, velocities, settings, uniforms, motion);
+        io(positions, velocities, settings, uniforms, motion, slips);
     }
 };
 

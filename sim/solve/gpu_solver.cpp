@@ -51,6 +51,7 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
     switch (portion - static_cast<int>(2 * kConstraintTypes)) {
         case 0:
             prepared_.reset();
+            restoredSlips_.emplace();
             body_.model.takeVertices(model);
             masses_.freeAll();
             return body_.pieces.setPages(std::move(pages));
@@ -85,6 +86,9 @@ void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
     if (prepared_ != wanted) {
         prepared_.reset();
         implicit_->setBody(model, params, step, wanted.pinned);
+        if (restoredSlips_) {
+            implicit_->setSlips(*std::exchange(restoredSlips_, std::nullopt));
+        }
         prepared_ = std::move(wanted);
     } else {
         implicit_->setStep(params, step);
@@ -95,6 +99,21 @@ void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
 void GpuSolver::makeRoom(const BodyModel& model) {
     body_.state.makeRoom(model);
     stepper_.makeRoom(model.restPositions.size());
+}
+
+ContactMemory GpuSolver::contactMemory() const {
+    ContactMemory memory = collisions_.memory();
+    if (restoredSlips_) {
+        memory.slips = *restoredSlips_;
+    } else if (implicit_) {
+        memory.slips = implicit_->slips();
+    }
+    return memory;
+}
+
+void GpuSolver::remember(const ContactMemory& memory) {
+    collisions_.remember(memory);
+    restoredSlips_ = memory.slips;
 }
 
 void GpuSolver::update(const BodyModel& model, const BodyChange& change,

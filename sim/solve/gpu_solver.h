@@ -91,6 +91,9 @@ class GpuSolver {
                         std::vector<std::uint32_t> pinned);
     /// Makes the coming time steps of substeps again, the default.
     void stepBySubsteps() { stepper_.stepImplicitly(nullptr); }
+    /// The state of contact for a snapshot, and its restoring after body and settings.
+    ContactMemory contactMemory() const;
+    void remember(const ContactMemory& memory);
     /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps, or as many implicit
     /// steps.
     void step();
@@ -134,6 +137,7 @@ class GpuSolver {
         bool operator==(const Prepared&) const = default;
     };
     std::optional<Prepared> prepared_;
+    std::optional<std::vector<shared::vec4>> restoredSlips_;  ///< for the coming implicit step
     BodyMeasurer measurer_{body_, collisions_};
     SavedPieces savedPieces_{body_};
 };

@@ -195,6 +195,16 @@ void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint sl
     ++body_.dispatches;
 }
 
+std::vector<shared::vec4> ImplicitStepper::slips() const {
+    const gpu::Buffer& kept = own_.contact.keptSlips;
+    return kept.read<shared::vec4>(0, kept.size() / sizeof(shared::vec4));
+}
+
+void ImplicitStepper::setSlips(const std::vector<shared::vec4>& slips) {
+    own_.contact.keptSlips.clear();
+    own_.contact.keptSlips.write(0, std::span<const shared::vec4>(slips));
+}
+
 void ImplicitStepper::run(bool heldMove) {
     meet();
     linearise();

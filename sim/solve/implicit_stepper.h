@@ -34,6 +34,10 @@ class ImplicitStepper {
                  std::span<const std::uint32_t> pinned);
     /// Changes length and iterations of the coming steps, of what was taken with these parameters.
     void setStep(const Params& params, const ImplicitStep& step);
+    /// What contacts push and hold back between steps, two a vertex; of vertices behind the last:
+    /// nothing. Waits for the GPU.
+    std::vector<shared::vec4> slips() const;
+    void setSlips(const std::vector<shared::vec4>& slips);
     /// Does one step. Masses must be fresh, and contacts searched for. `heldMove`: whether any
     /// vertex without a mass has a velocity, with which it is moved.
     void run(bool heldMove = false);

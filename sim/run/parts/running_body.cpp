@@ -201,7 +201,7 @@ SnapshotPointer RunningBody::capture() {
     };
     return std::make_shared<const Snapshot>(Snapshot{rested(mesh()), rested(*updater),
                                                      rested(*cutter), solver.pages(), memory,
-                                                     solver.collisions().memory(), uncut});
+                                                     solver.contactMemory(), uncut});
 }
 
 void RunningBody::restore(const Snapshot& snapshot) {
@@ -217,7 +217,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
     memory = snapshot.memory;
     sync.setBounds(memory.measure.bounds);
     solver.restoreModel(model(), stateOf(mesh()), snapshot.pages);
-    solver.collisions().remember(snapshot.contact);
+    solver.remember(snapshot.contact);
     holdVolumes();
     holdPins();
     solver.savedPieces().save();
