@@ -36,6 +36,7 @@ std::vector<cpu_set_t> spread(const std::vector<std::string>& names) {
 
 std::vector<std::string> namesOf(int count) {
     std::vector<std::string> names;
+    names.reserve(count);
     for (int i = 0; i < count; ++i) {
         names.push_back("llvmpipe-" + std::to_string(i));
     }
