@@ -141,8 +141,8 @@ TEST(Params, MistakesGiveASentenceAndChangeNothing) {
         {"gravity", Vec3(0, -101, 0), "between -100 and 100 m/s^2"},
         {"floor", Vec3(0, 0, 0), "or none"},
         {"floor", infinity, "finite"},
-        {"solver", 1.0, "must be one of small_steps, pbd"},
-        {"solver", std::string("fem"), "must be one of small_steps, pbd"},
+        {"solver", 1.0, "must be one of small_steps, pbd, implicit"},
+        {"solver", std::string("fem"), "must be one of small_steps, pbd, implicit"},
     };
     for (const BadValue& bad : cases) {
         Params params;
