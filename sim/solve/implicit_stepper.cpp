@@ -16,10 +16,10 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
-shared::ImplicitUniforms implicitUniforms(const Params& params, double step) {
+/// All that does not follow from the body.
+void setParameters(shared::ImplicitUniforms& u, const Params& params, double step) {
     const StageScale scale = stageScale(step, params.damping);
     const TypeModuli moduli = typeModuli(params);
-    shared::ImplicitUniforms u{};
     u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
                  static_cast<float>(params.gravity.z()), 0};
     u.stage = static_cast<float>(scale.stage);
@@ -34,7 +34,6 @@ shared::ImplicitUniforms implicitUniforms(const Params& params, double step) {
     for (uint type = 0; type < kConstraintTypes; ++type) {
         u.modulus[type] = static_cast<float>(moduli[type]);
     }
-    return u;
 }
 
 constexpr double kFloorReach = 0.02;  // diagonals: nearer vertices are looked at in each step
@@ -132,16 +131,7 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     iterations_ = static_cast<uint>(step.iterations);
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
-    shared::ImplicitUniforms of = implicitUniforms(params, step.step);
-    of.vertex_count = uniforms_.vertex_count;
-    of.block_count = uniforms_.block_count;
-    of.patch_count = uniforms_.patch_count;
-    of.aggregate_count = uniforms_.aggregate_count;
-    of.page_count = uniforms_.page_count;
-    of.piece_count = uniforms_.piece_count;
-    of.reach = uniforms_.reach;
-    of.force_unit = uniforms_.force_unit;
-    uniforms_ = of;
+    setParameters(uniforms_, params, step.step);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 

@@ -7,6 +7,7 @@
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/cut/wall_edge.h"
+#include "sim/solve/implicit/step_choice.h"
 
 namespace kerf {
 
@@ -157,12 +158,7 @@ void SweepStrength::follow(const BodyModel& model, const Params& params) {
 
 /// What error() and iterationsFor() know of the body's size.
 void SweepStrength::measure(const BodyModel& model) {
-    std::vector<Bounds> boxes(model.members.size());
-    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
-        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
-            boxes[model.pieces[piece].member].add(model.restPositions[v].cast<double>());
-        }
-    }
+    const std::vector<Bounds> boxes = memberBoxes(model);
     wavesPerSpeed_ = 0;
     thickness_ = 0;
     for (std::size_t m = 0; m < boxes.size(); ++m) {

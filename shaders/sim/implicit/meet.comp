@@ -55,15 +55,7 @@ STATE_TEXELS(kMeetBoxesUnit) boxes;
 RECORD_WORDS(kMeetPieceBoundsUnit) boundsOfPieces;
 
 uint pieceOf(uint v) { return links[v].piece; }
-BoxRecord boxAt(uint b) {
-    return BoxRecord(fetch(boxes, 4u * b), fetch(boxes, 4u * b + 1u), fetch(boxes, 4u * b + 2u),
-                     fetch(boxes, 4u * b + 3u));
-}
-uint boundAt(uint p, uint k) { return fetch(boundsOfPieces, 6u * p + k).x; }
-PieceBounds pieceBounds(uint p) {
-    return PieceBounds(boundAt(p, 0u), boundAt(p, 1u), boundAt(p, 2u), boundAt(p, 3u),
-                       boundAt(p, 4u), boundAt(p, 5u));
-}
+#include "sim/boxes/fetched.glsl"
 #include "sim/boxes/keep_out.glsl"
 
 // The face that a vertex is near and above, where its way enters none: elasticity may take it
@@ -74,8 +66,7 @@ Face faceBelow(BoxRecord box, vec3 at) {
     bool near = outside[axis] >= 0.0 && outside[axis] < implicit.reach;
     outside[axis] = 0.0;
     bool above = near && all(lessThanEqual(outside, vec3(0.0)));
-    vec3 gap = abs(at) - halfOf(box) - obstacle.thickness;
-    return Face(above ? axis : 3, sideOf(at[axis]), gap[axis], false);
+    return Face(above ? axis : 3, sideOf(at[axis]), 0.0, false);
 }
 
 Meeting nearerBox(Meeting best, uint v) {

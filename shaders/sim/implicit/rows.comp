@@ -7,9 +7,10 @@ layout(local_size_x = GROUP) in;
 #include "sim/implicit/contact_rows.glsl"
 RECORD_WORDS(kRowOrderUnit) rowOrder;
 RECORD_PAIRS(kPageTableUnit) pageTable;
-layout(std430, binding = kParentsBinding) readonly buffer Parents { uint parents[]; };
+layout(std430, binding = kParentsBinding) coherent buffer Parents { uint parents[]; };
 layout(std430, binding = kMadePiecesBinding) writeonly buffer Made { uvec4 made[]; };
 layout(std430, binding = kMadeListBinding) writeonly buffer List { uint list[]; };
+#include "sim/implicit/join.glsl"
 
 shared uvec2 found[GROUP];  // 1 for an obstacle, 1 for a triangle
 shared uint nextOne;
@@ -57,11 +58,6 @@ uint append(Pair pair, uint first, uint count) {
     }
     if (own.y != 0u) list[at + own.x] = pair.rows.y;
     return count + sum;
-}
-
-uint rootOf(uint p) {
-    while (parents[p] != p) p = parents[p];
-    return p;
 }
 
 // Leaves the first piece behind this one that touches it, be it by others.

@@ -53,6 +53,12 @@ std::vector<MemberMaterial> materialsOf(const Params& params, std::size_t models
     return materials;
 }
 
+/// In the coming step, at twice its speed.
+bool mayMeetFloor(const BodyMeasure& measure, const Params& params) {
+    const double way = 2 * measure.fastest * params.timeStep;
+    return params.floor && measure.bounds.low.y() < *params.floor + way;
+}
+
 }  // namespace
 
 RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver)
@@ -147,9 +153,8 @@ void RunningBody::apply(const Params& params) {
 /// At which something may be met in the coming step [m/s]: 0 where nothing is near.
 double RunningBody::speedOfMeeting(const Params& params, bool hasBoxes) const {
     const BodyMeasure& measure = memory.measure;
-    const double way = 2 * measure.fastest * params.timeStep;
-    const bool nearFloor = params.floor && measure.bounds.low.y() < *params.floor + way;
-    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || hasBoxes || nearFloor;
+    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || hasBoxes ||
+                       mayMeetFloor(measure, params);
     return meets ? measure.fastest : 0;
 }
 
@@ -176,9 +181,8 @@ int RunningBody::implicitStepsFor(const Params& params, bool hasBoxes) const {
 
 double RunningBody::relativeSpeed(const Params& params, bool hasBoxes) const {
     const BodyMeasure& measure = memory.measure;
-    const double way = 2 * measure.fastest * params.timeStep;
-    const bool nearFloor = params.floor && measure.bounds.low.y() < *params.floor + way;
-    return nearFloor || hasBoxes ? measure.fastest : solver.collisions().relativeSpeed();
+    return mayMeetFloor(measure, params) || hasBoxes ? measure.fastest
+                                                     : solver.collisions().relativeSpeed();
 }
 
 void RunningBody::applyToSolver(const Params& params) {

@@ -2,21 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace kerf {
+
+std::vector<Bounds> memberBoxes(const BodyModel& model) {
+    std::vector<Bounds> boxes(model.members.size());
+    for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+        if (const int piece = model.pieceOfVertex[v]; piece >= 0) {
+            boxes[model.pieces[piece].member].add(model.restPositions[v].cast<double>());
+        }
+    }
+    return boxes;
+}
 
 double longestStep(const BodyModel& model, const Params& params) {
     constexpr double kOfWave = 0.65;
     constexpr double kShortest = 1.0 / 240;
     constexpr double kLongest = 1.0 / 60;
-    std::vector<Bounds> bounds(model.members.size());
-    for (std::uint32_t v = 0; v < model.restPositions.size(); ++v) {
-        if (model.pieceOfVertex[v] >= 0) {
-            const BodyMember& member = model.memberOf(v);
-            bounds[&member - model.members.data()].add(model.restPositions[v].cast<double>());
-        }
-    }
+    const std::vector<Bounds> bounds = memberBoxes(model);
     double longest = kLongest;
     for (std::size_t m = 0; m < bounds.size(); ++m) {
         if (!bounds[m].empty()) {

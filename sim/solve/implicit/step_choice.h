@@ -1,10 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
 
 namespace kerf {
 
+/// The box of each member at rest; empty where none of it is left [m].
+std::vector<Bounds> memberBoxes(const BodyModel& model);
 /// The longest implicit step that errs by a few hundredths of a motion: less than a wave needs to
 /// cross a member of the body, between 1/240 and 1/60 s. From measured swings, see
 /// docs/notes/implicit-steps.md. [s]
