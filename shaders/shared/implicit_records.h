@@ -34,15 +34,24 @@ SHARED_CONST uint kRelativeBinding = 2u;         // per row: along the direction
 SHARED_CONST uint kReachesBinding = 8u;          // per piece: Reach
 SHARED_CONST uint kRowStatesBinding = 9u;        // per row: RowState
 SHARED_CONST uint kMadeRowsBinding = 3u;         // per row: ContactRow
-SHARED_CONST uint kMadeRowVerticesBinding = 5u;  // per row: uvec4
+SHARED_CONST uint kMadeRowVerticesBinding = 5u;  // per row: its vertices, uvec4
 SHARED_CONST uint kParentsBinding = 6u;          // per piece: one that it touches, or itself
 SHARED_CONST uint kMadePiecesBinding = 7u;       // per piece: ImplicitPiece
 SHARED_CONST uint kMadeListBinding = 8u;         // per piece: its rows
 SHARED_CONST uint kMeetContactBinding = 9u;      // one: ContactUniforms
-SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row: slip [m], push [N]
+SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row of a vertex: slip [m], push [N]
 SHARED_CONST uint kMeetObstacleBinding = 7u;     // one: BoxUniforms
 SHARED_CONST uint kMeetBoxesUnit = 18u;          // BoxRecord
 SHARED_CONST uint kMeetPieceBoundsUnit = 19u;    // PieceBounds, by words
+SHARED_CONST uint kMeetTrianglesUnit = 20u;      // as BodyView has them
+SHARED_CONST uint kMeetRangesUnit = 21u;         // per vertex: of
+SHARED_CONST uint kMeetIncidenceUnit = 22u;      // 4 * triangle + corner
+SHARED_CONST uint kPressEdgeBinding = 7u;        // one: EdgeUniforms
+SHARED_CONST uint kPressWeightsBinding = 8u;     // see kEdgeWeightsBinding
+SHARED_CONST uint kPressStateBinding = 9u;       // one: EdgeState
+SHARED_CONST uint kMadeLoadsBinding = 7u;        // per vertex: VertexLoad
+SHARED_CONST uint kLoadBladesBinding = 8u;       // per substep: BladeRecord
+SHARED_CONST uint kMeetStateBinding = 8u;        // one: ContactState
 SHARED_CONST uint kPullRowsBinding = 3u;         // as kMadeRowsBinding
 SHARED_CONST uint kPullVerticesBinding = 7u;     // as kMadeRowVerticesBinding
 SHARED_CONST uint kDriftUnit = 0u;  // per vertex: the matrix times the way of what is held [N]
@@ -55,7 +64,13 @@ SHARED_CONST uint kRowVerticesUnit = 28u;
 SHARED_CONST uint kRowListUnit = 29u;
 SHARED_CONST uint kRowStatesUnit = 31u;
 SHARED_CONST uint kFirmnessUnit = 16u;   // per vertex, see contactFirmness() [N/m]
-SHARED_CONST uint kKeptSlipsUnit = 17u;  // per row: slip [m], push [N]
+SHARED_CONST uint kKeptSlipsUnit = 17u;  // per row of a vertex: slip [m], push [N]
+// Of the end of a step.
+SHARED_CONST uint kMotionsBinding = 13u;      // per aggregate: AggregateMotion
+SHARED_CONST uint kMadeSpinsBinding = 14u;    // per piece: spin [1/s], middle [m]
+SHARED_CONST uint kEndContactsBinding = 15u;  // one: ContactState
+SHARED_CONST uint kMotionsUnit = 16u;
+SHARED_CONST uint kSpinsUnit = 17u;
 // Texture and image units of what only a cut changes.
 SHARED_CONST uint kRowsUnit = 16u;          // per vertex: first and end of its blocks
 SHARED_CONST uint kBlocksUnit = 17u;        // per block: three rows; column in the first w
@@ -91,6 +106,8 @@ struct ImplicitUniforms {
     float friction;                   // Coulomb coefficient
     float floor_height;               // far below all where there is none [m]
     float reach;                      // of the floor: nearer than that is met at any speed [m]
+    float contact_stiffness;          // of a mass: the square of contactRate() [1/s^2]
+    float let_out;                    // of a depth that no push has made, at most [m]
     float force_unit;                 // of sums of the forces of contact [N]
     uint vertex_count;
     uint block_count;
@@ -147,19 +164,34 @@ struct ImplicitPiece {
     uint held;       // by an obstacle
 };
 
-// What a vertex meets in a step: row 2 v an obstacle, 2 v + 1 a triangle. It pushes by stiffness *
-// depth, and holds with the same stiffness across, by friction * push at most. Behind those of all
-// vertices are pulls, which have no normal and hold in all directions. Three texels.
+// What a vertex meets in a step, a row each: kRowsOfVertex * v + Meeting. Behind those of all
+// vertices are pulls, then with an edge that presses one more of each vertex. A row pushes by
+// stiffness * depth, and holds with the same stiffness across, by friction * push at most. Pulls
+// have no normal and hold in all directions.
+SHARED_CONST uint kRowsOfVertex = 4u;
+SHARED_CONST uint kMeetsObstacle = 0u;  // it meets the floor, or a face of a box or of the blade
+SHARED_CONST uint kMeetsTriangle = 1u;  // it meets a triangle
+SHARED_CONST uint kMeetsEdge = 2u;      // an edge at it meets an edge
+SHARED_CONST uint kMeetsCorner = 3u;    // a triangle at it meets a corner or an edge of an obstacle
 struct ContactRow {
-    vec4 normal;   // towards the vertex; w: gap where the step begins [m]
+    vec4 normal;   // towards the vertex; w: gap where the step begins [m], of a pull its piece
     vec4 slip;     // across, what the step before has left held back [m]; w: stiffness [N/m], 0:
                    // nothing is met
-    vec4 weights;  // of the corners, below 0; x: push of the step before [N], of a pull the piece
+    vec4 weights;  // yzw: of the second to fourth vertex in the gap, below 0 where they are met; x:
+                   // their piece, below 0: none of the body. That of the first follows
+    vec4 lead;     // how far what is met is led in the step [m]; w: push of the step before [N];
+                   // below 0: there is no friction, and -w is the most that pushes [N]
 };
+SHARED_CONST uint kRowTexels = 4u;
+// In the place of the piece that is met.
+SHARED_CONST float kOfObstacle = -1.0f;
+SHARED_CONST float kOfBlade = -2.0f;
+SHARED_CONST float kAnyPush = -1e30f;
 // What a row is like where the iterations are. Two texels.
 struct RowState {
     vec4 slip;  // w: gap [m]
-    vec4 push;  // x: the most that friction holds; y: push [N]
+    vec4 push;  // x: the most that friction holds, below 0: none; y: push, z: of the stage before
+                // [N]
 };
 // How far a piece goes.
 struct Reach {
@@ -169,13 +201,15 @@ struct Reach {
     float missing;   // brings the volume back
     float swelling;  // keeps it along the direction
 };
-SHARED_CONST uint kRowsOfPage = 3u * kPageSize;  // at most
+SHARED_CONST uint kRowsOfPage = (kRowsOfVertex + 2u) * kPageSize;  // at most
 // What leads is as stiff as this multiple of mass / s^2.
 SHARED_CONST float kLeadStrength = 4.0f;
-// Contacts are as stiff as this share of their vertices, and the square of the rate times mass.
+// Contacts are as stiff as this share of their vertices, and the square of a rate times mass. That
+// is so fast that what is met at any speed goes in by little of its way in a step.
 SHARED_CONST float kContactShare = 0.05f;
-SHARED_CONST float kContactRate = 600.0f;  // [1/s]
-// In a step, of a depth that no push has made.
+SHARED_CONST float kContactRate = 600.0f;  // at least [1/s]
+SHARED_CONST float kContactTurn = 8.0f;    // in a step
+// In a step, of a depth that no push has made; see let_out.
 SHARED_CONST float kLetOut = 0.1f;
 
 // Sums that kernels leave in slots: one of the pressure, one of where a stage begins, and one of
@@ -206,5 +240,19 @@ struct AnswerSums {
     vec4 rest;
 };
 SHARED_CONST float kHeldMass = 1e30f;
+
+// Sums over the vertices of an aggregate where a step begins and ends; places are from the first
+// vertex of the pieces that touch.
+struct AggregateMotion {
+    vec4 middle;  // mass times place [kg m]; w: mass, kHeldMass more where held [kg]
+    vec4 ended_middle;
+    vec4 momentum;  // [kg m/s]
+    vec4 ended_momentum;
+    vec4 turn;  // angular momentum, with what forces add to it [kg m^2/s]
+    vec4 ended_turn;
+    vec4 squares;  // of mass, where the step ends [kg m^2]
+    vec4 mixed;    // yz, zx, xy
+};
+SHARED_CONST uint kMotionTexels = 8u;
 
 SHARED_END

@@ -88,7 +88,7 @@ struct ContactMemory {
     ContactSettings settings;
     shared::ContactUniforms uniforms{};
     RelativeMotion motion;
-    /// What contacts push and hold back between implicit steps, two a vertex; empty: nothing.
+    /// What contacts push and hold back between implicit steps, row by row; empty: nothing.
     std::vector<shared::vec4> slips;
 
     /// Writes or reads all of it (ByteArchive).

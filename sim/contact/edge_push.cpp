@@ -4,6 +4,7 @@
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/edge_records.h"
+#include "shaders/shared/implicit_records.h"
 #include "sim/contact/obstacles.h"
 
 namespace kerf {
@@ -56,6 +57,12 @@ void EdgePush::respond(int substep) {
     bind();
     kernels_->push.setNumbers({static_cast<std::uint32_t>(substep)});
     kernels_->push.dispatchGroups(1);
+}
+
+void EdgePush::bindPressing() const {
+    uniforms_.bindStorage(shared::kPressEdgeBinding);
+    weights_.bindStorage(shared::kPressWeightsBinding);
+    state_.bindStorage(shared::kPressStateBinding);
 }
 
 void EdgePush::askForLoad(gpu::ReadBack& back) {

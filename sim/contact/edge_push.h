@@ -50,6 +50,8 @@ class EdgePush {
     bool mayTouch() const { return edge_.has_value(); }
     /// Changes d.
     void respond(int substep);
+    /// Binds what kernels of implicit steps have of the edge (implicit_records.h).
+    void bindPressing() const;
     /// Requests the load of the last time step, if it pressed.
     void askForLoad(gpu::ReadBack& back);
     /// Reads the requested load; waits for the GPU.

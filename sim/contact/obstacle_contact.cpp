@@ -7,6 +7,7 @@
 #include "gpu/fetched_buffer.h"
 #include "shaders/shared/blade_records.h"
 #include "shaders/shared/body_records.h"
+#include "shaders/shared/implicit_records.h"
 
 namespace kerf {
 
@@ -192,6 +193,26 @@ void ObstacleContact::bindAnswers(const Bindings& to, gpu::KernelWay way) const 
     touches_.bindStorage(to.touches);
     bindFetched(records_, to.boxes, gpu::TexelFormat::float32x4, way);
     bindFetched(pieceBounds_, to.pieceBounds, gpu::TexelFormat::uint32, way);
+}
+
+void ObstacleContact::bindMeetings(gpu::KernelWay way) const {
+    uniforms_.bindStorage(shared::kMeetObstacleBinding);
+    bindFetched(records_, shared::kMeetBoxesUnit, gpu::TexelFormat::float32x4, way);
+    bindFetched(*body_.triangles, shared::kMeetTrianglesUnit, gpu::TexelFormat::uint32x4, way);
+    bindFetched(*body_.incidenceRanges, shared::kMeetRangesUnit, gpu::TexelFormat::uint32x2, way);
+    bindFetched(*body_.incidence, shared::kMeetIncidenceUnit, gpu::TexelFormat::uint32, way);
+    if (kernels_->pieces) {
+        bindFetched(pieceBounds_, shared::kMeetPieceBoundsUnit, gpu::TexelFormat::uint32, way);
+    }
+}
+
+bool ObstacleContact::bindLoads() const {
+    if (!mayTouch() || !measuresLoad_) {
+        return false;
+    }
+    loads_.bindStorage(shared::kMadeLoadsBinding);
+    records_.bindStorage(shared::kLoadBladesBinding);
+    return true;
 }
 
 void ObstacleContact::bind() const {

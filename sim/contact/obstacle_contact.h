@@ -67,6 +67,12 @@ class ObstacleContact {
     /// Binds what respond() works with for a kernel that does the same in one group.
     void bindAnswers(const Bindings& to, gpu::KernelWay way) const;
 
+    /// Binds what kernels of implicit steps have of obstacles (implicit_records.h).
+    void bindMeetings(gpu::KernelWay way) const;
+    /// Binds the loads of vertices, if they are measured in this step, and returns whether they
+    /// are.
+    bool bindLoads() const;
+
     /// Begins a substep, before anything moves X: triangles stay on their present side of thin
     /// obstacles.
     void beginSubstep();

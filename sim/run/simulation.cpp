@@ -105,14 +105,21 @@ void Simulation::State::noteParamsChanged() {
     }
 }
 
+Surroundings Simulation::State::surroundings() const {
+    const bool feels = input.params.bladeFeels != 0 && input.params.toughness > 0;
+    const bool acts = input.params.bladePush != 0 || feels;
+    const bool isLed = acts && input.blade.isPlaced();
+    return {!input.boxes.empty(), isLed ? input.blade.comingWay() / input.params.timeStep : 0};
+}
+
 void Simulation::State::applyParameters() {
     const bool changed = std::exchange(input.paramsChanged, false);
     if (changed) {
         body.apply(input.params);
     }
-    const bool hasBoxes = !input.boxes.empty();
-    const int iterations = body.iterationsFor(input.params, hasBoxes);
-    const int steps = body.implicitStepsFor(input.params, hasBoxes);
+    const Surroundings around = surroundings();
+    const int iterations = body.iterationsFor(input.params, around);
+    const int steps = body.implicitStepsFor(input.params, around);
     const bool sameIterations = std::exchange(input.iterations, iterations) == iterations;
     const bool sameSteps = std::exchange(input.implicitSteps, steps) == steps;
     if (!sameIterations || !sameSteps || changed) {
@@ -311,7 +318,7 @@ void Simulation::State::publish() {
     report.iterations = input.iterations;
     report.describe(body.model(), body.memory.measure);
     report.fractureEnergy += input.params.toughness * report.swept.atRest;
-    if (input.params.solver != SolverMode::smallSteps) {
+    if (input.params.solver == SolverMode::pbd) {
         report.strainEnergy.reset();
     }
     report.open = body.isOpen();

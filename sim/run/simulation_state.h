@@ -58,6 +58,7 @@ struct Simulation::State {
 
     // The phases of a step.
     void noteParamsChanged();
+    Surroundings surroundings() const;
     void applyParameters();
     bool sleeps() const;
     void solve();

@@ -100,6 +100,8 @@ class Collisions {
 
     const ContactSolver& contacts() const { return contacts_; }
     const ObstacleContact& boxes() const { return boxes_; }
+    const ObstacleContact& bladeBody() const { return blade_; }
+    const EdgePush& push() const { return edge_; }
     ContactReadings readings() const;
     /// The state of contact for a snapshot; restore it after body and settings.
     ContactMemory memory() const;

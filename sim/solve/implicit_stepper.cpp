@@ -1,5 +1,6 @@
 #include "sim/solve/implicit_stepper.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -16,6 +17,9 @@ namespace {
 using gpu::TexelFormat;
 using shared::uint;
 
+// Of a way at the speed of depenetration, since contacts that are pressed together gain speed.
+constexpr double kLetOutShare = 0.4;
+
 /// All that does not follow from the body.
 void setParameters(shared::ImplicitUniforms& u, const Params& params, double step) {
     const StageScale scale = stageScale(step, params.damping);
@@ -29,6 +33,8 @@ void setParameters(shared::ImplicitUniforms& u, const Params& params, double ste
     u.kept = static_cast<float>(std::exp(-params.airDrag * step));
     u.step = static_cast<float>(step);
     u.friction = static_cast<float>(params.friction);
+    u.contact_stiffness = static_cast<float>(contactRate(step) * contactRate(step));
+    u.let_out = static_cast<float>(kLetOutShare * params.depenetrationSpeed * step);
     u.floor_height = static_cast<float>(params.floor.value_or(BodyReach::kNoFloor));
     u.inverse_density = static_cast<float>(1 / params.density);
     for (uint type = 0; type < kConstraintTypes; ++type) {
@@ -36,6 +42,7 @@ void setParameters(shared::ImplicitUniforms& u, const Params& params, double ste
     }
 }
 
+constexpr double kMostUnits = 1e9;    // that forces of contact add up to in integers
 constexpr double kFloorReach = 0.02;  // diagonals: nearer vertices are looked at in each step
 
 /// A kernel of groups that work for a page or an aggregate.
@@ -59,13 +66,20 @@ ImplicitStepper::MatrixKernels::MatrixKernels(const SolverBody& body)
       volume(body.compile("volume_gradient", body.groupsOfSums())) {}
 
 ImplicitStepper::ContactKernels::ContactKernels(const SolverBody& body)
-    : meet{body.compile("implicit/meet"), body.compile("implicit/meet", {{"MEETS_BOXES", "1"}})},
+    : meet(body.compile("implicit/meet")),
+      meetBoxes(body.compile("implicit/meet_obstacles")),
       pulls(body.compile("implicit/pulls")),
       rows(compileGroups(body, "rows")),
       startReach(compileGroups(body, "reach", {{"OF_START", "1"}})),
       reach(compileGroups(body, "reach")),
       hold(body.compile("implicit/hold")),
       carry(body.compile("implicit/hold", {{"CARRIES", "1"}})) {}
+
+ImplicitStepper::BladeKernels::BladeKernels(const SolverBody& body)
+    : meet(body.compile("implicit/meet_obstacles", {{"BLADE", "1"}})),
+      load(body.compile("implicit/blade_load")),
+      press(body.compile("implicit/press")),
+      pressLoad(body.compile("implicit/press_load")) {}
 
 ImplicitStepper::PressureKernels::PressureKernels(const SolverBody& body)
     : patches(compileGroups(body, "patches", {{"OF_PRESSURE", "1"}})),
@@ -80,6 +94,8 @@ ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
       product(compileGroups(body, "product")),
       patches(compileGroups(body, "patches")),
       leave(compileGroups(body, "leave")),
+      turning(compileGroups(body, "turning")),
+      spin(compileGroups(body, "spin")),
       end(compileGroups(body, "end")) {}
 
 ImplicitStep ImplicitStep::of(const Params& params, std::size_t vertexCount, double longest) {
@@ -113,9 +129,11 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     }
     own_.matrix.assign(model, body_.pieces.pages().places(), pages);
     own_.inverse.assign(model, groups, inverse, pages);
-    own_.contact.assign(model, contactFirmness(model, moduli, masses), own_.matrix.pageCount);
+    heaviest_ = masses.empty() ? 0 : *std::ranges::max_element(masses);
+    own_.contact.assign(model, contactFirmness(model, moduli), own_.matrix.pageCount);
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
-    own_.vectors.makeRoom(model.restPositions.size());
+    own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
+                          model.pieces.size());
     uniforms_.vertex_count = size32(model.restPositions.size());
     uniforms_.block_count = own_.matrix.blockCount;
     uniforms_.patch_count = own_.inverse.patchCount;
@@ -123,7 +141,6 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     uniforms_.page_count = own_.matrix.pageCount;
     uniforms_.piece_count = size32(model.pieces.size());
     uniforms_.reach = static_cast<float>(kFloorReach * model.diagonal);
-    uniforms_.force_unit = own_.contact.forceUnit;
     setStep(params, step);
 }
 
@@ -132,6 +149,8 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
     setParameters(uniforms_, params, step.step);
+    const double firmest = own_.contact.firmest + uniforms_.contact_stiffness * heaviest_;
+    uniforms_.force_unit = static_cast<float>(own_.contact.farthest * firmest / kMostUnits);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 
@@ -195,7 +214,8 @@ void ImplicitStepper::setSlips(const std::vector<shared::vec4>& slips) {
     own_.contact.keptSlips.write(0, std::span<const shared::vec4>(slips));
 }
 
-void ImplicitStepper::run(bool heldMove) {
+void ImplicitStepper::run(uint number, bool heldMove) {
+    number_ = number;
     meet();
     linearise();
     answerPressure();
@@ -205,10 +225,23 @@ void ImplicitStepper::run(bool heldMove) {
     bindVectors();
     body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
     own_.contact.keptSlips.bindStorage(shared::kKeptSlipsBinding);
-    runGroups(stage_.end, own_.inverse.aggregateCount, shared::kFirstSlot + iterations_ + 1);
+    end();
     if (heldMove) {
         body_.run(contact_.carry, uniforms_.vertex_count);
     }
+}
+
+/// With vectors bound: the spin that pieces lack, then new positions and velocities.
+void ImplicitStepper::end() {
+    const uint last = shared::kFirstSlot + iterations_ + 1;
+    own_.vectors.motions.bindStorage(shared::kMotionsBinding);
+    runGroups(stage_.turning, own_.inverse.aggregateCount, last);
+    body_.bindFetched(own_.vectors.motions, shared::kMotionsUnit, TexelFormat::float32x4);
+    own_.vectors.spins.bindStorage(shared::kMadeSpinsBinding);
+    runGroups(stage_.spin, uniforms_.piece_count, last);
+    body_.bindFetched(own_.vectors.spins, shared::kSpinsUnit, TexelFormat::float32x4);
+    collisions_.contacts().state().bindStorage(shared::kEndContactsBinding);
+    runGroups(stage_.end, own_.inverse.aggregateCount, last);
 }
 
 /// What the motion of held vertices does to the others.
@@ -238,39 +271,41 @@ void ImplicitStepper::pull(double stageEnd, bool begins) {
     own_.contact.rows.bindStorage(shared::kPullRowsBinding);
     own_.contact.rowVertices.bindStorage(shared::kPullVerticesBinding);
     own_.vectors.force.bindStorage(shared::kForceBinding);
-    contact_.pulls.setNumbers({2 * uniforms_.vertex_count, count,
-                               std::bit_cast<uint>(static_cast<float>(stageEnd)),
-                               begins ? 1U : 0U});
+    contact_.pulls.setNumbers(
+        {firstPull(), count, std::bit_cast<uint>(static_cast<float>(stageEnd)), begins ? 1U : 0U});
     body_.run(contact_.pulls, count);
 }
 
 /// Which contacts there may be in the step, and which pieces they join.
 void ImplicitStepper::meet() {
     const ContactSolver& contacts = collisions_.contacts();
+    body_.bind();
     if (contacts.mayTouch()) {
         contacts.bindAnswers({shared::kMeetContactBinding, shared::kMadeListBinding,
                               shared::kMadeListBinding, shared::kMadeListBinding},
                              body_.way);
     }
-    body_.bind();
     uniformBuffer_.bindStorage(shared::kImplicitBinding);
     own_.contact.parents.copyFrom(own_.contact.unjoined);
     own_.contact.parents.bindStorage(shared::kParentsBinding);
+    contacts.state().bindStorage(shared::kMeetStateBinding);
     own_.contact.rows.bindStorage(shared::kMadeRowsBinding);
     own_.contact.rowVertices.bindStorage(shared::kMadeRowVerticesBinding);
     body_.bindFetched(own_.contact.firmness, shared::kFirmnessUnit, TexelFormat::uint32);
     body_.bindFetched(own_.contact.keptSlips, shared::kKeptSlipsUnit, TexelFormat::float32x4);
-    const ObstacleContact& boxes = collisions_.boxes();
-    if (boxes.mayTouch()) {
-        boxes.bindAnswers({shared::kMeetObstacleBinding, shared::kMadeListBinding,
-                           shared::kMeetBoxesUnit, shared::kMeetPieceBoundsUnit},
-                          body_.way);
+    contact_.meet.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
+    body_.run(contact_.meet, uniforms_.vertex_count);
+    meetObstacles(collisions_.boxes(), contact_.meetBoxes);
+    if (!blade_ && (collisions_.bladeBody().mayTouch() || collisions_.push().mayTouch())) {
+        blade_.emplace(body_);
     }
-    const gpu::Program& kernel = contact_.meet[boxes.mayTouch() ? 1 : 0];
-    kernel.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
-    body_.run(kernel, uniforms_.vertex_count);
-    own_.contact.makeRows(2 * uniforms_.vertex_count + body_.uniforms.pull_count);
+    if (blade_) {
+        meetObstacles(collisions_.bladeBody(), blade_->meet);
+    }
+    own_.contact.makeRows(std::size_t{firstPull()} + body_.uniforms.pull_count +
+                          (pressedRows() > 0 ? uniforms_.vertex_count : 0));
     pull(uniforms_.step, true);
+    press();
 
     own_.inverse.pieces.bindStorage(shared::kMadePiecesBinding);
     own_.contact.list.bindStorage(shared::kMadeListBinding);
@@ -278,8 +313,55 @@ void ImplicitStepper::meet() {
     body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
     body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, TexelFormat::uint32x2);
-    runGroups(contact_.rows, uniforms_.piece_count, 2 * uniforms_.vertex_count,
-              body_.uniforms.pull_count);
+    contact_.rows.setNumbers(
+        {firstPull(), body_.uniforms.pull_count, pressedRows() > 0 ? 1U : 0U, 0});
+    contact_.rows.dispatchGroups(uniforms_.piece_count);
+    ++body_.dispatches;
+}
+
+void ImplicitStepper::meetObstacles(const ObstacleContact& obstacles, const gpu::Program& kernel) {
+    if (!obstacles.mayTouch()) {
+        return;
+    }
+    obstacles.bindMeetings(body_.way);
+    kernel.setNumbers({number_, 0, 0, 0});
+    body_.run(kernel, uniforms_.vertex_count);
+}
+
+uint ImplicitStepper::firstPull() const {
+    return shared::kRowsOfVertex * uniforms_.vertex_count;
+}
+
+uint ImplicitStepper::pressedRows() const {
+    return collisions_.push().mayTouch() ? firstPull() + body_.uniforms.pull_count : 0;
+}
+
+/// Makes the rows of an edge that presses.
+void ImplicitStepper::press() {
+    if (pressedRows() == 0) {
+        return;
+    }
+    collisions_.push().bindPressing();
+    own_.contact.rows.bindStorage(shared::kMadeRowsBinding);
+    own_.contact.rowVertices.bindStorage(shared::kMadeRowVerticesBinding);
+    blade_->press.setNumbers({number_, pressedRows(), 0, 0});
+    body_.run(blade_->press, uniforms_.vertex_count);
+}
+
+/// What a blade has done in a stage, from its rows.
+void ImplicitStepper::addLoads(bool second) {
+    const float share = (second ? uniforms_.stage : uniforms_.rest) / uniforms_.step;
+    const uint bits = std::bit_cast<uint>(share);
+    if (collisions_.bladeBody().bindLoads()) {
+        blade_->load.setNumbers({number_, bits, 0, 0});
+        body_.run(blade_->load, uniforms_.vertex_count);
+    }
+    if (pressedRows() > 0) {
+        collisions_.push().bindPressing();
+        blade_->pressLoad.setNumbers({pressedRows(), bits, second ? 1U : 0U, 0});
+        blade_->pressLoad.dispatchGroups(1);
+        ++body_.dispatches;
+    }
 }
 
 /// What the iterations of a stage have of contact, besides vectors.
@@ -367,7 +449,7 @@ void ImplicitStepper::solveStage(bool second) {
     body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
     own_.contact.states.bindStorage(shared::kRowStatesBinding);
-    runGroups(stage_.begin[second ? 1 : 0], aggregates, left);
+    runGroups(stage_.begin[second ? 1 : 0], aggregates, left, pressedRows());
     runGroups(stage_.startProduct, own_.matrix.pageCount, shared::kStartSlot);
     bindContacts();
     body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
@@ -385,6 +467,7 @@ void ImplicitStepper::solveStage(bool second) {
         }
     }
     runGroups(stage_.leave, aggregates, left - 2, left);
+    addLoads(second);
 }
 
 }  // namespace kerf

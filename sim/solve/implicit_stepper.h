@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "gpu/program.h"
 #include "sim/base/params.h"
@@ -34,13 +37,14 @@ class ImplicitStepper {
                  std::span<const std::uint32_t> pinned);
     /// Changes length and iterations of the coming steps, of what was taken with these parameters.
     void setStep(const Params& params, const ImplicitStep& step);
-    /// What contacts push and hold back between steps, two a vertex; of vertices behind the last:
+    /// What contacts push and hold back between steps, row by row; of vertices behind the last:
     /// nothing. Waits for the GPU.
     std::vector<shared::vec4> slips() const;
     void setSlips(const std::vector<shared::vec4>& slips);
-    /// Does one step. Masses must be fresh, and contacts searched for. `heldMove`: whether any
-    /// vertex without a mass has a velocity, with which it is moved.
-    void run(bool heldMove = false);
+    /// Does one step, the one with this number in the time step. Masses must be fresh, and contacts
+    /// searched for. `heldMove`: whether any vertex without a mass has a velocity, with which it is
+    /// moved.
+    void run(std::uint32_t number = 0, bool heldMove = false);
 
   private:
     void bindVectors() const;
@@ -48,6 +52,12 @@ class ImplicitStepper {
     void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
                    std::uint32_t left = 0);
     void meet();
+    void meetObstacles(const ObstacleContact& obstacles, const gpu::Program& kernel);
+    void press();
+    std::uint32_t firstPull() const;
+    /// The first row of an edge that presses; 0: none does.
+    std::uint32_t pressedRows() const;
+    void addLoads(bool second);
     void pull(double stageEnd, bool begins);
     void driftBy(bool heldMove);
     void bindContacts() const;
@@ -55,6 +65,7 @@ class ImplicitStepper {
     void makeFactors(std::uint32_t type);
     void answerPressure();
     void solveStage(bool second);
+    void end();
 
     SolverBody& body_;
     Collisions& collisions_;
@@ -62,7 +73,9 @@ class ImplicitStepper {
     shared::ImplicitUniforms uniforms_{};
     gpu::Buffer uniformBuffer_;
     std::uint32_t iterations_ = 0;
-    bool drifts_ = true;  ///< the drift may not be zero
+    std::uint32_t number_ = 0;  ///< of the step
+    double heaviest_ = 0;       ///< of the masses of vertices [kg]
+    bool drifts_ = true;        ///< the drift may not be zero
     /// Of where a step begins.
     struct MatrixKernels {
         explicit MatrixKernels(const SolverBody& body);
@@ -71,9 +84,14 @@ class ImplicitStepper {
     } make_;
     struct ContactKernels {
         explicit ContactKernels(const SolverBody& body);
-        std::array<gpu::Program, 2> meet;  ///< the second one beside boxes
-        gpu::Program pulls, rows, startReach, reach, hold, carry;
+        gpu::Program meet, meetBoxes, pulls, rows, startReach, reach, hold, carry;
     } contact_;
+    /// Of a blade that pushes or presses, compiled when the first one does.
+    struct BladeKernels {
+        explicit BladeKernels(const SolverBody& body);
+        gpu::Program meet, load, press, pressLoad;
+    };
+    std::optional<BladeKernels> blade_;
     struct PressureKernels {
         explicit PressureKernels(const SolverBody& body);
         gpu::Program patches, coarse, product;
@@ -81,7 +99,8 @@ class ImplicitStepper {
     struct StageKernels {
         explicit StageKernels(const SolverBody& body);
         std::array<gpu::Program, 2> begin;  ///< of the first and the second stage
-        gpu::Program startProduct, startPatches, coarse, product, patches, leave, end;
+        gpu::Program startProduct, startPatches, coarse, product, patches, leave, turning, spin,
+            end;
     } stage_;
 };
 

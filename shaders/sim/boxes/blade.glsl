@@ -1,7 +1,5 @@
-// How the body of the blade moves in the substep. The includer declares `blades`.
-#include "sim/numbers.glsl"
-
-uint substep = numbers.x;
+#pragma once
+// How the body of the blade moves in a substep.
 
 // Of the point of the blade that is at x [m].
 vec3 wayOfBlade(BladeRecord blade, vec3 x) {

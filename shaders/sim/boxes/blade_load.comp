@@ -13,13 +13,14 @@ layout(std430, binding = kBladeBeforeBinding) readonly buffer Before { vec4 befo
 layout(std430, binding = kBladeLoadsBinding) buffer Loads { VertexLoad loads[]; };
 
 #include "blade.glsl"
+#include "sim/numbers.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= obstacle.vertex_count || positions[v].w == 0.0) return;
     float mass = 1.0 / (obstacle.inverse_density * positions[v].w);
     vec3 given = mass * (displacement[v].xyz - before[v].xyz);
-    vec3 arm = positions[v].xyz - blades[substep].box.center.xyz;
+    vec3 arm = positions[v].xyz - blades[numbers.x].box.center.xyz;
     loads[v].given += vec4(given, 0.0);
     loads[v].moment += vec4(cross(arm, given), 0.0);
 }

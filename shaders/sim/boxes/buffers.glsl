@@ -1,5 +1,6 @@
 // What the phases of touches.glsl read and write, for kernels of one phase.
 #include "blade_records.h"
+#include "sim/numbers.glsl"
 #include "sim/boxes/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
@@ -7,6 +8,7 @@ layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 dis
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 #ifdef BLADE
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Blades { BladeRecord blades[]; };
+BladeRecord bladeNow() { return blades[numbers.x]; }
 #else
 layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord boxes[]; };
 BoxRecord boxAt(uint b) { return boxes[b]; }

@@ -3,8 +3,8 @@
 // The first stage goes from X at the speed of the body; the second, with OF_SECOND, from where the
 // first one's speed leads in the rest of the step, at a speed that its acceleration leads to.
 // Contacts begin where the step does, with friction by the push of the stage before.
-// Numbers: the slot of what the first stage left. One group for each aggregate. A storage barrier
-// follows.
+// Numbers: the slot of what the first stage left, the first row of an edge that presses, 0: none.
+// One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
@@ -28,7 +28,7 @@ vec3 shift;
 float done = 1.0;  // of the step, when the stage ends
 void prepare(uint piece) { shift = balancingShift(piece, numbers.x); }
 
-float lastPush(uint row, ContactRow contact) { return fetch(states, 2u * row + 1u).y; }
+float lastPush(uint row) { return fetch(states, 2u * row + 1u).y; }
 vec3 freeWay(uint v) {
     vec3 way = fetch(ways, v).xyz + shift;
     firstWays[v] = vec4(way, 0.0);
@@ -40,16 +40,20 @@ vec3 freeWay(uint v) {
 #else
 float done = implicit.stage / implicit.step;
 void prepare(uint piece) {}
-float lastPush(uint row, ContactRow contact) { return contact.weights.x; }
+float lastPush(uint row) { return max(fetch(rows, kRowTexels * row + 3u).w, 0.0); }
 vec3 freeWay(uint v) { return implicit.stage * fetch(velocities, v).xyz; }
 #endif
 
 void beginRow(uint row) {
     ContactRow contact = rowAt(row);
     for (uint once = contact.slip.w > 0.0 ? 1u : 0u; once > 0u; --once) {
-        float grip = implicit.friction * lastPush(row, contact);
-        newStates[2u * row] = vec4(contact.slip.xyz, contact.normal.w);
-        newStates[2u * row + 1u] = vec4(grip, 0.0, 0.0, 0.0);
+        float last = lastPush(row);
+        float grip = contact.lead.w < 0.0 ? -1.0 : implicit.friction * last;
+        vec3 led = done * contact.lead.xyz;
+        float away = dot(contact.normal.xyz, led);
+        newStates[2u * row] = vec4(contact.slip.xyz - (led - away * contact.normal.xyz),
+                                   contact.normal.w - away);
+        newStates[2u * row + 1u] = vec4(grip, 0.0, last, 0.0);
     }
 }
 
@@ -66,7 +70,7 @@ void main() {
             done * fetch(drift, v).xyz;
         newDirections[v] = vec4(way, 0.0);
         newResiduals[v] = vec4(held ? vec3(0.0) : forces, 0.0);
-        beginRow(2u * v);
-        beginRow(2u * v + 1u);
+        for (uint k = 0u; k < kRowsOfVertex; ++k) beginRow(kRowsOfVertex * v + k);
+        if (numbers.y != 0u) beginRow(numbers.y + v);
     }
 }

@@ -12,7 +12,7 @@ layout(std430, binding = kPullsBinding) readonly buffer Pulls { PullRecord pulls
 layout(std430, binding = kParentsBinding) coherent buffer Parents { uint parents[]; };
 layout(std430, binding = kRowStatesBinding) writeonly buffer States { vec4 states[]; };
 layout(std430, binding = kPullRowsBinding) writeonly buffer Rows { vec4 rows[]; };
-layout(std430, binding = kPullVerticesBinding) writeonly buffer Others { uvec4 others[]; };
+layout(std430, binding = kPullVerticesBinding) writeonly buffer Vertices { uvec4 vertices[]; };
 layout(std430, binding = kForceBinding) buffer Force { vec4 force[]; };
 #include "sim/implicit/join.glsl"
 
@@ -21,10 +21,12 @@ uint row = numbers.x + gl_GlobalInvocationID.x;
 float stageEnd = uintBitsToFloat(numbers.z);
 bool begins = numbers.w != 0u;
 
+// `other`: the piece of the other vertex, if there is one.
 void setRow(vec3 slip, float stiffness, uint piece, float other) {
-    rows[3u * row] = vec4(0.0);
-    rows[3u * row + 1u] = vec4(slip, stiffness);
-    rows[3u * row + 2u] = vec4(float(piece), -other, 0.0, 0.0);
+    rows[kRowTexels * row] = vec4(vec3(0.0), float(piece));
+    rows[kRowTexels * row + 1u] = vec4(slip, stiffness);
+    rows[kRowTexels * row + 2u] = vec4(other, other < 0.0 ? 0.0 : -1.0, 0.0, 0.0);
+    rows[kRowTexels * row + 3u] = vec4(0.0);
     states[2u * row] = vec4(slip, 1.0);
     states[2u * row + 1u] = vec4(kUnbroken, 0.0, 0.0, 0.0);
 }
@@ -37,17 +39,18 @@ void pullByHand(PullRecord pull, vec4 x, uint piece) {
     float rate = leads ? kLeadStrength * implicit.inertia
                        : spring + 4.0 * kPullRate / implicit.step;
     vec3 slip = (spring / rate) * (x.xyz - target) - stageEnd * motion;
-    setRow(slip, massOf(x.w) * rate, piece, 0.0);
-    others[row] = uvec4(kNoPiece, 0u, pull.vertex, pull.vertex);
+    setRow(slip, massOf(x.w) * rate, piece, kOfObstacle);
+    vertices[row] = uvec4(pull.vertex);
 }
 
 void pullByBond(PullRecord pull, vec4 x, uint piece) {
     uint other = pull.leads - kFirstBond;
+    if (links[other].piece == kNoPiece) return;
     vec3 gap = x.xyz - fetch(positions, other).xyz;
     float widest = max(pull.motion_z, length(gap));
     float stiffness = pull.motion_x * max(1.0 / widest - 1.0 / pull.motion_y, 0.0);
-    setRow(gap, stiffness, piece, 1.0);
-    others[row] = uvec4(links[other].piece, other, pull.vertex, pull.vertex);
+    setRow(gap, stiffness, piece, float(links[other].piece));
+    vertices[row] = uvec4(pull.vertex, other, pull.vertex, pull.vertex);
     if (begins) join(piece, links[other].piece);
 }
 
@@ -67,6 +70,6 @@ void pullBy(PullRecord pull) {
 
 void main() {
     if (gl_GlobalInvocationID.x >= numbers.y) return;
-    rows[3u * row + 1u] = vec4(0.0);
+    rows[kRowTexels * row + 1u] = vec4(0.0);
     pullBy(pulls[gl_GlobalInvocationID.x]);
 }

@@ -82,36 +82,32 @@ uint rowOf(uint p, uint k) {
     return fetch(rowList, kRowsOfPage * pieceAt(p).first_page + k).x;
 }
 
-uint ownOf(uint row, uvec4 others) {
-    return row < 2u * implicit.vertex_count ? row / 2u : others.z;
-}
-
 #ifdef OF_START
 // Along the motion, and by the volume that is missing.
 vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
-    uvec4 others = fetch(rowVertices, row);
+    uvec4 vertices = fetch(rowVertices, row);
     vec2 own = reaches[p].zw;
-    uint v = ownOf(row, others);
-    vec3 pressure = fetch(pressures, v).xyz;
-    vec3 relative = fetch(directions, v).xyz + own.y * pressure;
-    swollen = own.x * pressure;
-    if (others.x == kNoPiece) return relative;
-    own = reaches[others.x].zw;
-    for (int k = 1; k < 4; ++k) {
-        pressure = fetch(pressures, others[k]).xyz;
-        relative += weights[k] * (fetch(directions, others[k]).xyz + own.y * pressure);
-        swollen += (weights[k] * own.x) * pressure;
+    vec2 met = weights.x < 0.0 ? own : reaches[uint(weights.x)].zw;
+    weights.x = firstWeight(weights);
+    vec3 relative = vec3(0.0);
+    swollen = vec3(0.0);
+    for (int k = 0; k < 4; ++k) {
+        if (weights[k] == 0.0) continue;
+        vec2 reach = weights[k] < 0.0 ? met : own;
+        vec3 pressure = fetch(pressures, vertices[k]).xyz;
+        relative += weights[k] * (fetch(directions, vertices[k]).xyz + reach.y * pressure);
+        swollen += (weights[k] * reach.x) * pressure;
     }
     return relative;
 }
 #else
 vec3 relativeOf(uint row, uint p, vec4 weights, out vec3 swollen) {
-    uvec4 others = fetch(rowVertices, row);
-    vec3 relative = fetch(directions, ownOf(row, others)).xyz;
+    uvec4 vertices = fetch(rowVertices, row);
+    weights.x = firstWeight(weights);
+    vec3 relative = vec3(0.0);
     swollen = vec3(0.0);
-    if (others.x == kNoPiece) return relative;
-    for (int k = 1; k < 4; ++k) {
-        relative += weights[k] * fetch(directions, others[k]).xyz;
+    for (int k = 0; k < 4; ++k) {
+        if (weights[k] != 0.0) relative += weights[k] * fetch(directions, vertices[k]).xyz;
     }
     return relative;
 }
@@ -129,10 +125,10 @@ void leaveRelatives(uint root) {
         for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
             uint row = rowOf(p, k);
             vec3 swollen;
-            vec3 relative = relativeOf(row, p, fetch(rows, 3u * row + 2u), swollen);
+            vec3 relative = relativeOf(row, p, fetch(rows, kRowTexels * row + 2u), swollen);
             relatives[row] = vec4(relative, 0.0);
 #ifdef OF_START
-            moveRow(row, fetch(rows, 3u * row).xyz, swollen);
+            moveRow(row, fetch(rows, kRowTexels * row).xyz, swollen);
 #endif
         }
     }
@@ -140,15 +136,17 @@ void leaveRelatives(uint root) {
 
 // First and second derivative of what a contact adds to the energy along the direction.
 vec2 bendOf(uint row, float alpha) {
-    vec3 normal = fetch(rows, 3u * row).xyz;
-    float stiffness = fetch(rows, 3u * row + 1u).w;
+    vec3 normal = fetch(rows, kRowTexels * row).xyz;
+    float stiffness = stiffnessOf(row);
+    float lead = fetch(rows, kRowTexels * row + 3u).w;
     vec4 state = stateAt(2u * row);
     float most = stateAt(2u * row + 1u).x;
     vec3 relative = relativeAt(row);
     float opening = dot(normal, relative);
     vec3 across = relative - opening * normal;
-    float push = pushOf(stiffness, state.w + alpha * opening);
-    vec2 bend = vec2(-push * opening, push > 0.0 ? stiffness * opening * opening : 0.0);
+    float push = pushOf(stiffness, state.w + alpha * opening, lead);
+    bool yields = push > 0.0 && (lead >= 0.0 || push < -lead);
+    vec2 bend = vec2(-push * opening, yields ? stiffness * opening * opening : 0.0);
     vec3 slip = state.xyz + alpha * across;
     float grip = most > 0.0 ? gripOf(stiffness, slip, most) : 0.0;
     return bend + grip * vec2(dot(slip, across), dot(across, across));
@@ -203,19 +201,19 @@ void pushAt(uint row, float alpha) {
     vec4 state = stateAt(2u * row);
     state += alpha * vec4(relative - opening * normal, opening);
     states[2u * row] = state;
-    float push = pushOf(stiffness, state.w);
-    bool renews = numbers.y != 0u && normal != vec3(0.0);
-    float most = renews ? implicit.friction * push : stateAt(2u * row + 1u).x;
-    states[2u * row + 1u] = vec4(most, push, 0.0, 0.0);
+    float push = pushOf(stiffness, state.w, contact.lead.w);
+    bool renews = numbers.y != 0u && normal != vec3(0.0) && contact.lead.w >= 0.0;
+    vec4 pushes = stateAt(2u * row + 1u);
+    float most = renews ? implicit.friction * push : pushes.x;
+    states[2u * row + 1u] = vec4(most, push, pushes.z, 0.0);
     float grip = most > 0.0 ? gripOf(stiffness, state.xyz, most) : 0.0;
     vec3 force = push * normal - grip * state.xyz;
     if (force == vec3(0.0)) return;
-    uvec4 others = fetch(rowVertices, row);
-    addForce(ownOf(row, others), force);
-    if (others.x == kNoPiece) return;
-    addForce(others.y, contact.weights.y * force);
-    addForce(others.z, contact.weights.z * force);
-    addForce(others.w, contact.weights.w * force);
+    uvec4 vertices = fetch(rowVertices, row);
+    vec4 weights = vec4(firstWeight(contact.weights), contact.weights.yzw);
+    for (int k = 0; k < 4; ++k) {
+        if (weights[k] != 0.0) addForce(vertices[k], weights[k] * force);
+    }
 }
 
 void main() {

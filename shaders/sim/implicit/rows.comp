@@ -1,6 +1,7 @@
 // Lists the rows of contact of each piece in the order of its vertices on their pages, then those
 // of pulls, and the pieces that touch: see ImplicitPiece.
-// Numbers: the first row of pulls, how many. One group for each piece. A storage barrier follows.
+// Numbers: the first row of pulls, how many, 1 where an edge presses. One group for each piece. A
+// storage barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
@@ -12,51 +13,62 @@ layout(std430, binding = kMadePiecesBinding) writeonly buffer Made { uvec4 made[
 layout(std430, binding = kMadeListBinding) writeonly buffer List { uint list[]; };
 #include "sim/implicit/join.glsl"
 
-shared uvec2 found[GROUP];  // 1 for an obstacle, 1 for a triangle
+shared uint found[GROUP];
 shared uint nextOne;
 shared uint isHeld;
 uint firstPull = numbers.x;
 uint pullCount = numbers.y;
+bool edgePresses = numbers.z != 0u;
 
-bool isRow(uint row) { return fetch(rows, 3u * row + 1u).w > 0.0; }
-
-// Two rows, of which there may be the first and the second.
-struct Pair {
-    uvec2 rows;
-    uvec2 there;
+// Rows that follow each other, of which there are those with a bit.
+struct Rows {
+    uint first;
+    uint there;
+    bool hold;  // the first and the last: see ImplicitPiece
 };
 
-Pair pairOf(uint v) {
-    if (v == kNoVertex) return Pair(uvec2(0u), uvec2(0u));
-    return Pair(uvec2(2u * v, 2u * v + 1u), uvec2(isRow(2u * v), isRow(2u * v + 1u)));
+uint bitOf(uint row) { return stiffnessOf(row) > 0.0 ? 1u : 0u; }
+
+Rows rowsOf(uint v) {
+    Rows own = Rows(kRowsOfVertex * v, 0u, true);
+    for (uint k = 0u; v != kNoVertex && k < kRowsOfVertex; ++k) {
+        own.there |= bitOf(own.first + k) << k;
+    }
+    return own;
+}
+
+// Of an edge that presses.
+Rows pressedRowOf(uint v) {
+    uint row = firstPull + pullCount + v;
+    return Rows(row, v == kNoVertex ? 0u : bitOf(row), true);
 }
 
 // Of a hand or a bond.
-Pair pullOf(uint row, uint piece) {
-    bool there = row < firstPull + pullCount && isRow(row) &&
-        uint(fetch(rows, 3u * row + 2u).x) == piece;
-    bool isBond = there && fetch(rows, 3u * row + 2u).y != 0.0;
-    return Pair(uvec2(row), uvec2(there && !isBond, isBond));
+Rows pullOf(uint row, uint piece) {
+    bool there = row < firstPull + pullCount && stiffnessOf(row) > 0.0 &&
+        uint(fetch(rows, kRowTexels * row).w) == piece;
+    bool isHand = there && fetch(rows, kRowTexels * row + 2u).x == kOfObstacle;
+    return Rows(row, there ? 1u : 0u, isHand);
 }
 
-// Appends the rows of as many vertices as the group has threads; returns how many there are then.
-uint append(Pair pair, uint first, uint count) {
-    uvec2 own = pair.there;
-    found[gl_LocalInvocationID.x] = own;
+// Appends rows of as many vertices as the group has threads; returns how many there are then.
+uint append(Rows own, uint first, uint count) {
+    found[gl_LocalInvocationID.x] = uint(bitCount(own.there));
     barrier();
     uint place = 0u;
     uint sum = 0u;
     for (uint k = 0u; k < GROUP; ++k) {
         if (k == gl_LocalInvocationID.x) place = sum;
-        sum += found[k].x + found[k].y;
+        sum += found[k];
     }
     barrier();
     uint at = first + count + place;
-    if (own.x != 0u) {
-        list[at] = pair.rows.x;
-        isHeld = 1u;
+    for (uint there = own.there; there != 0u; there &= there - 1u) {
+        list[at] = own.first + uint(findLSB(there));
+        ++at;
     }
-    if (own.y != 0u) list[at + own.x] = pair.rows.y;
+    bool holds = (own.there & (1u << kMeetsObstacle | 1u << kMeetsCorner)) != 0u;
+    if (own.hold && holds) atomicOr(isHeld, 1u);
     return count + sum;
 }
 
@@ -83,7 +95,9 @@ void main() {
     for (uint page = 0u; page < piece.page_count; ++page) {
         uint places = kPageSize * fetch(pageTable, piece.first_page + page).x;
         for (uint k = gl_LocalInvocationID.x; k < kPageSize; k += GROUP) {
-            count = append(pairOf(fetch(rowOrder, places + k).x), first, count);
+            uint v = fetch(rowOrder, places + k).x;
+            count = append(rowsOf(v), first, count);
+            if (edgePresses) count = append(pressedRowOf(v), first, count);
         }
     }
     for (uint k = 0u; k < pullCount; k += GROUP) {

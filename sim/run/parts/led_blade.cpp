@@ -70,6 +70,12 @@ Blade LedBlade::nextPose() const {
     return pose;
 }
 
+double LedBlade::comingWay() const {
+    const Blade from = trail_->edge;
+    const Blade to = nextPose();
+    return std::max((to.a - from.a).norm(), (to.b - from.b).norm());
+}
+
 std::vector<Blade> LedBlade::path() const {
     std::vector<Blade> path;
     if (trail_) {

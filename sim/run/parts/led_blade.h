@@ -44,6 +44,8 @@ class LedBlade {
     std::optional<Blade> comingPose() const;
     /// The pose after the coming step, or where it is lifted in it. It must be placed.
     Blade nextPose() const;
+    /// How far its ends go in the coming step, at most [m]. It must be placed.
+    double comingWay() const;
     /// From the edge to the back, unit; zero while it has no direction. It must be placed.
     const Vec3& back() const { return trail_->back; }
     /// The cutting edge: the pose, unless the material resists the edge. It must be placed.

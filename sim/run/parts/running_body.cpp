@@ -151,38 +151,39 @@ void RunningBody::apply(const Params& params) {
 }
 
 /// At which something may be met in the coming step [m/s]: 0 where nothing is near.
-double RunningBody::speedOfMeeting(const Params& params, bool hasBoxes) const {
+double RunningBody::speedOfMeeting(const Params& params, const Surroundings& around) const {
     const BodyMeasure& measure = memory.measure;
-    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || hasBoxes ||
+    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || around.boxes ||
                        mayMeetFloor(measure, params);
     return meets ? measure.fastest : 0;
 }
 
-int RunningBody::iterationsFor(const Params& params, bool hasBoxes) {
+int RunningBody::iterationsFor(const Params& params, const Surroundings& around) {
     if (params.iterations != kAutoIterations) {
         return params.iterations;
     }
     if (params.solver == SolverMode::implicit) {
-        const double step = params.timeStep / implicitStepsFor(params, hasBoxes);
-        return implicitIterations(model(), relativeSpeed(params, hasBoxes) * step);
+        const double step = params.timeStep / implicitStepsFor(params, around);
+        return implicitIterations(model(), relativeSpeed(params, around) * step);
     }
     memory.sweeps.follow(model(), params);
-    return memory.sweeps.iterationsFor(params, speedOfMeeting(params, hasBoxes));
+    return memory.sweeps.iterationsFor(params, speedOfMeeting(params, around));
 }
 
-int RunningBody::implicitStepsFor(const Params& params, bool hasBoxes) const {
+int RunningBody::implicitStepsFor(const Params& params, const Surroundings& around) const {
     if (params.solver != SolverMode::implicit) {
         return 1;
     }
     return stepsWithin(params.timeStep,
                        std::min(longestStep(model(), params),
-                                longestStepAt(relativeSpeed(params, hasBoxes), diagonal)));
+                                longestStepAt(relativeSpeed(params, around), diagonal)));
 }
 
-double RunningBody::relativeSpeed(const Params& params, bool hasBoxes) const {
+double RunningBody::relativeSpeed(const Params& params, const Surroundings& around) const {
     const BodyMeasure& measure = memory.measure;
-    return mayMeetFloor(measure, params) || hasBoxes ? measure.fastest
-                                                     : solver.collisions().relativeSpeed();
+    const bool meets = mayMeetFloor(measure, params) || around.boxes || around.bladeSpeed > 0;
+    const double own = meets ? measure.fastest : solver.collisions().relativeSpeed();
+    return own + around.bladeSpeed;
 }
 
 void RunningBody::applyToSolver(const Params& params) {

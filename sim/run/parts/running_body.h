@@ -17,6 +17,12 @@
 
 namespace kerf {
 
+/// What a body may meet besides itself and the floor.
+struct Surroundings {
+    bool boxes = false;
+    double bladeSpeed = 0;  ///< of a blade that pushes or presses, in the coming step [m/s]
+};
+
 /// The running body of a simulation: constant set-up, running state on the GPU, the mesh, which
 /// owns the topology and fetches positions when read, and the state of cutting and solving.
 /// Snapshot stores these.
@@ -37,12 +43,12 @@ struct RunningBody {
     void apply(const Params& params);
     /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
     /// as it needs (SweepStrength::iterationsFor()).
-    int iterationsFor(const Params& params, bool hasBoxes);
+    int iterationsFor(const Params& params, const Surroundings& around);
     /// Of how many implicit steps the coming time step is made, by how fast the body meets
     /// something.
-    int implicitStepsFor(const Params& params, bool hasBoxes) const;
+    int implicitStepsFor(const Params& params, const Surroundings& around) const;
     /// At which something near may be met in the coming step, or parts meet each other [m/s].
-    double relativeSpeed(const Params& params, bool hasBoxes) const;
+    double relativeSpeed(const Params& params, const Surroundings& around) const;
     /// Gives the solver parameters with a number of iterations; after apply().
     void applyToSolver(const Params& params);
 
@@ -130,7 +136,7 @@ struct RunningBody {
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
-    double speedOfMeeting(const Params& params, bool hasBoxes) const;
+    double speedOfMeeting(const Params& params, const Surroundings& around) const;
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     std::vector<shared::PullRecord> forces(double density,
                                            const std::vector<std::uint32_t>& pulled) const;

@@ -162,11 +162,10 @@ void InverseBuffers::assign(const BodyModel& model, const VertexGroups& groups,
 
 void ContactBuffers::assign(const BodyModel& model, std::span<const double> firm, uint pages) {
     constexpr double kFarthest = 0.25;  // of the diagonal, that contacts are pressed together
-    constexpr double kMostUnits = 1e9;
-    const std::size_t rowCount = 2 * std::max<std::size_t>(firm.size(), 1);
-    makeRows(rowCount);
-    keptSlips.resize(rowCount * sizeof(vec4));
-    forces.resize(rowCount / 2 * sizeof(std::array<int, 4>));
+    const std::size_t vertexCount = std::max<std::size_t>(firm.size(), 1);
+    makeRows(shared::kRowsOfVertex * vertexCount);
+    keptSlips.resize(shared::kRowsOfVertex * vertexCount * sizeof(vec4));
+    forces.resize(vertexCount * sizeof(std::array<int, 4>));
     forces.clear();
     list.resize(std::max(shared::kRowsOfPage * pages, 1U) * sizeof(uint));
     std::vector<uint> own(std::max<std::size_t>(model.pieces.size(), 1));
@@ -175,8 +174,8 @@ void ContactBuffers::assign(const BodyModel& model, std::span<const double> firm
     parents.resize(own.size() * sizeof(uint));
     reaches.resize(own.size() * sizeof(shared::Reach));
     firmness.assign(std::vector<float>(firm.begin(), firm.end()));
-    const double firmest = firm.empty() ? 0 : *std::ranges::max_element(firm);
-    forceUnit = static_cast<float>(kFarthest * model.diagonal * firmest / kMostUnits);
+    firmest = firm.empty() ? 0 : *std::ranges::max_element(firm);
+    farthest = kFarthest * model.diagonal;
 }
 
 void ContactBuffers::makeRows(std::size_t count) {
@@ -186,7 +185,9 @@ void ContactBuffers::makeRows(std::size_t count) {
     relatives.resize(count * sizeof(vec4));
 }
 
-void StageVectors::makeRoom(std::size_t vertexCount) {
+void StageVectors::makeRoom(std::size_t vertexCount, std::size_t aggregates, std::size_t pieces) {
+    motions.resize(std::max<std::size_t>(aggregates, 1) * sizeof(shared::AggregateMotion));
+    spins.resize(2 * std::max<std::size_t>(pieces, 1) * sizeof(vec4));
     total.resize(2 * vertexCount * sizeof(vec4));
     for (gpu::Buffer* vector : {&residual, &answer, &direction, &image, &way, &firstWay, &force,
                                 &pressure, &pressureImage, &drift}) {

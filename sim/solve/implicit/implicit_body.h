@@ -52,13 +52,14 @@ struct StageVectors {
     gpu::Buffer drift;  ///< the matrix times the way of what is held
     gpu::Buffer pressure, pressureImage;
     gpu::Buffer productSums, answerSums;
+    gpu::Buffer motions, spins;  ///< of aggregates, of pieces
 
-    void makeRoom(std::size_t vertexCount);
+    void makeRoom(std::size_t vertexCount, std::size_t aggregates, std::size_t pieces);
     /// `pages`, `aggregates`: how many sums each slot has.
     void makeSlots(std::uint32_t slots, std::uint32_t pages, std::uint32_t aggregates);
 };
 
-/// What a body meets in a step: two rows a vertex.
+/// What a body meets in a step: see shared::ContactRow.
 struct ContactBuffers {
     gpu::Buffer rows, rowVertices, list, states, relatives;
     gpu::Buffer keptSlips;  ///< between steps
@@ -66,9 +67,10 @@ struct ContactBuffers {
     gpu::Buffer parents, reaches;
     gpu::Buffer firmness{gpu::Buffer::Readers::texels};
     gpu::Buffer unjoined{gpu::Buffer::Readers::texels};  ///< parents before a step
-    float forceUnit = 0;                                 ///< of sums [N]
+    double firmest = 0;                                  ///< of contactFirmness() [N/m]
+    double farthest = 0;  ///< contacts are not pressed together by more [m]
 
-    /// Of all vertices, and pulls.
+    /// Of all vertices, pulls, and an edge that presses.
     void makeRows(std::size_t count);
     /// Keeps what pushed and held. `firmness`: contactFirmness(); `pages`: of all pieces.
     void assign(const BodyModel& model, std::span<const double> firmness, std::uint32_t pages);

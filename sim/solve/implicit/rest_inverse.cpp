@@ -184,11 +184,12 @@ std::vector<double> massesWithout(const BodyModel& model, double density,
     return masses;
 }
 
-std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli,
-                                    std::span<const double> masses) {
-    std::vector<double> firmness(masses.size());
-    constexpr double kRate = shared::kContactRate;
-    std::ranges::transform(masses, firmness.begin(), [](double m) { return kRate * kRate * m; });
+double contactRate(double step) {
+    return std::max<double>(shared::kContactRate, shared::kContactTurn / step);
+}
+
+std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli) {
+    std::vector<double> firmness(model.restPositions.size());
     forEachPull(
         model, moduli, bendSteepness(model), restPlaces(model), [&](const ConstraintPull& pull) {
             for (int k = 0; k < pull.count; ++k) {

@@ -52,9 +52,11 @@ TypeModuli typeModuli(const Params& params);
 std::vector<double> massesWithout(const BodyModel& model, double density,
                                   std::span<const std::uint32_t> pinned);
 
-/// By which contacts of each vertex are firm [N/m]: see shared::kContactShare.
-std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli,
-                                    std::span<const double> masses);
+/// By which contacts of each vertex are firm, besides mass * contactRate()^2 [N/m]: see
+/// shared::kContactShare.
+std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli);
+/// In steps of this length [s]: at which mass is stopped by a contact [1/s].
+double contactRate(double step);
 
 /// `masses`: of the vertices [kg]; those of 0 do not move.
 RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,

@@ -75,6 +75,43 @@ double gripOf(const ContactRow& row, const Vec3& slip, double most) {
     return row.stiffness * length > most ? most / length : row.stiffness;
 }
 
+/// How a vertex moves; `given`: momentum, with what forces add to it.
+struct Moving {
+    Vec3 place, speed, given;
+};
+
+/// Of what moves together in a step, sums of mass and momentum.
+struct Turning {
+    bool isFree = true;
+    double mass = 0;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< mass times place
+    Vec3 momentum = Vec3::Zero(), ended = Vec3::Zero();
+    Vec3 turn = Vec3::Zero(), endedTurn = Vec3::Zero();  ///< about the origin
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+
+    void add(double m, const Moving& before, const Moving& after) {
+        isFree = isFree && m > 0;
+        mass += m;
+        from += m * before.place;
+        to += m * after.place;
+        momentum += m * before.speed;
+        ended += m * after.speed;
+        turn += before.place.cross(before.given);
+        endedTurn += m * after.place.cross(after.speed);
+        squares += m * after.place * after.place.transpose();
+    }
+    /// Of the velocity at a place.
+    Vec3 changeAt(const Vec3& place, double kept) const {
+        const Vec3 middle = to / mass;
+        const Eigen::Matrix3d about = squares - mass * middle * middle.transpose();
+        const Eigen::Matrix3d inertia = about.trace() * Eigen::Matrix3d::Identity() - about;
+        const Vec3 lacks =
+            kept * (turn - from.cross(momentum) / mass) - (endedTurn - to.cross(ended) / mass);
+        const Vec3 spin = inertia.ldlt().solve(lacks);
+        return spin.cross(place - middle);
+    }
+};
+
 }  // namespace
 
 ImplicitSettings implicitSettings(const Params& params) {
@@ -93,7 +130,7 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
     : model_(model),
       settings_(settings),
       masses_(massesWithout(model, settings.density, pinned)),
-      firmness_(contactFirmness(model, settings.moduli, masses_)),
+      firmness_(contactFirmness(model, settings.moduli)),
       groups_(groupVertices(model, settings.moduli, settings.aggregateSize)),
       inverse_(invertAtRest(model, settings.moduli, groups_, masses_, preparedScaleOf(settings))),
       preconditioner_(model, groups_, inverse_, masses_),
@@ -215,7 +252,7 @@ class ImplicitReference::Descent {
         }
         return ratio(size, first);
     }
-    /// Moves what nothing outside holds as a whole, so that it has the momentum that it should.
+    /// Moves what holds no vertex as a whole, so that it has the momentum that it should.
     void balance() {
         const std::size_t count = solver_.model_.pieces.size();
         std::vector<Vec3> force(count, Vec3::Zero());
@@ -229,10 +266,6 @@ class ImplicitReference::Descent {
                 inertia[g] += scale * solver_.masses_[v];
                 isFree[g] = isFree[g] && solver_.masses_[v] > 0;
             }
-        }
-        for (const ContactRow& row : rows_) {
-            const int g = joined_.root(pieceOf(row.vertices[0]));
-            isFree[g] = isFree[g] && row.count > 1;
         }
         for (std::size_t v = 0; v < gradient.size(); ++v) {
             if (const int g = groupOf(v); g >= 0 && isFree[g]) {
@@ -495,17 +528,50 @@ Vectors ImplicitReference::solveStage(const StageStart& from, const Vectors& sta
     return total;
 }
 
+/// Gives what nothing outside holds the angular momentum that the forces on it say.
+void ImplicitReference::spinBack(const ReferenceState& before, const ContactRows& rows,
+                                 ReferenceState& state) const {
+    UnionFind joined(model_.pieces.size());
+    std::vector<Turning> turnings(model_.pieces.size());
+    const auto pieceOf = [&](std::size_t v) { return model_.pieceOfVertex[v]; };
+    for (const ContactRow& row : rows) {
+        for (int k = 1; k < row.count; ++k) {
+            joined.join(pieceOf(row.vertices[0]), pieceOf(row.vertices[k]));
+        }
+    }
+    for (const ContactRow& row : rows) {
+        turnings[joined.root(pieceOf(row.vertices[0]))].isFree &= row.count > 1;
+    }
+    for (std::size_t v = 0; v < masses_.size(); ++v) {
+        if (pieceOf(v) >= 0) {
+            const Vec3 speed = before.velocities[v];
+            const Vec3 given = masses_[v] * speed + settings_.step * force_[v];
+            turnings[joined.root(pieceOf(v))].add(masses_[v], {before.positions[v], speed, given},
+                                                  {state.positions[v], state.velocities[v], {}});
+        }
+    }
+    const double kept = std::exp(-settings_.drag * settings_.step);
+    for (std::size_t v = 0; v < masses_.size(); ++v) {
+        if (pieceOf(v) >= 0 && turnings[joined.root(pieceOf(v))].isFree) {
+            state.velocities[v] +=
+                turnings[joined.root(pieceOf(v))].changeAt(state.positions[v], kept);
+        }
+    }
+}
+
 ContactRows ImplicitReference::findRows(const ReferenceState& state) {
     if (finder_ == nullptr) {
         return {};
     }
     ContactRows rows = finder_->find(state, settings_.step);
+    const double rate = contactRate(settings_.step);
     for (ContactRow& row : rows) {
         double yielding = 0;
         double point = 0;
         for (int k = 0; k < row.count; ++k) {
             const std::uint32_t v = row.vertices[k];
-            (row.weights[k] > 0 ? point : yielding) += std::fabs(row.weights[k]) * firmness_[v];
+            const double firm = firmness_[v] + rate * rate * masses_[v];
+            (row.weights[k] > 0 ? point : yielding) += std::fabs(row.weights[k]) * firm;
         }
         row.stiffness = row.count == 1 ? point : 2 * point * yielding / (point + yielding);
         const auto held = std::ranges::lower_bound(held_, row.memory, {}, &Held::memory);
@@ -537,7 +603,8 @@ ImplicitReport ImplicitReference::step(ReferenceState& state) {
     const double rest = settings_.step - s;
     ImplicitReport report;
     ContactRows rows = findRows(state);
-    const Vectors start = state.positions;
+    const ReferenceState before = state;
+    const Vectors& start = before.positions;
     StageStart from{start, state.velocities};
     linearise(start);
     const Vectors first = solveStage(from, start, rows, report);
@@ -554,6 +621,7 @@ ImplicitReport ImplicitReference::step(ReferenceState& state) {
             state.velocities[v] = kept / s * (state.positions[v] - from.positions[v]);
         }
     }
+    spinBack(before, rows, state);
     for (ContactRow& row : rows) {
         row.slip += row.across(row.relative(second));
     }

@@ -65,6 +65,8 @@ class ImplicitReference {
     std::vector<double> missingVolumes() const;
     Vectors solveStage(const StageStart& from, const Vectors& start, ContactRows& rows,
                        ImplicitReport& report);
+    void spinBack(const ReferenceState& before, const ContactRows& rows,
+                  ReferenceState& state) const;
     ContactRows findRows(const ReferenceState& state);
     void keepSlips(const ContactRows& rows);
 
