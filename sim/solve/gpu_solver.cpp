@@ -76,11 +76,15 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
     }
 }
 
-void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
-                               const ImplicitStep& step, std::vector<uint> pinned) {
+void GpuSolver::compileImplicitSteps() {
     if (!implicit_) {
         implicit_.emplace(body_, collisions_);
     }
+}
+
+void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
+                               const ImplicitStep& step, std::vector<uint> pinned) {
+    compileImplicitSteps();
     Prepared wanted{params, step.prepared, std::move(pinned)};
     wanted.params.iterations = 0;  // which the body does not depend on
     if (prepared_ != wanted) {

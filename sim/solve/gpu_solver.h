@@ -84,9 +84,10 @@ class GpuSolver {
     /// The vertices that hands hold in the coming steps; each at most once.
     void setPulls(const std::vector<shared::PullRecord>& pulls) { body_.setPulls(pulls); }
 
+    /// Compiles the kernels of implicit steps, once. Throws gpu::ShaderError.
+    void compileImplicitSteps();
     /// Makes the coming time steps of implicit ones, prepared for this body, these parameters and
-    /// pinned vertices if any of them has changed. The first call compiles their kernels. Throws
-    /// gpu::ShaderError, gpu::OutOfMemory.
+    /// pinned vertices if any of them has changed. Throws gpu::ShaderError, gpu::OutOfMemory.
     void stepImplicitly(const BodyModel& model, const Params& params, const ImplicitStep& step,
                         std::vector<std::uint32_t> pinned);
     /// Makes the coming time steps of substeps again, the default.

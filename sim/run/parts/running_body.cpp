@@ -134,6 +134,9 @@ void RunningBody::measureAtRest() {
 }
 
 void RunningBody::apply(const Params& params) {
+    if (params.solver == SolverMode::implicit) {
+        solver.compileImplicitSteps();
+    }
     solver.setUniforms(solverUniforms(params));
     if (updater->ispcRays() != ispcRays(params)) {
         castIspcs(ispcRays(params));

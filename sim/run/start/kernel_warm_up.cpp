@@ -49,10 +49,14 @@ KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {
     params.floor = 0;
     const SurfaceMesh mesh = touchingBoxes();
     start_ = approachingStateOf(mesh);
-    solver_.setModel(buildBodyModel(mesh), start_);
+    const BodyModel model = buildBodyModel(mesh);
+    solver_.setModel(model, start_);
     solver_.setUniforms(solverUniforms(params));
     solver_.collisions().setSettings(contactSettings(params));
     solver_.stepper().allowOneGroup(vertices <= shared::kSmallBodyVertices);
+    if (params.solver == SolverMode::implicit) {
+        solver_.stepImplicitly(model, params, {}, {});
+    }
 }
 
 bool KernelWarmUp::advance() {
