@@ -1,7 +1,8 @@
 #include "sim/solve/implicit/row_lists.h"
 
 #include <algorithm>
-#include <functional>
+#include <cstdint>
+#include <utility>
 
 #include "shaders/shared/body_records.h"
 
@@ -43,39 +44,60 @@ void addOthers(const std::vector<Constraint>& constraints, const Incidence& inci
     }
 }
 
-/// Appends the row of a vertex; its shares in the order of types and constraints.
-void appendRow(const BodyModel& model, const FactorPlaces& factors, uint v, RowLists& lists) {
-    std::vector<Share> shares;
+/// Of a row while it is made.
+struct RowParts {
+    std::vector<Share> shares;  ///< in the order of types and constraints
+    std::vector<uint> columns;
+    std::vector<uint> places;  ///< by column: where its next share goes; 0 between rows
+};
+
+/// Appends the row of a vertex, sorted by columns; shares stay in their order.
+void appendRow(const BodyModel& model, const FactorPlaces& factors, uint v, RowParts& parts,
+               RowLists& lists) {
+    auto& [shares, columns, places] = parts;
+    shares.clear();
+    columns.clear();
     addSpokes(model, v, factors.first[shared::kStretch], shares);
     addOthers(model.bends, model.incidences[shared::kBend], v, factors.first[shared::kBend],
               shares);
     addOthers(model.ispcs, model.incidences[shared::kIspc], v, factors.first[shared::kIspc],
               shares);
-    std::ranges::stable_sort(shares, {}, &Share::column);
-    const uint first = lists.blockCount;
-    for (std::size_t k = 0; k < shares.size();) {
-        const uint column = shares[k].column;
-        shared::ImplicitBlock block{lists.blockCount++, column,
-                                    static_cast<uint>(lists.shares.size()), 0};
-        for (; k < shares.size() && shares[k].column == column; ++k) {
-            lists.shares.push_back(shares[k].word);
+    for (const Share& share : shares) {
+        if (places[share.column]++ == 0) {
+            columns.push_back(share.column);
         }
-        block.end = static_cast<uint>(lists.shares.size());
+    }
+    std::ranges::sort(columns);
+    const uint first = lists.blockCount;
+    uint end = static_cast<uint>(lists.shares.size());
+    for (const uint column : columns) {
+        const uint begin = std::exchange(end, end + places[column]);
+        const shared::ImplicitBlock block{lists.blockCount++, column, begin, end};
         if (column == v) {
             lists.diagonal[v] = block;
         } else {
             lists.others.push_back(block);
         }
+        places[column] = begin;
     }
     lists.rows[v] = {first, lists.blockCount};
+    lists.shares.resize(end);
+    for (const Share& share : shares) {
+        lists.shares[places[share.column]++] = share.word;
+    }
+    for (const uint column : columns) {
+        places[column] = 0;
+    }
 }
 
 /// Those with many shares first, group by group of threads: threads beside each other end together.
 void sortByShares(std::vector<shared::ImplicitBlock>& blocks) {
     for (std::size_t first = 0; first < blocks.size(); first += shared::kGroupSize) {
         const std::size_t count = std::min<std::size_t>(shared::kGroupSize, blocks.size() - first);
-        std::ranges::stable_sort(std::span(blocks).subspan(first, count), std::ranges::greater{},
-                                 [](const shared::ImplicitBlock& b) { return b.end - b.first; });
+        std::ranges::sort(std::span(blocks).subspan(first, count), {},
+                          [](const shared::ImplicitBlock& b) {
+                              return std::uint64_t{b.first - b.end} << 32 | b.place;
+                          });
     }
 }
 
@@ -94,12 +116,14 @@ FactorPlaces::FactorPlaces(const BodyModel& model) {
 
 RowLists rowListsOf(const BodyModel& model) {
     const FactorPlaces factors(model);
+    RowParts parts;
+    parts.places.resize(model.restPositions.size(), 0);
     RowLists lists;
     lists.rows.resize(model.restPositions.size());
     lists.diagonal.resize(model.restPositions.size());
     for (uint v = 0; v < lists.rows.size(); ++v) {
         if (model.pieceOfVertex[v] >= 0) {
-            appendRow(model, factors, v, lists);
+            appendRow(model, factors, v, parts, lists);
         }
     }
     sortByShares(lists.others);
