@@ -118,11 +118,11 @@ ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
 
 void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
                               const ImplicitStep& step, std::span<const uint> pinned) {
-    const TypeModuli moduli = typeModuli(params);
-    const VertexGroups groups = groupVertices(model, moduli, step.aggregateSize);
+    const std::vector<ConstraintPull> pulls = pullsAtRest(model, typeModuli(params));
+    const VertexGroups groups = groupVertices(model, pulls, step.aggregateSize);
     const std::vector<double> masses = massesWithout(model, params.density, pinned);
     const RestInverse inverse =
-        invertAtRest(model, moduli, groups, masses, stageScale(step.prepared, params.damping));
+        invertAtRest(model, pulls, groups, masses, stageScale(step.prepared, params.damping));
     std::vector<std::vector<uint>> pages;
     for (std::size_t piece = 0; piece < model.pieces.size(); ++piece) {
         pages.push_back(body_.pieces.pages().pagesOf(piece));
@@ -130,7 +130,7 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     own_.matrix.assign(model, body_.pieces.pages().places(), pages);
     own_.inverse.assign(model, groups, inverse, pages);
     heaviest_ = masses.empty() ? 0 : *std::ranges::max_element(masses);
-    own_.contact.assign(model, contactFirmness(model, moduli), own_.matrix.pageCount);
+    own_.contact.assign(model, contactFirmness(pulls, masses.size()), own_.matrix.pageCount);
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
                           model.pieces.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shaders/shared/implicit_records.h"
 #include "shaders/shared/solver_uniforms.h"
@@ -99,6 +100,16 @@ std::vector<double> bendSteepness(const BodyModel& model) {
     return mapped(model.bends, [&](const BendConstraint& bend) {
         return steepnessAtRest(bend, model.restPositions);
     });
+}
+
+std::vector<ConstraintPull> pullsAtRest(const BodyModel& model, const TypeModuli& moduli) {
+    std::vector<ConstraintPull> pulls;
+    pulls.reserve(model.edges.size() + model.bends.size() + model.ispcs.size());
+    // At rest no bend is softer, whatever its steepness is there.
+    const std::vector<double> steepest(model.bends.size(), std::numeric_limits<double>::infinity());
+    forEachPull(model, moduli, steepest, restPlaces(model),
+                [&](const ConstraintPull& pull) { pulls.push_back(pull); });
+    return pulls;
 }
 
 std::vector<Vec3> restPlaces(const BodyModel& model) {

@@ -64,6 +64,8 @@ void forEachPull(const BodyModel& model, const TypeModuli& moduli,
 
 /// steepnessAtRest() of all bends of a body.
 std::vector<double> bendSteepness(const BodyModel& model);
+/// What all constraints of a body that have a modulus do at rest, in the order of forEachPull().
+std::vector<ConstraintPull> pullsAtRest(const BodyModel& model, const TypeModuli& moduli);
 /// Rest positions of all vertices [m].
 std::vector<Vec3> restPlaces(const BodyModel& model);
 

@@ -44,9 +44,8 @@ void appendMember(uint v, const Seat& seat, const Eigen::MatrixXd& inverse, Memb
         {v, patch, first + (count << 24), static_cast<uint>(lists.inverses.size() / 3)});
     lists.patches[patch] = {first, first + count};
     for (uint other = 0; other < count; ++other) {
-        for (int row = 0; row < 3; ++row) {
-            lists.inverses.push_back(
-                texel(inverse.block<1, 3>(3 * seat.place + row, 3 * other).transpose()));
+        for (int row = 0; row < 3; ++row) {  // which is a column, too
+            lists.inverses.push_back(texel(inverse.block<3, 1>(3 * other, 3 * seat.place + row)));
         }
     }
 }
@@ -73,10 +72,11 @@ Members membersOf(const BodyModel& model, const VertexGroups& groups, const Rest
 
 /// Four columns of a row of the kernels, those of an aggregate along an axis.
 vec4 coarseTexel(const CoarsePiece& piece, uint aggregate, int row, uint other, int axis) {
+    const auto& [places, matrix] = piece.inverse;
+    const auto ofRow = matrix.col(kModes * places[aggregate] + modeOfRow(row));  // as its column
     std::array<float, 4> values{};
     for (int m = 0; m < 4; ++m) {
-        values[m] = static_cast<float>(piece.inverse(kModes * aggregate + modeOfRow(row),
-                                                     kModes * other + modeOfRow(4 * axis + m)));
+        values[m] = static_cast<float>(ofRow[kModes * places[other] + modeOfRow(4 * axis + m)]);
     }
     return {values[0], values[1], values[2], values[3]};
 }

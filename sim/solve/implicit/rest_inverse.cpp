@@ -1,6 +1,7 @@
 #include "sim/solve/implicit/rest_inverse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shaders/shared/implicit_records.h"
@@ -24,6 +25,29 @@ AggregateFrame frameOf(const VertexGroup& group, std::span<const Vec3> rest) {
     return {bounds.center(), half.cwiseMax(least)};
 }
 
+/// Inverts a symmetric matrix in place, a vertex at a time (Gauss and Jordan). Reads what is at and
+/// below the diagonal.
+void invertPatch(MatrixXd& patch) {
+    const Eigen::Index size = patch.rows();
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+    for (Eigen::Index k = 0; k < size; k += 3) {
+        Columns links(size, 3);
+        links << patch.block(k, 0, 3, k).transpose(), Eigen::Matrix3d::Zero(),
+            patch.block(k + 3, k, size - k - 3, 3);
+        const Eigen::Matrix3d own = patch.block<3, 3>(k, k).selfadjointView<Eigen::Lower>();
+        const Eigen::Matrix3d inverse = own.inverse();
+        const Columns shares = links.lazyProduct(inverse);
+        for (Eigen::Index j = 0; j < size; ++j) {
+            patch.col(j).tail(size - j).noalias() -=
+                links.bottomRows(size - j).lazyProduct(shares.row(j).transpose());
+        }
+        patch.block(k, 0, 3, k) = shares.topRows(k).transpose();
+        patch.block(k, k, size - k, 3) = shares.bottomRows(size - k);
+        patch.block<3, 3>(k, k) = -inverse;
+    }
+    patch = -MatrixXd(patch.selfadjointView<Eigen::Lower>());
+}
+
 /// Adds up the system in parts while the constraints are gone through.
 class RestSystem {
   public:
@@ -32,7 +56,8 @@ class RestSystem {
         : rest_(rest),
           masses_(masses),
           patchSeats_(seatsOf(groups.patches, rest.size())),
-          seats_(seatsOf(groups.aggregates, rest.size())) {
+          seats_(seatsOf(groups.aggregates, rest.size())),
+          shares_(rest.size()) {
         for (const VertexGroup& patch : groups.patches) {
             const auto rows = static_cast<Eigen::Index>(3 * patch.size());
             out_.patches.push_back(MatrixXd::Zero(rows, rows));
@@ -46,15 +71,12 @@ class RestSystem {
                 piece = static_cast<int>(out_.pieces.size());
                 out_.pieces.emplace_back();
             }
-            corner_.push_back(AggregateFrame::kModes *
-                              static_cast<int>(out_.pieces[piece].aggregates.size()));
+            row_.push_back(static_cast<int>(out_.pieces[piece].aggregates.size()));
             pieceOf_.push_back(piece);
             out_.pieces[piece].aggregates.push_back(a);
         }
-        for (CoarsePiece& piece : out_.pieces) {
-            const auto rows =
-                static_cast<Eigen::Index>(AggregateFrame::kModes * piece.aggregates.size());
-            piece.inverse = MatrixXd::Zero(rows, rows);
+        for (const CoarsePiece& piece : out_.pieces) {
+            coarse_.emplace_back(static_cast<int>(piece.aggregates.size()));
         }
     }
 
@@ -67,12 +89,12 @@ class RestSystem {
         if (aggregate < 0 || masses_[v] <= 0) {
             return;
         }
-        const Eigen::Vector4d shares = out_.frames[aggregate].sharesAt(rest_[v]);
-        MatrixXd& matrix = out_.pieces[pieceOf_[aggregate]].inverse;
+        const Eigen::Vector4d& shares = shares_[v] = out_.frames[aggregate].sharesAt(rest_[v]);
+        CoarseMatrix::Block& block = blockOf(aggregate, aggregate);
         for (int m = 0; m < 4; ++m) {
             for (int n = 0; n < 4; ++n) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    matrix(corner_[aggregate] + 3 * m + axis, corner_[aggregate] + 3 * n + axis) +=
+                    block(3 * m + axis, 3 * n + axis) +=
                         inertia * masses_[v] * shares[m] * shares[n];
                 }
             }
@@ -80,73 +102,97 @@ class RestSystem {
     }
 
     void addPull(const ConstraintPull& pull, double stiffness) {
-        for (int i = 0; i < pull.count; ++i) {
-            for (int j = 0; j < pull.count; ++j) {
-                addToPatch(pull, i, j, stiffness);
-                addToCoarse(pull, i, j, stiffness);
-            }
-        }
+        addToPatches(pull, stiffness);
+        addToCoarse(pull, stiffness);
     }
 
     RestInverse inverted() {
         for (MatrixXd& patch : out_.patches) {
-            patch = patch.llt().solve(MatrixXd::Identity(patch.rows(), patch.cols())).eval();
+            invertPatch(patch);
         }
-        for (CoarsePiece& piece : out_.pieces) {
-            invertCoarse(piece.inverse);
+        for (std::size_t piece = 0; piece < coarse_.size(); ++piece) {
+            makeDefinite(coarse_[piece]);
+            out_.pieces[piece].inverse = coarse_[piece].invert();
         }
         return std::move(out_);
     }
 
   private:
+    using Modes = Eigen::Matrix<double, AggregateFrame::kModes, 1>;
+
     bool moves(std::uint32_t v) const { return masses_[v] > 0; }
 
-    void addToPatch(const ConstraintPull& pull, int i, int j, double stiffness) {
-        const Seat& a = patchSeats_[pull.vertices[i]];
-        const Seat& b = patchSeats_[pull.vertices[j]];
-        if (a.group >= 0 && a.group == b.group && moves(pull.vertices[i]) &&
-            moves(pull.vertices[j])) {
-            out_.patches[a.group].block<3, 3>(3 * a.place, 3 * b.place) +=
-                stiffness * pull.gradients[i] * pull.gradients[j].transpose();
-        }
-    }
-
-    void addToCoarse(const ConstraintPull& pull, int i, int j, double stiffness) {
-        const std::uint32_t v = pull.vertices[i];
-        const std::uint32_t w = pull.vertices[j];
-        const int a = seats_[v].group;
-        const int b = seats_[w].group;
-        if (a < 0 || b < 0 || !moves(v) || !moves(w)) {
-            return;
-        }
-        const Eigen::Matrix3d block = stiffness * pull.gradients[i] * pull.gradients[j].transpose();
-        const Eigen::Vector4d left = out_.frames[a].sharesAt(rest_[v]);
-        const Eigen::Vector4d right = out_.frames[b].sharesAt(rest_[w]);
-        MatrixXd& matrix = out_.pieces[pieceOf_[a]].inverse;
-        for (int m = 0; m < 4; ++m) {
-            for (int n = 0; n < 4; ++n) {
-                matrix.block<3, 3>(corner_[a] + 3 * m, corner_[b] + 3 * n) +=
-                    left[m] * right[n] * block;
+    void addToPatches(const ConstraintPull& pull, double stiffness) {
+        for (int i = 0; i < pull.count; ++i) {
+            for (int j = 0; j < pull.count; ++j) {
+                const Seat& a = patchSeats_[pull.vertices[i]];
+                const Seat& b = patchSeats_[pull.vertices[j]];
+                if (a.group >= 0 && a.group == b.group && a.place >= b.place &&
+                    moves(pull.vertices[i]) && moves(pull.vertices[j])) {
+                    out_.patches[a.group].block<3, 3>(3 * a.place, 3 * b.place) +=
+                        stiffness * pull.gradients[i] * pull.gradients[j].transpose();
+                }
             }
         }
     }
 
-    /// Flat aggregates and those of few vertices have modes that move nothing.
-    static void invertCoarse(MatrixXd& matrix) {
-        const double largest = matrix.diagonal().maxCoeff();
-        for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
-            double& own = matrix(k, k);
-            own = own > 0 ? own * (1 + 1e-9) + 1e-13 * largest : std::max(largest, 1.0);
+    /// Most constraints lie inside an aggregate: so its vertices are summed up first.
+    void addToCoarse(const ConstraintPull& pull, double stiffness) {
+        std::array<int, 4> aggregates{};
+        std::array<Modes, 4> gradients;  // by modes
+        int count = 0;
+        for (int i = 0; i < pull.count; ++i) {
+            const std::uint32_t v = pull.vertices[i];
+            if (seats_[v].group < 0 || !moves(v)) {
+                continue;
+            }
+            const auto end = aggregates.begin() + count;
+            const auto place = std::find(aggregates.begin(), end, seats_[v].group);
+            Modes& gradient = gradients[place - aggregates.begin()];
+            if (place == end) {
+                aggregates[count++] = seats_[v].group;
+                gradient.setZero();
+            }
+            for (int m = 0; m < 4; ++m) {
+                gradient.segment<3>(3 * m) += shares_[v][m] * pull.gradients[i];
+            }
         }
-        matrix = matrix.llt().solve(MatrixXd::Identity(matrix.rows(), matrix.cols())).eval();
+        for (int i = 0; i < count; ++i) {
+            for (int j = 0; j < count; ++j) {
+                if (aggregates[i] >= aggregates[j]) {
+                    blockOf(aggregates[i], aggregates[j]).noalias() +=
+                        (stiffness * gradients[i]).lazyProduct(gradients[j].transpose());
+                }
+            }
+        }
+    }
+
+    /// Of two aggregates of a piece, not before the second.
+    CoarseMatrix::Block& blockOf(int aggregate, int other) {
+        return coarse_[pieceOf_[aggregate]].at(row_[aggregate], row_[other]);
+    }
+
+    /// Flat aggregates and those of few vertices have modes that move nothing.
+    static void makeDefinite(CoarseMatrix& matrix) {
+        double largest = 0;
+        for (int a = 0; a < matrix.count(); ++a) {
+            largest = std::max(largest, matrix.at(a, a).diagonal().maxCoeff());
+        }
+        for (int a = 0; a < matrix.count(); ++a) {
+            for (double& own : matrix.at(a, a).diagonal()) {
+                own = own > 0 ? own * (1 + 1e-9) + 1e-13 * largest : std::max(largest, 1.0);
+            }
+        }
     }
 
     std::span<const Vec3> rest_;
     std::span<const double> masses_;
     std::vector<Seat> patchSeats_;
-    std::vector<Seat> seats_;   ///< among the aggregates
-    std::vector<int> corner_;   ///< first row of each aggregate in the matrix of its piece
-    std::vector<int> pieceOf_;  ///< RestInverse::pieces of each aggregate
+    std::vector<Seat> seats_;  ///< among the aggregates
+    std::vector<Eigen::Vector4d> shares_;
+    std::vector<int> row_;              ///< of each aggregate in the matrix of its piece
+    std::vector<int> pieceOf_;          ///< RestInverse::pieces of each aggregate
+    std::vector<CoarseMatrix> coarse_;  ///< of each of these pieces
     RestInverse out_;
 };
 
@@ -188,19 +234,19 @@ double contactRate(double step) {
     return std::max<double>(shared::kContactRate, shared::kContactTurn / step);
 }
 
-std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli) {
-    std::vector<double> firmness(model.restPositions.size());
-    forEachPull(
-        model, moduli, bendSteepness(model), restPlaces(model), [&](const ConstraintPull& pull) {
-            for (int k = 0; k < pull.count; ++k) {
-                firmness[pull.vertices[k]] +=
-                    shared::kContactShare * pull.stiffness * pull.gradients[k].squaredNorm() / 3;
-            }
-        });
+std::vector<double> contactFirmness(std::span<const ConstraintPull> pulls,
+                                    std::size_t vertexCount) {
+    std::vector<double> firmness(vertexCount);
+    for (const ConstraintPull& pull : pulls) {
+        for (int k = 0; k < pull.count; ++k) {
+            firmness[pull.vertices[k]] +=
+                shared::kContactShare * pull.stiffness * pull.gradients[k].squaredNorm() / 3;
+        }
+    }
     return firmness;
 }
 
-RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,
+RestInverse invertAtRest(const BodyModel& model, std::span<const ConstraintPull> pulls,
                          const VertexGroups& groups, std::span<const double> masses,
                          const StageScale& scale) {
     const std::vector<Vec3> rest = restPlaces(model);
@@ -208,9 +254,9 @@ RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,
     for (std::uint32_t v = 0; v < rest.size(); ++v) {
         system.addMass(v, scale.inertia);
     }
-    forEachPull(model, moduli, bendSteepness(model), rest, [&](const ConstraintPull& pull) {
+    for (const ConstraintPull& pull : pulls) {
         system.addPull(pull, pull.stiffness * scale.damped);
-    });
+    }
     return system.inverted();
 }
 

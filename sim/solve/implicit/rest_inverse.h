@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/base/params.h"
+#include "sim/solve/implicit/coarse_matrix.h"
 #include "sim/solve/implicit/vertex_groups.h"
 
 namespace kerf {
@@ -12,7 +13,7 @@ namespace kerf {
 /// An aggregate moves as an affine map of its rest shape would: of a vertex at rest position p the
 /// first three modes are translations, the others those times (p - center) / size, axis by axis.
 struct AggregateFrame {
-    static constexpr int kModes = 12;
+    static constexpr int kModes = CoarseMatrix::kRows;
 
     Vec3 center = Vec3::Zero();  ///< [m]
     Vec3 size = Vec3::Ones();    ///< [m]
@@ -25,7 +26,7 @@ struct AggregateFrame {
 /// The aggregates of a piece and the inverse of the system for their modes.
 struct CoarsePiece {
     std::vector<std::uint32_t> aggregates;
-    Eigen::MatrixXd inverse;  ///< kModes rows for each of `aggregates` [m/N]
+    CoarseMatrix::Inverse inverse;  ///< a row of blocks for each of `aggregates` [m/N]
 };
 
 /// What an implicit stage does to a body at rest, inverted by parts. A function of the model, the
@@ -53,13 +54,14 @@ std::vector<double> massesWithout(const BodyModel& model, double density,
                                   std::span<const std::uint32_t> pinned);
 
 /// By which contacts of each vertex are firm, besides mass * contactRate()^2 [N/m]: see
-/// shared::kContactShare.
-std::vector<double> contactFirmness(const BodyModel& model, const TypeModuli& moduli);
+/// shared::kContactShare. `pulls`: pullsAtRest().
+std::vector<double> contactFirmness(std::span<const ConstraintPull> pulls,
+                                    std::size_t vertexCount);
 /// In steps of this length [s]: at which mass is stopped by a contact [1/s].
 double contactRate(double step);
 
-/// `masses`: of the vertices [kg]; those of 0 do not move.
-RestInverse invertAtRest(const BodyModel& model, const TypeModuli& moduli,
+/// `pulls`: pullsAtRest(); `masses`: of the vertices [kg]; those of 0 do not move.
+RestInverse invertAtRest(const BodyModel& model, std::span<const ConstraintPull> pulls,
                          const VertexGroups& groups, std::span<const double> masses,
                          const StageScale& scale);
 

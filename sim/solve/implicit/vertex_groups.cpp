@@ -1,11 +1,12 @@
 #include "sim/solve/implicit/vertex_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
+#include <span>
 #include <utility>
 
 #include "shaders/shared/implicit_records.h"
@@ -23,38 +24,46 @@ struct Link {
 };
 using Links = std::vector<std::vector<Link>>;
 
-/// Ascending, each once.
-void mergeLinks(std::vector<Link>& links) {
-    std::ranges::stable_sort(links, {}, &Link::item);
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < links.size(); ++k) {
-        if (kept > 0 && links[kept - 1].item == links[k].item) {
-            links[kept - 1].strength += links[k].strength;
-        } else {
-            links[kept++] = links[k];
+/// Turns links round, which sorts those of each item; adds up those between the same two.
+Links turnedRound(const Links& links) {
+    Links turned(links.size());
+    for (std::uint32_t item = 0; item < links.size(); ++item) {
+        turned[item].reserve(links[item].size() / 2);
+        for (const Link& link : links[item]) {
+            std::vector<Link>& list = turned[link.item];
+            if (!list.empty() && list.back().item == item) {
+                list.back().strength += link.strength;
+            } else {
+                list.push_back({item, link.strength});
+            }
         }
     }
-    links.resize(kept);
+    return turned;
 }
 
-Links linksOf(const BodyModel& model, const TypeModuli& moduli) {
-    const std::vector<Vec3> rest = restPlaces(model);
-    Links links(rest.size());
-    std::vector<double> own(rest.size(), 0.0);
-    forEachPull(model, moduli, bendSteepness(model), rest, [&](const ConstraintPull& pull) {
+Links linksOf(const BodyModel& model, std::span<const ConstraintPull> pulls) {
+    Links back(model.restPositions.size());
+    for (std::size_t v = 0; v < back.size(); ++v) {
+        back[v].reserve(3 * (valence(model.incidences[shared::kStretch], v) +
+                             valence(model.incidences[shared::kBend], v)));
+    }
+    std::vector<double> own(back.size(), 0.0);
+    for (const ConstraintPull& pull : pulls) {
+        std::array<double, 4> norms{};
+        std::ranges::transform(pull.gradients, norms.begin(),
+                               [](const Vec3& g) { return g.norm(); });
         for (int i = 0; i < pull.count; ++i) {
-            const double size = pull.stiffness * pull.gradients[i].norm();
-            own[pull.vertices[i]] += size * pull.gradients[i].norm();
+            const double size = pull.stiffness * norms[i];
+            own[pull.vertices[i]] += size * norms[i];
             for (int j = 0; j < pull.count; ++j) {
                 if (j != i) {
-                    links[pull.vertices[i]].push_back(
-                        {pull.vertices[j], size * pull.gradients[j].norm()});
+                    back[pull.vertices[j]].push_back({pull.vertices[i], size * norms[j]});
                 }
             }
         }
-    });
+    }
+    Links links = turnedRound(back);
     for (std::size_t v = 0; v < links.size(); ++v) {
-        mergeLinks(links[v]);
         for (Link& link : links[v]) {
             link.strength /= std::max(std::sqrt(own[v] * own[link.item]), 1e-300);
         }
@@ -135,62 +144,53 @@ class Grouping {
     std::vector<std::size_t> sizes_;
 };
 
-/// The free vertices beside those that are taken, those with the fewest free neighbours first.
+/// Vertices beside those that are taken, each with a number that changes, of which the least is
+/// asked for.
 class Fringe {
   public:
-    explicit Fringe(const Links& links) : links_(links), on_(links.size(), false) {
-        for (const auto& list : links) {
-            freeAround_.push_back(list.size());
+    explicit Fringe(std::size_t vertexCount)
+        : numbers_(vertexCount, 0.0), listed_(vertexCount, false) {}
+    double& operator[](std::uint32_t v) { return numbers_[v]; }
+    void add(std::uint32_t v) {
+        if (!listed_[v]) {
+            listed_[v] = true;
+            fringe_.push_back(v);
         }
     }
-    /// `v` is free no longer.
-    template <class IsFree>
-    void take(std::uint32_t v, const IsFree& isFree) {
-        remove(v);
-        for (const Link& link : links_[v]) {
-            const std::uint32_t w = link.item;
-            remove(w);
-            --freeAround_[w];
-            if (isFree(w)) {
-                fringe_.insert({freeAround_[w], w});
-                on_[w] = true;
-            }
-        }
+    /// Of those that are free the first one with the least number; kNone if there is none.
+    std::uint32_t first(const Grouping& grouping) {
+        std::erase_if(fringe_, [&](std::uint32_t v) { return !grouping.isFree(v); });
+        const auto best = std::ranges::min_element(
+            fringe_, {}, [&](std::uint32_t v) { return std::pair(numbers_[v], v); });
+        return best == fringe_.end() ? kNone : *best;
     }
-    /// kNone if there is none.
-    std::uint32_t first() const { return fringe_.empty() ? kNone : fringe_.begin()->second; }
+    /// Leaves none, and their numbers 0.
+    void clear() {
+        for (const std::uint32_t v : fringe_) {
+            numbers_[v] = 0;
+            listed_[v] = false;
+        }
+        fringe_.clear();
+    }
 
   private:
-    void remove(std::uint32_t v) {
-        if (on_[v]) {
-            fringe_.erase({freeAround_[v], v});
-            on_[v] = false;
-        }
-    }
-
-    const Links& links_;
-    std::vector<std::size_t> freeAround_;
-    std::set<std::pair<std::size_t, std::uint32_t>> fringe_;
-    std::vector<bool> on_;
+    std::vector<double> numbers_;
+    std::vector<std::uint32_t> fringe_;  ///< some of them are taken by now
+    std::vector<char> listed_;           ///< by vertex: it is there, or was until it was taken
 };
-
-/// The free vertex of the same piece that most holds to a patch, or kNone.
-template <class IsFree>
-std::uint32_t firmestAround(std::map<std::uint32_t, double>& around, const IsFree& isFree) {
-    std::erase_if(around, [&](const auto& entry) { return !isFree(entry.first); });
-    const auto best = std::ranges::max_element(around, {}, [](auto& p) { return p.second; });
-    return best == around.end() ? kNone : best->first;
-}
 
 std::vector<VertexGroup> growPatches(const Items& vertices) {
     const Links& links = vertices.links;
     Grouping grouping(vertices);
-    Fringe fringe(links);
-    const auto isFree = [&](std::uint32_t v) { return grouping.isFree(v); };
+    Fringe fringe(links.size());  // their free neighbours
+    Fringe around(links.size());  // of a patch: how firmly it holds them, negated
+    for (std::uint32_t v = 0; v < links.size(); ++v) {
+        fringe[v] = static_cast<double>(links[v].size());
+    }
     for (std::uint32_t scan = 0; scan < links.size();) {
-        std::uint32_t v = fringe.first();
+        std::uint32_t v = fringe.first(grouping);
         if (v == kNone) {
-            if (!isFree(scan)) {
+            if (!grouping.isFree(scan)) {
                 ++scan;
                 continue;
             }
@@ -198,16 +198,18 @@ std::vector<VertexGroup> growPatches(const Items& vertices) {
         }
         const std::uint32_t patch = grouping.open();
         const int piece = vertices.piece[v];
-        std::map<std::uint32_t, double> around;
+        around.clear();
         while (v != kNone) {
             grouping.add(v, patch);
-            fringe.take(v, isFree);
             for (const Link& link : links[v]) {
+                --fringe[link.item];
+                fringe.add(link.item);
                 if (vertices.piece[link.item] == piece) {
-                    around[link.item] += link.strength;
+                    around[link.item] -= link.strength;
+                    around.add(link.item);
                 }
             }
-            v = grouping.sizeOf(patch) < kPatchSize ? firmestAround(around, isFree) : kNone;
+            v = grouping.sizeOf(patch) < kPatchSize ? around.first(grouping) : kNone;
         }
     }
     for (int pass = 0; pass < 3; ++pass) {
@@ -288,8 +290,8 @@ std::vector<VertexGroup> connectedBoxes(const Items& items, std::size_t pieceCou
     return grouping.done();
 }
 
-Items vertexItems(const BodyModel& model, const TypeModuli& moduli) {
-    return {linksOf(model, moduli),
+Items vertexItems(const BodyModel& model, std::span<const ConstraintPull> pulls) {
+    return {linksOf(model, pulls),
             model.pieceOfVertex,
             std::vector<std::size_t>(model.restPositions.size(), 1),
             {}};
@@ -304,22 +306,22 @@ Items patchItems(const Items& vertices, const std::vector<VertexGroup>& patches,
         }
     }
     Items items;
-    items.links.resize(patches.size());
+    Links back(patches.size());
     for (std::uint32_t p = 0; p < patches.size(); ++p) {
         Vec3 center = Vec3::Zero();
         for (const std::uint32_t v : patches[p]) {
             center += rest[v].cast<double>() / static_cast<double>(patches[p].size());
             for (const Link& link : vertices.links[v]) {
                 if (const std::uint32_t other = patchOf[link.item]; other != p && other != kNone) {
-                    items.links[p].push_back({other, link.strength});
+                    back[other].push_back({p, link.strength});
                 }
             }
         }
-        mergeLinks(items.links[p]);
         items.piece.push_back(vertices.piece[patches[p][0]]);
         items.size.push_back(patches[p].size());
         items.place.push_back(center);
     }
+    items.links = turnedRound(back);
     return items;
 }
 
@@ -335,10 +337,10 @@ std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t ve
     return seats;
 }
 
-VertexGroups groupVertices(const BodyModel& model, const TypeModuli& moduli,
+VertexGroups groupVertices(const BodyModel& model, std::span<const ConstraintPull> pulls,
                            std::size_t aggregateSize) {
     assert(2 * aggregateSize <= shared::kMostMembers);
-    const Items vertices = vertexItems(model, moduli);
+    const Items vertices = vertexItems(model, pulls);
     VertexGroups groups{growPatches(vertices), {}};
     const Items patches = patchItems(vertices, groups.patches, model.restPositions);
     groups.aggregates = connectedBoxes(patches, model.pieces.size(), aggregateSize);

@@ -31,9 +31,10 @@ std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t ve
 
 inline constexpr std::size_t kPatchSize = 12;    ///< vertices of a patch, as a rule
 inline constexpr std::size_t kMostOfPatch = 16;  ///< where leftovers have joined it
-/// Groups the vertices of a body by its rest shape. `aggregateSize`: vertices of an aggregate, at
-/// most but for leftovers that joined it; with them twice as many, shared::kMostMembers at most.
-VertexGroups groupVertices(const BodyModel& model, const TypeModuli& moduli,
+/// Groups the vertices of a body by its rest shape. `pulls`: pullsAtRest(). `aggregateSize`:
+/// vertices of an aggregate, at most but for leftovers that joined it; with them twice as many,
+/// shared::kMostMembers at most.
+VertexGroups groupVertices(const BodyModel& model, std::span<const ConstraintPull> pulls,
                            std::size_t aggregateSize);
 
 }  // namespace kerf

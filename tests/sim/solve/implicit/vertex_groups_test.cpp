@@ -23,7 +23,7 @@ std::vector<int> countsOf(const std::vector<VertexGroup>& groups, std::size_t ve
 class VertexGroupsTest : public testing::Test {
   protected:
     BodyModel model = buildBodyModel(test::cutBall(-0.06, 12));
-    VertexGroups groups = groupVertices(model, {1e5, 1e5, 1e5}, 60);
+    VertexGroups groups = groupVertices(model, pullsAtRest(model, {1e5, 1e5, 1e5}), 60);
 };
 
 TEST_F(VertexGroupsTest, HaveEachVertexOnce) {

@@ -129,10 +129,11 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
                                      std::span<const std::uint32_t> pinned)
     : model_(model),
       settings_(settings),
+      pulls_(pullsAtRest(model, settings.moduli)),
       masses_(massesWithout(model, settings.density, pinned)),
-      firmness_(contactFirmness(model, settings.moduli)),
-      groups_(groupVertices(model, settings.moduli, settings.aggregateSize)),
-      inverse_(invertAtRest(model, settings.moduli, groups_, masses_, preparedScaleOf(settings))),
+      firmness_(contactFirmness(pulls_, masses_.size())),
+      groups_(groupVertices(model, pulls_, settings.aggregateSize)),
+      inverse_(invertAtRest(model, pulls_, groups_, masses_, preparedScaleOf(settings))),
       preconditioner_(model, groups_, inverse_, masses_),
       steepness_(bendSteepness(model)),
       matrix_(model) {}

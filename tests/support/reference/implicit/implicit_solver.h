@@ -72,6 +72,7 @@ class ImplicitReference {
 
     const BodyModel& model_;
     ImplicitSettings settings_;
+    std::vector<ConstraintPull> pulls_;  ///< at rest, then where the body was linearised
     std::vector<double> masses_;
     std::vector<double> firmness_;  ///< contactFirmness()
     VertexGroups groups_;
@@ -88,7 +89,6 @@ class ImplicitReference {
 
     // Of the body where it was linearised.
     BlockMatrix matrix_;
-    std::vector<ConstraintPull> pulls_;
     Vectors force_, volumeGradient_;
     std::vector<double> volume_;
 };

@@ -77,25 +77,26 @@ void Preconditioner::addPatches(std::span<const Vec3> residual, Vectors& out) co
 void Preconditioner::addAggregates(std::span<const Vec3> residual, Vectors& out) const {
     constexpr int kModes = AggregateFrame::kModes;
     for (const CoarsePiece& piece : inverse_.pieces) {
-        Eigen::VectorXd coarse = Eigen::VectorXd::Zero(piece.inverse.rows());
+        const auto& [places, matrix] = piece.inverse;
+        Eigen::VectorXd coarse = Eigen::VectorXd::Zero(matrix.rows());
         for (std::size_t a = 0; a < piece.aggregates.size(); ++a) {
             const std::uint32_t g = piece.aggregates[a];
             for (const std::uint32_t v : groups_.aggregates[g]) {
                 const Eigen::Vector4d shares = inverse_.frames[g].sharesAt(rest_[v]);
                 const Vec3 turned = aggregateTurns_[g].transpose() * residual[v];
                 for (int m = 0; m < 4 && masses_[v] > 0; ++m) {
-                    coarse.segment<3>(kModes * a + 3 * m) += shares[m] * turned;
+                    coarse.segment<3>(kModes * places[a] + 3 * m) += shares[m] * turned;
                 }
             }
         }
-        coarse = (piece.inverse * coarse).eval();
+        coarse = (matrix * coarse).eval();
         for (std::size_t a = 0; a < piece.aggregates.size(); ++a) {
             const std::uint32_t g = piece.aggregates[a];
             for (const std::uint32_t v : groups_.aggregates[g]) {
                 const Eigen::Vector4d shares = inverse_.frames[g].sharesAt(rest_[v]);
                 for (int m = 0; m < 4; ++m) {
                     out[v] += aggregateTurns_[g] *
-                              (shares[m] * coarse.segment<3>(kModes * a + 3 * m)).eval();
+                              (shares[m] * coarse.segment<3>(kModes * places[a] + 3 * m)).eval();
                 }
             }
         }
