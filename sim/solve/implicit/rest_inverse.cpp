@@ -160,8 +160,11 @@ class RestSystem {
         for (int i = 0; i < count; ++i) {
             for (int j = 0; j < count; ++j) {
                 if (aggregates[i] >= aggregates[j]) {
-                    blockOf(aggregates[i], aggregates[j]).noalias() +=
-                        (stiffness * gradients[i]).lazyProduct(gradients[j].transpose());
+                    CoarseMatrix::Block& block = blockOf(aggregates[i], aggregates[j]);
+                    const Modes force = stiffness * gradients[i];
+                    for (int column = 0; column < block.cols(); ++column) {
+                        block.col(column) += gradients[j][column] * force;
+                    }
                 }
             }
         }
