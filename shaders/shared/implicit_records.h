@@ -39,7 +39,7 @@ SHARED_CONST uint kParentsBinding = 6u;          // per piece: one that it touch
 SHARED_CONST uint kMadePiecesBinding = 7u;       // per piece: ImplicitPiece
 SHARED_CONST uint kMadeListBinding = 8u;         // per piece: its rows
 SHARED_CONST uint kMeetContactBinding = 9u;      // one: ContactUniforms
-SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row of a vertex: slip [m], push [N]
+SHARED_CONST uint kKeptSlipsBinding = 3u;        // per row of a vertex: see end.comp
 SHARED_CONST uint kMeetObstacleBinding = 7u;     // one: BoxUniforms
 SHARED_CONST uint kMeetBoxesUnit = 18u;          // BoxRecord
 SHARED_CONST uint kMeetPieceBoundsUnit = 19u;    // PieceBounds, by words
@@ -64,7 +64,7 @@ SHARED_CONST uint kRowVerticesUnit = 28u;
 SHARED_CONST uint kRowListUnit = 29u;
 SHARED_CONST uint kRowStatesUnit = 31u;
 SHARED_CONST uint kFirmnessUnit = 16u;   // per vertex, see contactFirmness() [N/m]
-SHARED_CONST uint kKeptSlipsUnit = 17u;  // per row of a vertex: slip [m], push [N]
+SHARED_CONST uint kKeptSlipsUnit = 17u;  // per row of a vertex: see end.comp
 // Of the end of a step.
 SHARED_CONST uint kMotionsBinding = 13u;      // per aggregate: AggregateMotion
 SHARED_CONST uint kMadeSpinsBinding = 14u;    // per piece: spin [1/s], middle [m]
@@ -115,6 +115,7 @@ struct ImplicitUniforms {
     uint aggregate_count;
     uint page_count;  // of the table of pages
     uint piece_count;
+    uint holds_volume;  // 0: no piece is held
 };
 
 // A block of the matrix, and what adds up to it.
@@ -209,6 +210,7 @@ SHARED_CONST float kLeadStrength = 4.0f;
 SHARED_CONST float kContactShare = 0.05f;
 SHARED_CONST float kContactRate = 600.0f;  // at least [1/s]
 SHARED_CONST float kContactTurn = 8.0f;    // in a step
+SHARED_CONST float kSameNormal = 0.9f;     // cosine
 // In a step, of a depth that no push has made; see let_out.
 SHARED_CONST float kLetOut = 0.1f;
 

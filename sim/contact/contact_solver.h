@@ -119,6 +119,7 @@ class ContactSolver {
     /// The fold of the skin at each vertex, a float each, if the coming step unfolds; else null.
     /// Folded skin does not collide with what was beside it at rest, nor with its own piece.
     void setFolds(const gpu::Buffer* folds);
+    const gpu::Buffer* folds() const { return folds_; }
 
     /// Begins a time step, before its first substep.
     void beginStep(const RelativeMotion& motion);

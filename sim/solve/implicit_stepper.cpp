@@ -36,6 +36,7 @@ void setParameters(shared::ImplicitUniforms& u, const Params& params, double ste
     u.contact_stiffness = static_cast<float>(contactRate(step) * contactRate(step));
     u.let_out = static_cast<float>(kLetOutShare * params.depenetrationSpeed * step);
     u.floor_height = static_cast<float>(params.floor.value_or(BodyReach::kNoFloor));
+    u.holds_volume = holdsVolume(params) ? 1 : 0;
     u.inverse_density = static_cast<float>(1 / params.density);
     for (uint type = 0; type < kConstraintTypes; ++type) {
         u.modulus[type] = static_cast<float>(moduli[type]);
@@ -293,8 +294,9 @@ void ImplicitStepper::meet() {
     own_.contact.rowVertices.bindStorage(shared::kMadeRowVerticesBinding);
     body_.bindFetched(own_.contact.firmness, shared::kFirmnessUnit, TexelFormat::uint32);
     body_.bindFetched(own_.contact.keptSlips, shared::kKeptSlipsUnit, TexelFormat::float32x4);
-    contact_.meet.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
-    body_.run(contact_.meet, uniforms_.vertex_count);
+    const gpu::Program& kernel = contacts.folds() == nullptr ? contact_.meet : meetBesideFolds();
+    kernel.setNumbers({contacts.mayTouch() ? 1U : 0U, 0, 0, 0});
+    body_.run(kernel, uniforms_.vertex_count);
     meetObstacles(collisions_.boxes(), contact_.meetBoxes);
     if (!blade_ && (collisions_.bladeBody().mayTouch() || collisions_.push().mayTouch())) {
         blade_.emplace(body_);
@@ -317,6 +319,14 @@ void ImplicitStepper::meet() {
         {firstPull(), body_.uniforms.pull_count, pressedRows() > 0 ? 1U : 0U, 0});
     contact_.rows.dispatchGroups(uniforms_.piece_count);
     ++body_.dispatches;
+}
+
+const gpu::Program& ImplicitStepper::meetBesideFolds() {
+    if (!meetBesideFolds_) {
+        meetBesideFolds_ = body_.compile("implicit/meet", {{"UNFOLDS", "1"}});
+    }
+    collisions_.contacts().folds()->bindTexels(shared::kFoldsUnit, TexelFormat::uint32);
+    return *meetBesideFolds_;
 }
 
 void ImplicitStepper::meetObstacles(const ObstacleContact& obstacles, const gpu::Program& kernel) {

@@ -52,6 +52,7 @@ class ImplicitStepper {
     void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
                    std::uint32_t left = 0);
     void meet();
+    const gpu::Program& meetBesideFolds();
     void meetObstacles(const ObstacleContact& obstacles, const gpu::Program& kernel);
     void press();
     std::uint32_t firstPull() const;
@@ -92,6 +93,7 @@ class ImplicitStepper {
         gpu::Program meet, load, press, pressLoad;
     };
     std::optional<BladeKernels> blade_;
+    std::optional<gpu::Program> meetBesideFolds_;  ///< compiled when first needed
     struct PressureKernels {
         explicit PressureKernels(const SolverBody& body);
         gpu::Program patches, coarse, product;

@@ -135,6 +135,7 @@ void TimeStepper::holdVolumeAndCollide(uint substep, bool last) {
 void TimeStepper::stepImplicitly(bool heldMove) {
     for (uint i = 0; i < body_.uniforms.substeps; ++i) {
         searchBefore(i);
+        unfoldBefore(false);
         timed(deformTimer_, [&] { implicit_->run(i, heldMove); });
     }
 }

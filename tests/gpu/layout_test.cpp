@@ -119,7 +119,7 @@ std::vector<Record> sharedRecords() {
                AT(kept), AT(inverse_density), AT(modulus[0]), AT(step), AT(friction),
                AT(floor_height), AT(reach), AT(contact_stiffness), AT(let_out), AT(force_unit),
                AT(vertex_count), AT(block_count), AT(patch_count), AT(aggregate_count),
-               AT(page_count), AT(piece_count)),
+               AT(page_count), AT(piece_count), AT(holds_volume)),
         RECORD(ImplicitBlock, AT(place), AT(column), AT(first), AT(end)),
         RECORD(ImplicitAggregate, AT(first), AT(end), AT(piece), AT(coarse)),
         RECORD(ImplicitMember, AT(vertex), AT(patch_number), AT(neighbours), AT(inverse)),

@@ -7,10 +7,10 @@
 // setPosition(v, x), setDisplacement(v, d), with UNFOLDS pieceOf(v).
 #include "contact_bindings.h"
 #include "crossing.glsl"
+#include "passes_fold.glsl"
 #include "sim/contact_answer.glsl"
 #include "sim/fetch.glsl"
 #include "sim/fixed_sums.glsl"
-#include "sim/folds.glsl"
 #include "sim/mass_shares.glsl"
 #include "sim/plane_weights.glsl"
 
@@ -23,8 +23,6 @@ uint pointAt(uint index) { return fetch(contactPoints, index).x; }
 // weights and normal at X + d, after; see contact_answer.glsl. The triangle answers where the line
 // of the whole impulse meets its plane at X, so that no torque is left over, as far as the vertex
 // is no deeper than the thickness.
-// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece, see
-// folds.glsl.
 
 // The corners of a triangle, as seen from the vertex [m].
 struct SeenCorners {
@@ -32,17 +30,6 @@ struct SeenCorners {
     vec3 b;
     vec3 c;
 };
-
-// Whether one of the two is folded and would be caught by the other.
-bool passesFold(uint v, Nearest near) {
-#ifdef UNFOLDS
-    bool wasBeside = near.thickness < contact.thickness;
-    bool ownPiece = pieceOf(v) == near.triangle.w >> 8;
-    return (wasBeside || ownPiece) && foldAt(uvec4(v, near.triangle.xyz)) > 0.0;
-#else
-    return false;
-#endif
-}
 
 void detectPoint(uint index) {
     uint v = pointAt(index);

@@ -18,14 +18,16 @@ layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 
 layout(std430, binding = kKeptSlipsBinding) writeonly buffer Kept { vec4 kept[]; };
 layout(std430, binding = kEndContactsBinding) buffer Contacts { ContactState contacts; };
 
-void keep(uint row) {
+// The push [N], and the slip that friction still holds [m], of what slides the normal.
+vec4 keptOf(uint row) {
     float stiffness = stiffnessOf(row);
-    vec4 state = fetch(states, 2u * row);
-    float push = stiffness > 0.0 ? fetch(states, 2u * row + 1u).y : 0.0;
-    float share = push > 0.0 && fetch(rows, kRowTexels * row + 3u).w >= 0.0
-        ? gripOf(stiffness, state.xyz, implicit.friction * push) / stiffness
-        : 0.0;
-    kept[row] = vec4(share > 0.0 ? share * state.xyz : vec3(0.0), push);
+    vec3 slip = fetch(states, 2u * row).xyz;
+    float push = fetch(states, 2u * row + 1u).y;
+    if (!(stiffness > 0.0) || !(push > 0.0)) return vec4(0.0);
+    if (fetch(rows, kRowTexels * row + 3u).w < 0.0) {
+        return vec4(fetch(rows, kRowTexels * row).xyz, push);
+    }
+    return vec4(gripOf(stiffness, slip, implicit.friction * push) / stiffness * slip, push);
 }
 
 // In one of the stages.
@@ -46,7 +48,9 @@ void main() {
     vec3 middle = fetch(spins, 2u * own.z + 1u).xyz;
     for (uint k = own.x + gl_LocalInvocationID.x; k < own.y; k += GROUP) {
         uint v = fetch(members, k).x;
-        for (uint r = 0u; r < kRowsOfVertex; ++r) keep(kRowsOfVertex * v + r);
+        for (uint r = 0u; r < kRowsOfVertex; ++r) {
+            kept[kRowsOfVertex * v + r] = keptOf(kRowsOfVertex * v + r);
+        }
         if (touchesBody(v)) atomicAdd(contacts.last_contacts, 1u);
         vec4 x = fetch(before, v);
         if (x.w > 0.0) {

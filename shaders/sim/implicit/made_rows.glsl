@@ -33,19 +33,33 @@ struct Met {
     float stiffness;
     vec4 weights;
     vec3 lead;
-    bool slides;  // without friction
+    bool slides;   // without friction
+    float letOut;  // of a depth that no push has made, in the step
 };
 
-void setRow(uint row, Met met) {
+// What the step before has left: of what slides, its normal instead of a slip, by which it is known
+// again where other edges may have come nearer. See end.comp.
+struct Kept {
+    vec3 slip;
+    float push;
+};
+
+Kept keptOf(uint row, Met met) {
     vec4 kept = fetch(keptSlips, row);
-    vec3 slip = kept.xyz - dot(kept.xyz, met.normal) * met.normal;
+    float along = dot(kept.xyz, met.normal);
+    if (met.slides) return Kept(vec3(0.0), along > kSameNormal ? kept.w : 0.0);
+    return Kept(kept.xyz - along * met.normal, kept.w);
+}
+
+void setRow(uint row, Met met) {
+    Kept kept = keptOf(row, met);
     // What was not pressed in has come otherwise, and is let out little by little.
-    float letOut = min(kLetOut * max(-met.gap, 0.0), implicit.let_out);
-    float pressed = kept.w / met.stiffness + letOut;
+    float letOut = min(met.letOut * max(-met.gap, 0.0), implicit.let_out);
+    float pressed = kept.push / met.stiffness + letOut;
     rows[kRowTexels * row] = vec4(met.normal, max(met.gap, -pressed));
-    rows[kRowTexels * row + 1u] = vec4(slip, met.stiffness);
+    rows[kRowTexels * row + 1u] = vec4(kept.slip, met.stiffness);
     rows[kRowTexels * row + 2u] = met.weights;
-    rows[kRowTexels * row + 3u] = vec4(met.lead, met.slides ? kAnyPush : kept.w);
+    rows[kRowTexels * row + 3u] = vec4(met.lead, met.slides ? kAnyPush : kept.push);
 }
 
 void setNone(uint row) { rows[kRowTexels * row + 1u] = vec4(0.0); }

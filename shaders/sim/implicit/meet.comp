@@ -1,6 +1,6 @@
 // What each vertex meets in a step where all is at X + h v: the floor, the nearest of its candidate
 // triangles, and the edge that an edge at it comes nearest to. Joins the pieces that may touch, and
-// begins to count contacts.
+// begins to count contacts. With UNFOLDS folded skin rubs on no floor: see folds.glsl.
 // Numbers: whether candidates are there. One thread per vertex. A storage barrier follows.
 #include "sim/numbers.glsl"
 #include "contact_records.h"
@@ -12,7 +12,9 @@ layout(std430, binding = kMeetStateBinding) writeonly buffer State { ContactStat
 layout(std430, binding = kMadeRowsBinding) writeonly buffer Rows { vec4 rows[]; };
 layout(std430, binding = kParentsBinding) coherent buffer Parents { uint parents[]; };
 #include "sim/implicit/made_rows.glsl"
+uint pieceOf(uint v) { return links[v].piece; }
 #include "sim/contact/crossing.glsl"
+#include "sim/contact/passes_fold.glsl"
 #include "sim/implicit/join.glsl"
 
 void meetFloor(uint v) {
@@ -21,14 +23,14 @@ void meetFloor(uint v) {
     if (!(gap < implicit.reach + 1.5 * approach)) return;
     uint row = kRowsOfVertex * v + kMeetsObstacle;
     setRow(row, Met(vec3(0.0, 1.0, 0.0), gap, firmnessOf(v), vec4(kOfObstacle, vec3(0.0)),
-                    vec3(0.0),                    false));
+                    vec3(0.0), foldAt(v) > 0.0, kLetOut));
     vertices[row] = uvec4(v);
 }
 
 void meetSurface(uint v, uint piece) {
     Nearest near = nearest(v);
     bool meets = dot(near.weights, vec3(1.0)) > 0.5 &&
-        lateralDistance(near) <= kLateralSlack * contact.h;
+        lateralDistance(near) <= kLateralSlack * contact.h && !passesFold(v, near);
     if (!meets) return;
     uvec4 t = near.triangle;
     vec3 own = positionOf(v).xyz;
@@ -38,12 +40,14 @@ void meetSurface(uint v, uint piece) {
     uint row = kRowsOfVertex * v + kMeetsTriangle;
     setRow(row, Met(normal, -dot(normal, a) - near.thickness,
                     together(firmnessOf(v), firmnessOf(t.xyz, near.weights)),
-                    vec4(float(t.w >> 8), -near.weights), vec3(0.0), false));
+                    vec4(float(t.w >> 8), -near.weights), vec3(0.0), false, kLetOut));
     vertices[row] = uvec4(v, t.xyz);
     join(piece, t.w >> 8);
 }
 
-// Edges that come no nearer than they may are met too: elasticity may take them there.
+// Edges that come no nearer than they may are met too: elasticity may take them there. They let
+// nothing out: where a crumpled body lies in itself others come nearest in each step, and each would
+// give it speed.
 void meetEdge(uint v, uint piece) {
     Crossing near = mostUrgent(v, -contact.thickness);
     if (!(near.lack > -contact.thickness)) return;
@@ -53,7 +57,7 @@ void meetEdge(uint v, uint piece) {
     setRow(row, Met(near.normal, near.before - near.thickness,
                     together(share.x * firmnessOf(v) + share.y * firmnessOf(ends.y),
                              share.z * firmnessOf(ends.z) + share.w * firmnessOf(ends.w)),
-                    vec4(float(near.piece), near.gains.yzw), vec3(0.0), true));
+                    vec4(float(near.piece), near.gains.yzw), vec3(0.0), true, 0.0));
     vertices[row] = ends;
     join(piece, near.piece);
 }

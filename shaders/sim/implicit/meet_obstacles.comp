@@ -128,7 +128,7 @@ void meetFace(uint v) {
     bool meets = met.ahead < min(aheadOf(row, v), implicit.reach + 0.5 * (met.gap - met.ahead));
     if (!meets) return;
     setRow(row, Met(met.normal, met.gap, firmnessOf(v), vec4(kNone, vec3(0.0)), met.lead,
-                    met.slides));
+                    met.slides, kLetOut));
     vertices[row] = uvec4(v);
 }
 
@@ -166,7 +166,7 @@ void meetCorner(uint v) {
     vec3 x = weights.x * positionOf(t.x).xyz + weights.y * positionOf(t.y).xyz +
         weights.z * positionOf(t.z).xyz;
     setRow(row, Met(met.normal, met.touch.before - obstacle.thickness, firmnessOf(t.xyz, weights),
-                    vec4(kNone, weights.yz, 0.0), leadAt(x), slides(t)));
+                    vec4(kNone, weights.yz, 0.0), leadAt(x), slides(t), kLetOut));
     vertices[row] = uvec4(t.xyz, v);
 }
 

@@ -35,7 +35,9 @@ void setTurned(uint member, uint first, vec3 r) { turned[member - first] = vec4(
 #ifdef OF_PRESSURE
 layout(std430, binding = kPiecesBinding) readonly buffer Records { PieceRecord records[]; };
 bool holdsVolume = false;
-void prepare(uint piece) { holdsVolume = records[piece].constrained != 0u; }
+void prepare(uint piece) {
+    holdsVolume = implicit.holds_volume != 0u && records[piece].constrained != 0u;
+}
 vec3 residualOf(uint v) { return holdsVolume ? fetch(gradients, v).xyz : vec3(0.0); }
 #else
 #include "sim/implicit/advance.glsl"

@@ -55,8 +55,7 @@ std::vector<double> massesWithout(const BodyModel& model, double density,
 
 /// By which contacts of each vertex are firm, besides mass * contactRate()^2 [N/m]: see
 /// shared::kContactShare. `pulls`: pullsAtRest().
-std::vector<double> contactFirmness(std::span<const ConstraintPull> pulls,
-                                    std::size_t vertexCount);
+std::vector<double> contactFirmness(std::span<const ConstraintPull> pulls, std::size_t vertexCount);
 /// In steps of this length [s]: at which mass is stopped by a contact [1/s].
 double contactRate(double step);
 

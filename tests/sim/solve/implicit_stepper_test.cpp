@@ -44,10 +44,12 @@ struct ImplicitPair {
         }
         BodyState start = stateOf(state);
         gpu.setModel(model, start);
-        gpu.setUniforms(solverUniforms(params));
+        shared::SolverUniforms uniforms = solverUniforms(params);
+        uniforms.active_parts &= ~shared::kUnfoldPart;  // the reference does not unfold
+        gpu.setUniforms(uniforms);
         gpu.masses().setPinned(pinned);
         ContactSettings contact = contactSettings(params);
-        contact.edges = false;  // the reference knows vertices alone
+        contact.edges = false;  // the reference does not know edges
         gpu.collisions().setSettings(contact);
         gpu.stepImplicitly(model, params, step, pinned);
     }
