@@ -92,6 +92,16 @@ SHARED_CONST uint kFactorsUnit = 29u;       // per slot of a constraint: see fac
 SHARED_CONST uint kPullsUnit = 30u;         // per two texels of those: force over root of stiffness
 SHARED_CONST uint kSpokeOwnersUnit = 31u;   // per spoke: its vertex
 
+// Of the contact of a step.
+struct ImplicitContact {
+    float friction;      // Coulomb coefficient
+    float floor_height;  // far below all where there is none [m]
+    float reach;         // of the floor: nearer than that is met at any speed [m]
+    float stiffness;     // of a mass: the square of contactRate() [1/s^2]
+    float let_out;       // of a depth that no push has made, at most [m]
+    float force_unit;    // of sums of forces [N]
+};
+
 // The numbers of a step that hold for the whole body.
 struct ImplicitUniforms {
     vec4 gravity;                     // xyz [m/s^2]
@@ -103,12 +113,7 @@ struct ImplicitUniforms {
     float inverse_density;            // w = inverse_density / unit_mass [m^3/kg]
     float modulus[kConstraintTypes];  // by type [Pa]
     float step;                       // h [s]
-    float friction;                   // Coulomb coefficient
-    float floor_height;               // far below all where there is none [m]
-    float reach;                      // of the floor: nearer than that is met at any speed [m]
-    float contact_stiffness;          // of a mass: the square of contactRate() [1/s^2]
-    float let_out;                    // of a depth that no push has made, at most [m]
-    float force_unit;                 // of sums of the forces of contact [N]
+    ImplicitContact contact;
     uint vertex_count;
     uint block_count;
     uint patch_count;

@@ -32,10 +32,10 @@ void setParameters(shared::ImplicitUniforms& u, const Params& params, double ste
     u.damping = static_cast<float>(scale.damped - 1);
     u.kept = static_cast<float>(std::exp(-params.airDrag * step));
     u.step = static_cast<float>(step);
-    u.friction = static_cast<float>(params.friction);
-    u.contact_stiffness = static_cast<float>(contactRate(step) * contactRate(step));
-    u.let_out = static_cast<float>(kLetOutShare * params.depenetrationSpeed * step);
-    u.floor_height = static_cast<float>(params.floor.value_or(BodyReach::kNoFloor));
+    u.contact.friction = static_cast<float>(params.friction);
+    u.contact.stiffness = static_cast<float>(contactRate(step) * contactRate(step));
+    u.contact.let_out = static_cast<float>(kLetOutShare * params.depenetrationSpeed * step);
+    u.contact.floor_height = static_cast<float>(params.floor.value_or(BodyReach::kNoFloor));
     u.holds_volume = holdsVolume(params) ? 1 : 0;
     u.inverse_density = static_cast<float>(1 / params.density);
     for (uint type = 0; type < kConstraintTypes; ++type) {
@@ -141,7 +141,7 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     uniforms_.aggregate_count = own_.inverse.aggregateCount;
     uniforms_.page_count = own_.matrix.pageCount;
     uniforms_.piece_count = size32(model.pieces.size());
-    uniforms_.reach = static_cast<float>(kFloorReach * model.diagonal);
+    uniforms_.contact.reach = static_cast<float>(kFloorReach * model.diagonal);
     setStep(params, step);
 }
 
@@ -150,8 +150,8 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
     setParameters(uniforms_, params, step.step);
-    const double firmest = own_.contact.firmest + uniforms_.contact_stiffness * heaviest_;
-    uniforms_.force_unit = static_cast<float>(own_.contact.farthest * firmest / kMostUnits);
+    const double firmest = own_.contact.firmest + uniforms_.contact.stiffness * heaviest_;
+    uniforms_.contact.force_unit = static_cast<float>(own_.contact.farthest * firmest / kMostUnits);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 

@@ -79,15 +79,15 @@ void beginStepOf(const Case& wanted) {
     motion.folded = wanted.folded;
     solver.collisions().expect(boundsOf(state.positions), approachingVelocities(), motion);
     solver.step();
+    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, {}, {});
+    solver.step();
+    solver.stepBySubsteps();
     solver.collisions().setBlade(std::nullopt);
     solver.collisions().setEdge(std::nullopt);
     for (const std::vector<StaticBox>& boxes : {std::vector{block()}, {}}) {
         solver.collisions().setBoxes(boxes);
         solver.step();
     }
-    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, {}, {});
-    solver.step();
-    solver.stepBySubsteps();
     if (wanted.params.paperContact != 0) {
         solver.collisions().respondAsThePaper();
     }

@@ -1,5 +1,5 @@
-// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece. The includer
-// declares `contact` (ContactUniforms), with UNFOLDS pieceOf(v).
+// With UNFOLDS folded skin does not touch what was beside it at rest nor its own piece. The
+// includer declares `contact` (ContactUniforms), with UNFOLDS pieceOf(v).
 #include "sim/folds.glsl"
 
 // Whether one of the two is folded and would be caught by the other.

@@ -24,7 +24,7 @@ void prepare(uint piece) {
 vec3 takeContactForce(uint v) {
     ivec4 sum = ivec4(fetch(contactForces, v));
     for (uint once = sum != ivec4(0) ? 1u : 0u; once > 0u; --once) newForces[v] = ivec4(0);
-    return implicit.force_unit * vec3(sum.xyz);
+    return implicit.contact.force_unit * vec3(sum.xyz);
 }
 
 vec3 residualOf(uint v) {

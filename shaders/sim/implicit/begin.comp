@@ -48,7 +48,7 @@ void beginRow(uint row) {
     ContactRow contact = rowAt(row);
     for (uint once = contact.slip.w > 0.0 ? 1u : 0u; once > 0u; --once) {
         float last = lastPush(row);
-        float grip = contact.lead.w < 0.0 ? -1.0 : implicit.friction * last;
+        float grip = contact.lead.w < 0.0 ? -1.0 : implicit.contact.friction * last;
         vec3 led = done * contact.lead.xyz;
         float away = dot(contact.normal.xyz, led);
         newStates[2u * row] = vec4(contact.slip.xyz - (led - away * contact.normal.xyz),

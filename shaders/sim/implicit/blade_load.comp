@@ -1,5 +1,5 @@
-// Adds up what the body of the blade has done to each vertex and the triangles at it in a stage: its
-// forces and their moment about the middle of the blade's box, times square of the step.
+// Adds up what the body of the blade has done to each vertex and the triangles at it in a stage:
+// its forces and their moment about the middle of the blade's box, times square of the step.
 // Numbers: the substep, the share of the step that the stage counts for, as bits. One thread per
 // vertex. A storage barrier follows.
 #include "sim/numbers.glsl"

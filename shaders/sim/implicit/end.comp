@@ -27,7 +27,7 @@ vec4 keptOf(uint row) {
     if (fetch(rows, kRowTexels * row + 3u).w < 0.0) {
         return vec4(fetch(rows, kRowTexels * row).xyz, push);
     }
-    return vec4(gripOf(stiffness, slip, implicit.friction * push) / stiffness * slip, push);
+    return vec4(gripOf(stiffness, slip, implicit.contact.friction * push) / stiffness * slip, push);
 }
 
 // In one of the stages.

@@ -14,7 +14,7 @@ vec4 displacementOf(uint v) { return implicit.step * fetch(velocities, v); }
 float firmnessOf(uint v) {
     float inverse = fetch(positions, v).w;
     float mass = inverse > 0.0 ? massOf(inverse) : 0.0;
-    return uintBitsToFloat(fetch(firmness, v).x) + implicit.contact_stiffness * mass;
+    return uintBitsToFloat(fetch(firmness, v).x) + implicit.contact.stiffness * mass;
 }
 
 // Of what meets by these weights.
@@ -54,7 +54,7 @@ Kept keptOf(uint row, Met met) {
 void setRow(uint row, Met met) {
     Kept kept = keptOf(row, met);
     // What was not pressed in has come otherwise, and is let out little by little.
-    float letOut = min(met.letOut * max(-met.gap, 0.0), implicit.let_out);
+    float letOut = min(met.letOut * max(-met.gap, 0.0), implicit.contact.let_out);
     float pressed = kept.push / met.stiffness + letOut;
     rows[kRowTexels * row] = vec4(met.normal, max(met.gap, -pressed));
     rows[kRowTexels * row + 1u] = vec4(kept.slip, met.stiffness);

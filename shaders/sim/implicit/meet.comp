@@ -18,9 +18,9 @@ uint pieceOf(uint v) { return links[v].piece; }
 #include "sim/implicit/join.glsl"
 
 void meetFloor(uint v) {
-    float gap = positionOf(v).y - implicit.floor_height;
+    float gap = positionOf(v).y - implicit.contact.floor_height;
     float approach = -displacementOf(v).y;
-    if (!(gap < implicit.reach + 1.5 * approach)) return;
+    if (!(gap < implicit.contact.reach + 1.5 * approach)) return;
     uint row = kRowsOfVertex * v + kMeetsObstacle;
     setRow(row, Met(vec3(0.0, 1.0, 0.0), gap, firmnessOf(v), vec4(kOfObstacle, vec3(0.0)),
                     vec3(0.0), foldAt(v) > 0.0, kLetOut));
@@ -46,8 +46,8 @@ void meetSurface(uint v, uint piece) {
 }
 
 // Edges that come no nearer than they may are met too: elasticity may take them there. They let
-// nothing out: where a crumpled body lies in itself others come nearest in each step, and each would
-// give it speed.
+// nothing out: where a crumpled body lies in itself others come nearest in each step, and each
+// would give it speed.
 void meetEdge(uint v, uint piece) {
     Crossing near = mostUrgent(v, -contact.thickness);
     if (!(near.lack > -contact.thickness)) return;

@@ -85,7 +85,7 @@ bool slides(uvec4 t) { return false; }
 Face faceBelow(BoxRecord box, vec3 at) {
     vec3 outside = abs(at) - halfOf(box) - obstacle.thickness;
     int axis = largest(outside);
-    bool near = outside[axis] >= 0.0 && outside[axis] < implicit.reach;
+    bool near = outside[axis] >= 0.0 && outside[axis] < implicit.contact.reach;
     outside[axis] = 0.0;
     bool above = near && all(lessThanEqual(outside, vec3(0.0)));
     return Face(above ? axis : 3, sideOf(at[axis]), 0.0, false);
@@ -125,7 +125,8 @@ float aheadOf(uint row, uint v) {
 void meetFace(uint v) {
     uint row = kRowsOfVertex * v + kMeetsObstacle;
     Meeting met = nearestFace(v);
-    bool meets = met.ahead < min(aheadOf(row, v), implicit.reach + 0.5 * (met.gap - met.ahead));
+    float within = implicit.contact.reach + 0.5 * (met.gap - met.ahead);
+    bool meets = met.ahead < min(aheadOf(row, v), within);
     if (!meets) return;
     setRow(row, Met(met.normal, met.gap, firmnessOf(v), vec4(kNone, vec3(0.0)), met.lead,
                     met.slides, kLetOut));
@@ -141,7 +142,7 @@ struct Cornered {
 
 Cornered nearestCorner(uint v) {
     Cornered best;
-    best.touch.gap = obstacle.thickness + implicit.reach;
+    best.touch.gap = obstacle.thickness + implicit.contact.reach;
     IncidenceRange range = rangeAt(v);
     for (uint k = range.first; k < range.end; ++k) {
         uint corner = incidentAt(k);
@@ -159,7 +160,7 @@ Cornered nearestCorner(uint v) {
 void meetCorner(uint v) {
     uint row = kRowsOfVertex * v + kMeetsCorner;
     Cornered met = nearestCorner(v);
-    if (!(met.touch.gap < obstacle.thickness + implicit.reach)) return;
+    if (!(met.touch.gap < obstacle.thickness + implicit.contact.reach)) return;
     if (!(met.touch.gap < aheadOf(row, v) + obstacle.thickness)) return;
     uvec4 t = met.triangle;
     vec3 weights = met.touch.weights;

@@ -1,5 +1,5 @@
-// Adds up how hard the edge of a blade pressed in a stage, and behind the last one of a step how far
-// the material has gone ahead of it.
+// Adds up how hard the edge of a blade pressed in a stage, and behind the last one of a step how
+// far the material has gone ahead of it.
 // Numbers: the first row, the share of the step that the stage counts for, as bits, 1 behind the
 // last. One group; sums in a fixed order. A storage barrier follows.
 #include "sim/numbers.glsl"

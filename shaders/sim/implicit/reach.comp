@@ -188,7 +188,7 @@ float search(Touching all) {
 }
 
 void addForce(uint v, vec3 force) {
-    addFixed(4u * v, implicit.force_unit, force);
+    addFixed(4u * v, implicit.contact.force_unit, force);
 }
 
 // Goes along the direction, and adds up what it pushes there.
@@ -204,7 +204,7 @@ void pushAt(uint row, float alpha) {
     float push = pushOf(stiffness, state.w, contact.lead.w);
     bool renews = numbers.y != 0u && normal != vec3(0.0) && contact.lead.w >= 0.0;
     vec4 pushes = stateAt(2u * row + 1u);
-    float most = renews ? implicit.friction * push : pushes.x;
+    float most = renews ? implicit.contact.friction * push : pushes.x;
     states[2u * row + 1u] = vec4(most, push, pushes.z, 0.0);
     float grip = most > 0.0 ? gripOf(stiffness, state.xyz, most) : 0.0;
     vec3 force = push * normal - grip * state.xyz;

@@ -5,7 +5,7 @@
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
-#include "sim/spin.glsl"
+#include "sim/unfold/spin.glsl"
 STATE_TEXELS(kPositionsBinding) before;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;

@@ -7,7 +7,7 @@
 #include "best_rotation.glsl"
 #include "damping.glsl"
 #include "members.glsl"
-#include "sim/spin.glsl"
+#include "sim/unfold/spin.glsl"
 
 struct Member {
     float mass;  // that it lends, over the fold of the goal
