@@ -170,7 +170,7 @@ struct ImplicitPiece {
     uint held;       // by an obstacle
 };
 
-// What a vertex meets in a step, a row each: kRowsOfVertex * v + Meeting. Behind those of all
+// What a vertex meets in a step, a row each, kRowsOfVertex * v + what it is. Behind those of all
 // vertices are pulls, then with an edge that presses one more of each vertex. A row pushes by
 // stiffness * depth, and holds with the same stiffness across, by friction * push at most. Pulls
 // have no normal and hold in all directions.

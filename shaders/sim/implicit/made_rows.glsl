@@ -10,6 +10,7 @@ layout(std430, binding = kMadeRowVerticesBinding) writeonly buffer Vertices { uv
 
 vec4 positionOf(uint v) { return fetch(positions, v); }
 vec4 displacementOf(uint v) { return implicit.step * fetch(velocities, v); }
+
 // Of one that is held, as if it had no mass.
 float firmnessOf(uint v) {
     float inverse = fetch(positions, v).w;

@@ -322,7 +322,9 @@ TEST_F(ContactSolverTest, EdgesDoNotPassThroughEdges) {
             }
         }
         EXPECT_GT(stepsInContact, 3);
-        EXPECT_LE(simulation.report().contacts, 5) << "they have parted";
+        // Of implicit steps some vertices still touch then.
+        const int most = params.solver == SolverMode::implicit ? 5 : 0;
+        EXPECT_LE(simulation.report().contacts, most) << "they have parted";
     }
 }
 
@@ -331,7 +333,7 @@ TEST_F(ContactSolverTest, KeepsMomentum) {
         const test::CollisionFigures figures = test::collideSpheres(params);
         EXPECT_GT(figures.stepsInContact, 5);
         EXPECT_TRUE(figures.parted);
-        EXPECT_LT(figures.linearDrift, 3e-5);
+        EXPECT_LT(figures.linearDrift, params.solver == SolverMode::implicit ? 3e-5 : 1e-5);
         EXPECT_LT(figures.angularDrift, 1e-3);
     }
 }

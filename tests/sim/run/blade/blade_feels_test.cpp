@@ -72,6 +72,7 @@ Course pressedDown(const Params& params, double depth, int steps, int n = 5) {
     }
     // Where the walls swing against the edge a step or two are refused.
     EXPECT_LE(course.refused, params.solver == SolverMode::implicit ? 2 : 0);
+    EXPECT_THAT(simulation.takeMessages(), testing::SizeIs(course.refused)) << "and nothing else";
     return course;
 }
 
