@@ -175,6 +175,8 @@ constexpr MetricsColumn kColumns[] = {
     {"tear_stress", torn<&TearReport::stress>, "The largest, over the strength of the skin."},
     {"real_time_factor", realTimeFactorOf,
      "Simulated time of the step over frame_ms; None while time is paused."},
+    {"implicit_steps", reported<&StepReport::implicitSteps>,
+     "Number of implicit steps that the time step was made of; 1 with other solvers."},
 };
 
 }  // namespace

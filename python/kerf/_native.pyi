@@ -116,6 +116,8 @@ class Report:
     @property
     def real_time_factor(self) -> Optional[float]: ...
     @property
+    def implicit_steps(self) -> int: ...
+    @property
     def blade_force(self) -> Optional[npt.NDArray[np.float64]]:
         """[N] on the blade, x, y and z; None unless forces are measured."""
     @property

@@ -316,6 +316,7 @@ void Simulation::State::publish() {
     StepReport& report = output.report;
     report.time = output.clock.time;
     report.iterations = input.iterations;
+    report.implicitSteps = input.implicitSteps;
     report.describe(body.model(), body.memory.measure);
     report.fractureEnergy += input.params.toughness * report.swept.atRest;
     if (input.params.solver == SolverMode::pbd) {

@@ -14,7 +14,7 @@ namespace {
 /// What a moment continues from besides the body.
 template <class Archive, class Input, class Clock>
 void visitRun(Archive& io, Input& input, Clock& clock) {
-    io(input.params, input.iterations, input.boxes, input.timeRuns, clock);
+    io(input.params, input.iterations, input.implicitSteps, input.boxes, input.timeRuns, clock);
 }
 
 }  // namespace

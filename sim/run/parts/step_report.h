@@ -41,13 +41,18 @@ struct StepEnergies {
     std::optional<double> strainEnergy;  ///< of the material; none with plain PBD [J]
 };
 
+/// What a time step was made of.
+struct StepParts {
+    int implicitSteps = 1;  ///< 1 with other solvers
+    int iterations = 0;     ///< as the parameters say, or as chosen where they are auto
+};
+
 /// One row of metrics.csv, after a step.
-struct StepReport : StepEnergies {
+struct StepReport : StepEnergies, StepParts {
     int step = 0;            ///< index of the step that just ran, from 0
     double time = 0;         ///< simulated time at its end [s]
     double volume = 0;       ///< sum over pieces [m^3]
     double volumeRatio = 1;  ///< against the uncut rest shape
-    int iterations = 0;      ///< as the parameters say, or as chosen where they are auto
     int pieces = 1;
     int vertices = 0;
     int triangles = 0;

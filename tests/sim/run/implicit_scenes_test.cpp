@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "sim/run/stored_moment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 
@@ -101,6 +102,18 @@ TEST_F(ImplicitScenesTest, AMomentGoesOnToTheBit) {
     simulation->goTo(moment);
     run(20);
     EXPECT_EQ(simulation->stateHash(), after);
+}
+
+TEST_F(ImplicitScenesTest, TheReportTellsOfHowManyStepsATimeStepIsMade) {
+    Params floating = params();
+    floating.timeStep = 0.02;  // longer than the longest step of any body
+    begin(floating);
+    EXPECT_EQ(simulation->step().implicitSteps, 2);
+    const auto moment = bytesOf(simulation->moment());
+    ASSERT_EQ(simulation->execute(SetParam{"solver", std::string("small_steps")}), "");
+    EXPECT_EQ(simulation->step().implicitSteps, 1);
+    ASSERT_TRUE(simulation->goTo(*moment));
+    EXPECT_EQ(simulation->report().implicitSteps, 2);
 }
 
 TEST_F(ImplicitScenesTest, AHandPullsTheBodyAlong) {
