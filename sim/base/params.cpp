@@ -39,18 +39,20 @@ constexpr ParamInfo orAuto(ParamInfo info) {
 }
 
 const std::array kRows = {
-    Row{{"time_step", "Time step", "s", "Simulated time per step.", ParamType::real, 0.0005, 0.02,
-         true},
+    Row{{"time_step", "Time step", "s",
+         "Simulated time per step: commands, cuts and pictures come once in it. The implicit "
+         "solver divides it as material, size and contacts need.",
+         ParamType::real, 0.0005, 0.02, true},
         &Params::timeStep},
-    Row{orAuto(
-            {"iterations", "Iterations", "",
-             "Substeps per time step, each one sweep of the solver (with pbd: sweeps): more is "
-             "firmer and slower. auto: as many as the error allows, by stiffness, size and speed.",
-             ParamType::integer, 1, 60, false}),
+    Row{orAuto({"iterations", "Iterations", "",
+                "Substeps per time step, each one sweep of the solver: more is firmer and slower. "
+                "With pbd sweeps; with implicit those of conjugate gradients in each of the two "
+                "stages of an implicit step. auto: as many as each step needs.",
+                ParamType::integer, 1, 60, false}),
         &Params::iterations},
     Row{newer({"iteration_error", "Iteration error", "",
-               "With auto iterations, the error that too few of them may add to a motion, as a "
-               "share of it.",
+               "With auto iterations of small_steps, the error that too few of them may add to a "
+               "motion, as a share of it.",
                ParamType::real, 0.002, 0.05, true}),
         &Params::iterationError},
     Row{{"ispc_stiffness", "Internal stiffness", "",

@@ -73,5 +73,22 @@ TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     EXPECT_EQ(remarkOn(iterations, model.parameters), "") << "its stiffness is no modulus";
 }
 
+TEST(RemarkOn, WhatAStepWithTheImplicitSolverIsMadeOf) {
+    PanelModel model;
+    ParametersState& parameters = model.parameters;
+    parameters.now.youngsModulus = 1e8;  // too much for as many small steps
+    parameters.now.solver = SolverMode::implicit;
+    parameters.implicitSteps = 2;
+    parameters.iterations = 6;
+    const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), parameters.now);
+    parameters.sweeps = &strength;
+    EXPECT_EQ(remarkOn(*findParam("iterations"), parameters),
+              "2 implicit steps of 2.5 ms, 6 iterations");
+    parameters.implicitSteps = 1;
+    EXPECT_EQ(partsOfStep(parameters), "1 implicit step of 5 ms, 6 iterations");
+    parameters.now.solver = SolverMode::smallSteps;
+    EXPECT_EQ(partsOfStep(parameters), "6 iterations");
+}
+
 }  // namespace
 }  // namespace kerf::ui

@@ -49,8 +49,13 @@ void drawParameters(const ParametersState& parameters, std::vector<Action>& acti
 /// value if it has none.
 void drawOwnParameters(int model, const ParametersState& parameters, std::vector<Action>& actions);
 
-/// A remark about a parameter at present, such as too few iterations for the modulus; "" for none.
+/// A remark about a parameter at present, such as too few iterations for the modulus, or what a
+/// step is made of with the implicit solver; "" for none.
 std::string remarkOn(const ParamInfo& info, const ParametersState& parameters);
+
+/// What the last step was made of: "20 iterations", or with the implicit solver "2 implicit steps
+/// of 2.5 ms, 6 iterations".
+std::string partsOfStep(const ParametersState& parameters);
 
 /// The printf format of a slider: decimals that suit the range, and the unit ("%.4f s"). It does
 /// not follow the value, since ImGui rounds to it and scales logarithmic sliders by it.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/text.h"
 #include "sim/solve/sweep_strength.h"
 #include "ui/base/item_rects.h"
 #include "ui/base/unit_text.h"
@@ -347,8 +348,13 @@ void drawOwnParameters(int model, const ParametersState& parameters, std::vector
 }
 
 std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
-    if (info.name != "iterations" || parameters.sweeps == nullptr ||
-        !parameters.sweeps->isTooLittle(parameters.now)) {
+    if (info.name != "iterations" || parameters.sweeps == nullptr) {
+        return "";
+    }
+    if (parameters.now.solver == SolverMode::implicit) {
+        return partsOfStep(parameters);
+    }
+    if (!parameters.sweeps->isTooLittle(parameters.now)) {
         return "";
     }
     if (parameters.now.iterations == kAutoIterations) {
@@ -359,6 +365,16 @@ std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
     return fmt::format("Too few for this stiffness: about {:.0f} % too soft.{}",
                        100 * (1 - parameters.sweeps->carried(parameters.now)),
                        enough ? fmt::format(" Use at least {}.", *enough) : "");
+}
+
+std::string partsOfStep(const ParametersState& parameters) {
+    const int steps = parameters.implicitSteps;
+    const std::string iterations = counted(parameters.iterations, "iteration", "iterations");
+    return parameters.now.solver == SolverMode::implicit
+               ? fmt::format("{} of {:.3g} ms, {}",
+                             counted(steps, "implicit step", "implicit steps"),
+                             1000 * parameters.now.timeStep / steps, iterations)
+               : iterations;
 }
 
 std::string sliderFormat(const ParamInfo& info) {

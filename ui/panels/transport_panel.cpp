@@ -87,8 +87,8 @@ std::string explainPace(const PanelModel& model) {
     const Params& params = model.parameters.now;
     return fmt::format(
         "Real-time factor: simulated seconds over seconds of the clock.\n"
-        "Step {:.3g} ms, {} iterations{}{}.\n{}",
-        1000 * params.timeStep, model.parameters.iterations,
+        "Step {:.3g} ms, {}{}{}.\n{}",
+        1000 * params.timeStep, partsOfStep(model.parameters),
         params.iterations == kAutoIterations ? " (auto)" : "",
         transport.paceCost.empty() ? "" : ": " + transport.paceCost,
         sharesOfStages(*model.plots.history));
