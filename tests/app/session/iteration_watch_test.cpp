@@ -70,11 +70,16 @@ TEST(IterationWatch, SaysWhereEvenTheMostAutoIterationsLeaveALargerError) {
               "have too few).");
 }
 
-TEST(IterationWatch, PlainPbdHasNoModulus) {
+TEST(IterationWatch, SpeaksOfSmallStepsAlone) {
     IterationWatch watch;
     Params params = withModulus(1e8);
-    params.solver = SolverMode::pbd;
-    watch.add(0, ball(), params);
+    for (const SolverMode solver : {SolverMode::pbd, SolverMode::implicit}) {
+        for (const int iterations : {1, kAutoIterations}) {
+            params.solver = solver;
+            params.iterations = iterations;
+            watch.add(0, ball(), params);
+        }
+    }
     EXPECT_EQ(watch.sentence(), "");
 }
 
