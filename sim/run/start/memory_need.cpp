@@ -1,15 +1,21 @@
 #include "sim/run/start/memory_need.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/contact_records.h"
+#include "shaders/shared/implicit_records.h"
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/body/ispc_builder.h"
+#include "sim/body/solver_uniforms.h"
 #include "sim/mesh/box_tree.h"
+#include "sim/solve/implicit/vertex_groups.h"
+#include "sim/solve/implicit_stepper.h"
 
 namespace kerf {
 
@@ -46,6 +52,10 @@ constexpr double kGrowthByCut = 1.75;
 // the heap keeps of what was freed.
 constexpr std::uint64_t kProgram = 200'000'000;
 constexpr double kOverRecords = 1.6;
+
+// While inverses are made they lie there as matrix, pivots, inverse in doubles, and texels.
+constexpr double kInMaking = 5;
+constexpr double kOfKernels = 400'000;  // those of implicit steps, for numbers of dispatches
 
 constexpr double kWord = sizeof(std::uint32_t);
 
@@ -111,6 +121,47 @@ PerElement bytesOfCopy(int ispcsOfEach) {
            cutter;
 }
 
+/// The blocks beside the diagonal in the matrix of an implicit stage: of ends of edges, tips of
+/// bends, and an ISPC with the corners of its triangle.
+PerElement implicitBlocks(int ispcsOfEach) {
+    return 4 * kEdges + PerElement{6.0 * ispcsOfEach, 0};
+}
+
+/// What shaders write to in implicit steps: blocks and factors of MatrixBuffers, ContactBuffers,
+/// StageVectors.
+std::vector<PerElement> writtenInImplicitSteps(int ispcsOfEach) {
+    constexpr double kRows = shared::kRowsOfVertex;
+    const PerElement factors =
+        2 * Entries(ispcsOfEach).edges + 4 * kEdges + PerElement{4.0 * ispcsOfEach, 0};
+    return {3 * sizeof(vec4) * (implicitBlocks(ispcsOfEach) + PerElement{1, 0}),
+            sizeof(vec4) * factors,
+            sizeof(vec4) / 8.0 * factors,  // their pulls
+            {kRows * sizeof(shared::ContactRow), 0},
+            {kRows * (sizeof(shared::RowState) + 3 * sizeof(vec4)), 0},  // what else rows have
+            {15 * sizeof(vec4) + (kRows + 2) * kWord, 0}};               // vectors, list of rows
+}
+
+/// Of implicit steps: the lists of MatrixBuffers, and InverseBuffers without inverses.
+PerElement readInImplicitSteps(int ispcsOfEach) {
+    constexpr double kOfGroups = 40;  // bytes of patches and aggregates, on each vertex
+    // Pairs of vertices of edges, of bends, of ISPCs.
+    const PerElement shares = (4.0 + 16.0) * kEdges + PerElement{16.0 * ispcsOfEach, 0};
+    return sizeof(shared::ImplicitBlock) * (implicitBlocks(ispcsOfEach) + PerElement{1, 0}) +
+           kWord * (shares + Entries(ispcsOfEach).edges) +
+           PerElement{4 * kWord + sizeof(shared::ImplicitMember) + sizeof(vec4) + kOfGroups, 0};
+}
+
+/// The inverses of patches and of the aggregates of a body in one piece, whose boxes are halved
+/// until they are small enough: where not all have the same number of vertices, some once more.
+double bytesOfInverses(double vertices) {
+    constexpr double kUneven = 1.1;
+    constexpr double kCoarse = 3 * shared::kAggregateModes * sizeof(vec4);
+    const auto count = static_cast<std::size_t>(vertices);
+    const double boxes = kUneven * vertices / double(ImplicitStep::of({}, count, 1).aggregateSize);
+    const double aggregates = kUneven * std::exp2(std::ceil(std::log2(std::max(1.0, boxes))));
+    return 3 * sizeof(vec4) * kPatchSize * vertices + kCoarse * aggregates * aggregates;
+}
+
 /// The buffers of the running body that shaders write to; the lists that they only read come as
 /// texels, which drivers allow to be larger.
 std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
@@ -131,6 +182,10 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
     if (settings.obstacles) {
         buffers.push_back({0, sizeof(shared::BoxTouch)});
         buffers.push_back({7 * sizeof(uint) + 2 * sizeof(vec4), 0});
+    }
+    if (settings.implicit) {
+        std::ranges::copy(writtenInImplicitSteps(settings.ispcsPerVertex),
+                          std::back_inserter(buffers));
     }
     buffers.push_back({2 * sizeof(vec4), 0});                 // normals for pictures
     buffers.push_back({2 * sizeof(uint), 3 * sizeof(uint)});  // corners of the skin
@@ -158,9 +213,9 @@ std::uint64_t bytes(double count) {
 MemorySettings memorySettings(const Params& params, bool hasBoxes) {
     MemorySettings settings;
     settings.contact = params.contact != 0;
-    settings.ispcsPerVertex =
-        raysPerVertex(params.trueModulus != 0 ? IspcRays::turned : IspcRays::alongNormal);
+    settings.ispcsPerVertex = raysPerVertex(ispcRays(params));
     settings.obstacles = hasBoxes || params.bladePush != 0;
+    settings.implicit = params.solver == SolverMode::implicit;
     return settings;
 }
 
@@ -179,6 +234,10 @@ std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
     for (const PerElement& buffer : writtenBuffers(settings)) {
         all += buffer.of(size.vertices, size.triangles);
     }
+    if (settings.implicit) {
+        all += readInImplicitSteps(settings.ispcsPerVertex).of(size.vertices, size.triangles) +
+               bytesOfInverses(size.vertices) + kOfKernels;
+    }
     return bytes(all);
 }
 
@@ -196,6 +255,9 @@ MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
     need.memory =
         bytes(kOverRecords * (static_cast<double>(bytesPrepared(size, settings.ispcsPerVertex)) +
                               (kGrowthByCut - 1) * copy + undo + course));
+    if (settings.implicit) {
+        need.memory += bytes(kInMaking * bytesOfInverses(cut.vertices));
+    }
     need.graphics = bytes(kOverRecords * static_cast<double>(bytesOnGpu(cut, settings)));
     for (const PerElement& buffer : writtenBuffers(settings)) {
         need.largestBuffer =

@@ -32,6 +32,7 @@ struct MemorySettings {
     bool contact = true;               ///< parts of the body collide
     int ispcsPerVertex = 1;            ///< three with a true modulus
     bool obstacles = false;            ///< boxes, or a blade that pushes
+    bool implicit = false;             ///< steps are those of SolverMode::implicit
     std::uint64_t undoBudget = 0;      ///< of the undo history [bytes]
     std::uint64_t keyframeBudget = 0;  ///< of checkpoints [bytes]
 };

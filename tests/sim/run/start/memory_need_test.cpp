@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -103,6 +104,35 @@ TEST_F(MemoryNeedOnGpu, CoversTheRaysOfATrueModulus) {
         const MemorySettings settings = memorySettings(params, false);
         EXPECT_GE(memoryNeedOf(size, settings).graphics, buffers.now());
         EXPECT_GT(bytesOnGpu(size, settings), bytesOnGpu(size, memorySettings({}, false)));
+    }
+}
+
+// Which a body gets besides those of small steps. Of sizes with small aggregates and large ones.
+TEST_F(MemoryNeedOnGpu, IsAboutWhatImplicitStepsAskFor) {
+    Params small;
+    small.trueModulus = 1;
+    Params implicit = small;
+    implicit.solver = SolverMode::implicit;
+    const MemorySettings settings = memorySettings(implicit, false);
+    for (const int quads : {16, 24, 40}) {
+        SurfaceMesh mesh = test::cubeSphere(quads, 0.5);
+        const BodySize size = sizeOf(mesh);
+        const test::BufferBytes buffers;
+        Simulation simulation(std::move(mesh), small);
+        simulation.step();
+        const std::size_t before = buffers.now();
+        ASSERT_EQ(simulation.execute(SetParam{"solver", std::string("implicit")}), "");
+        simulation.step();
+        const auto taken = static_cast<double>(buffers.now() - before);
+        const auto need = static_cast<double>(bytesOnGpu(size, settings) -
+                                              bytesOnGpu(size, memorySettings(small, false)));
+        std::printf("%.0f triangles: %.0f bytes of buffers, %.0f by records\n", size.triangles,
+                    taken, need);
+        EXPECT_GE(need, taken);
+        EXPECT_LE(need, kWithin * taken);
+        const MemoryNeed all = memoryNeedOf(size, settings);
+        EXPECT_GE(all.graphics, buffers.now());
+        EXPECT_NEAR(double(all.largestBuffer) / double(buffers.largest()), 1.75, 0.1);
     }
 }
 
