@@ -287,6 +287,7 @@ Json speedJson(const Inspection& inspection) {
     return {{"real_time_factor", number(&RealTimeForecast::factor)},
             {"time_step", number(&RealTimeForecast::timeStep)},
             {"iterations", number(&RealTimeForecast::iterations)},
+            {"implicit_steps", number(&RealTimeForecast::implicitSteps)},
             {"problem", inspection.noSpeed}};
 }
 
@@ -448,8 +449,11 @@ void printForPeople(const Inspection& inspection, const std::filesystem::path& f
     }
     if (const auto& speed = inspection.speed) {
         labelled(text, "speed") << fmt::format(
-            "about {} real time here (time step {:.3g} ms, {} iterations)\n",
-            factorText(speed->factor), 1000 * speed->timeStep, speed->iterations);
+            "about {} real time here (time step {:.3g} ms, {}{} iterations)\n",
+            factorText(speed->factor), 1000 * speed->timeStep,
+            speed->implicitSteps > 1 ? fmt::format("{} implicit steps, ", speed->implicitSteps)
+                                     : "",
+            speed->iterations);
     }
     labelled(text, "cuttable") << (inspection.refusal.empty() ? "yes" : "no") << "\n";
     printHelp(inspection, text);

@@ -9,12 +9,14 @@
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/run/simulation.h"
+#include "sim/run/start/memory_need.h"
 
 namespace kerf::app {
 namespace {
 
 constexpr int kMostTriangles = 12'000;  // of a body that is run itself
-constexpr int kBallSide = 24;           // of the ball: more vertices than one dispatch takes
+constexpr int kBallSide = 30;           // of the ball: more than 5,000 vertices, from which on
+                                        // implicit steps have more iterations
 constexpr double kPressed = 0.005;      // into the floor, of the diagonal
 constexpr int kWarmUp = 2;              // steps in which drivers compile
 constexpr int kSteps = 20;              // that are timed, at most
@@ -57,20 +59,33 @@ RealTimeForecast measure(SurfaceMesh mesh, Params params) {
         simulation.step();
         factors.add(secondsOfStep(simulation), watch.milliseconds(), 0);
     }
-    return {factors.median().value_or(0), params.timeStep, simulation.report().iterations};
+    const StepReport& report = simulation.report();
+    return {factors.median().value_or(0), params.timeStep, report.iterations, report.implicitSteps};
+}
+
+/// How many times as long a body takes to solve as the ball, with as many iterations. Those of
+/// implicit steps read all that there is, with inverses that grow by the square of the body.
+double timesAsLong(const SurfaceMesh& mesh, const Params& params) {
+    const double ofBall = 12.0 * kBallSide * kBallSide;
+    if (params.solver != SolverMode::implicit) {
+        return mesh.triangleSlots() / ofBall;
+    }
+    const MemorySettings settings = memorySettings(params, false);
+    return static_cast<double>(bytesOnGpu(BodySize::ofMesh(mesh), settings)) /
+           static_cast<double>(bytesOnGpu(BodySize::ofTriangles(ofBall), settings));
 }
 
 }  // namespace
 
 RealTimeForecast realTimeForecast(const SurfaceMesh& mesh, const Params& params) {
-    const int triangles = mesh.triangleSlots();
-    if (triangles <= kMostTriangles) {
+    if (mesh.triangleSlots() <= kMostTriangles) {
         return measure(mesh, params);
     }
     RealTimeForecast forecast = measure(ballIn(meshBounds(mesh), kBallSide), params);
     const int ofBall = forecast.iterations;
-    const double more = triangles / (12.0 * kBallSide * kBallSide);
-    if (params.iterations == kAutoIterations) {  // bends ask for them by the square of their size
+    const double more = timesAsLong(mesh, params);
+    if (params.iterations == kAutoIterations && params.solver == SolverMode::smallSteps) {
+        // Bends ask for them by the square of their size.
         forecast.iterations =
             static_cast<int>(std::min(findParam("iterations")->high, ofBall * more));
     }

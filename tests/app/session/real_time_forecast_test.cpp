@@ -33,5 +33,15 @@ TEST_F(RealTimeForecastTest, ABallStandsInForALargeBodyAndItsTimesAreScaled) {
     EXPECT_EQ(realTimeForecast(test::cubeSphere(33), params_).iterations, 7) << "as it was said";
 }
 
+TEST_F(RealTimeForecastTest, OfImplicitStepsTellsTheirNumberWhichNoSizeChanges) {
+    params_.solver = SolverMode::implicit;
+    params_.timeStep = 0.02;
+    const RealTimeForecast large = realTimeForecast(test::cubeSphere(33), params_);
+    const RealTimeForecast larger = realTimeForecast(test::cubeSphere(66), params_);
+    EXPECT_EQ(large.implicitSteps, 2) << "longer than the longest step of any body";
+    EXPECT_LT(larger.factor, 0.5 * large.factor);
+    EXPECT_EQ(larger.iterations, large.iterations);
+}
+
 }  // namespace
 }  // namespace kerf::app
