@@ -1,10 +1,12 @@
 #include "sim/contact/obstacle_contact.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <utility>
 
 #include "gpu/fetched_buffer.h"
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/blade_records.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/implicit_records.h"
@@ -56,7 +58,7 @@ void ObstacleContact::setObstacles(std::unique_ptr<const Obstacles> obstacles) {
                                  gpu::Program::compute("sim/boxes/respond.comp"),
                                  gpu::Program::compute("sim/boxes/apply.comp"),
                                  gpu::Program::compute(kind_.vertices), std::nullopt, std::nullopt,
-                                 std::nullopt, std::nullopt});
+                                 std::nullopt, std::nullopt, std::nullopt, std::nullopt});
         if (kind_.movesPiecesOut) {
             kernels_->pieces = gpu::Program::compute("sim/boxes/pieces.comp");
         }
@@ -181,6 +183,22 @@ void ObstacleContact::respond(int substep) {
         kernels_->planes->dispatch(body_.triangleCount);
         kernels_->sides->dispatch(body_.vertexCount);
     }
+}
+
+void ObstacleContact::keepSides(const gpu::Buffer& velocities, double h) {
+    if (!keepsSides_) {
+        return;
+    }
+    if (!kernels_->sidesOfStep) {
+        const gpu::Defines ofStep{{"OF_STEP", "1"}};
+        kernels_->planesOfStep = gpu::Program::compute("sim/boxes/planes.comp", ofStep);
+        kernels_->sidesOfStep = gpu::Program::compute("sim/boxes/sides.comp", ofStep);
+    }
+    bind();
+    velocities.bindStorage(shared::kVelocitiesBinding);
+    kernels_->planesOfStep->dispatch(body_.triangleCount);
+    kernels_->sidesOfStep->setNumbers({std::bit_cast<uint>(static_cast<float>(h)), 0, 0, 0});
+    kernels_->sidesOfStep->dispatch(body_.vertexCount);
 }
 
 std::optional<uint> ObstacleContact::plainBoxes() const {

@@ -78,11 +78,15 @@ class ObstacleContact {
     void beginSubstep();
     /// Limits d where it enters an obstacle, and moves X out of obstacles inside the body.
     void respond(int substep);
+    /// After an implicit step of X that lasted `h` [s]: keeps triangles on their side of thin
+    /// obstacles, where `velocities` change too.
+    void keepSides(const gpu::Buffer& velocities, double h);
 
   private:
     struct Kernels {
         gpu::Program triangles, respond, apply, vertices;
         std::optional<gpu::Program> pieces, planes, sides, load;
+        std::optional<gpu::Program> planesOfStep, sidesOfStep;  ///< of implicit steps
     };
     void makeRoom();
     void boundPieces();

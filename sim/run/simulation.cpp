@@ -100,6 +100,7 @@ void Simulation::State::cut() {
 /// What is folded now was so by the parameters before.
 void Simulation::State::noteParamsChanged() {
     input.paramsChanged = true;
+    body.memory.guard.startAnew();
     if (body.solver.stepper().unfolds() || body.looksCollapsed()) {
         body.memory.mayHaveCollapsed = true;
     }
@@ -142,6 +143,7 @@ void Simulation::State::solve() {
     body.measureStep();
     noteBladeLoad(middle);
     takeBackLostPieces();
+    guardSteps();
     body.noteStillness(input.params.timeStep, output.report.lostPieces > 0);
     const double prefetchMs = body.endStep();
     if (keepsApart) {
@@ -236,6 +238,13 @@ void Simulation::State::takeBackLostPieces() {
             counted(lost, "piece", "pieces"), body.model().pieces.size());
     }
     body.bringLostPiecesBack();
+}
+
+void Simulation::State::guardSteps() {
+    const bool worked = output.report.lostPieces > 0 || surroundings().bladeSpeed > 0;
+    if (body.guardSteps(input.params, worked)) {
+        output.say("The body gained energy of itself; its steps are divided further for a while.");
+    }
 }
 
 /// Every few steps with folds: what has collapsed is drawn back to its shape, and what a cut left

@@ -70,6 +70,7 @@ struct Simulation::State {
     void noteHeldEdge();
     void moveBody();
     void takeBackLostPieces();
+    void guardSteps();
     void lookAfterShape();
     /// sharesInsideOut() if parameters may have caused that, else 0 for all.
     std::vector<double> findInsideOut();

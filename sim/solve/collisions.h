@@ -93,6 +93,8 @@ class Collisions {
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
     void respond(std::uint32_t substep);
+    /// See ObstacleContact::keepSides().
+    void keepSides(const gpu::Buffer& velocities, double h) { boxes_.keepSides(velocities, h); }
     /// Whether pieces respond to each other as in the paper: once a time step, after the last
     /// substep.
     bool followsThePaper() const { return paperContact_.enabled(); }

@@ -230,6 +230,7 @@ void ImplicitStepper::run(uint number, bool heldMove) {
     if (heldMove) {
         body_.run(contact_.carry, uniforms_.vertex_count);
     }
+    collisions_.keepSides(body_.state.velocities, uniforms_.step);
 }
 
 /// With vectors bound: the spin that pieces lack, then new positions and velocities.

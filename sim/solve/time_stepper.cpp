@@ -136,6 +136,7 @@ void TimeStepper::stepImplicitly(bool heldMove) {
     for (uint i = 0; i < body_.uniforms.substeps; ++i) {
         searchBefore(i);
         unfoldBefore(false);
+        collisions_.beginSubstep();
         timed(deformTimer_, [&] { implicit_->run(i, heldMove); });
     }
 }

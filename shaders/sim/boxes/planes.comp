@@ -7,7 +7,8 @@
 // A corner may take a share of the gap. Planes that corners do not get to in this substep are left
 // out; of others each triangle keeps the three that leave the least.
 // Reads X at the beginning of the substep and ways since, triangles, boxes. Writes planes, marks
-// vertices in shares. One thread per triangle. A storage barrier follows, then sides.
+// vertices in shares. With OF_STEP ways are those of X, in an implicit step. One thread per
+// triangle. A storage barrier follows, then sides.
 #include "sim/boxes/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
@@ -15,6 +16,12 @@ layout(std430, binding = kBoxBoxesBinding) readonly buffer Boxes { BoxRecord box
 layout(std430, binding = kBoxRecordsBinding) writeonly buffer Planes { BoxPlanes planes[]; };
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
 layout(std430, binding = kBoxStartBinding) readonly buffer Start { vec4 start[]; };
+#ifdef OF_STEP
+layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 positions[]; };
+float wayOf(uint v) { return distance(start[v].xyz, positions[v].xyz); }
+#else
+float wayOf(uint v) { return start[v].w; }
+#endif
 
 #include "boxes.glsl"
 #include "separation.glsl"
@@ -58,11 +65,8 @@ void main() {
     uint index = gl_GlobalInvocationID.x;
     if (index >= obstacle.triangle_count) return;
     uvec3 t = triangles[index].xyz;
-    vec4 a = start[t.x];
-    vec4 b = start[t.y];
-    vec4 c = start[t.z];
-    vec3 p[3] = vec3[3](a.xyz, b.xyz, c.xyz);
-    float way = max(a.w, max(b.w, c.w));
+    vec3 p[3] = vec3[3](start[t.x].xyz, start[t.y].xyz, start[t.z].xyz);
+    float way = max(wayOf(t.x), max(wayOf(t.y), wayOf(t.z)));
     BoxPlanes least = BoxPlanes(vec4(kNoPlane), vec4(kNoPlane), vec4(kNoPlane));
     for (uint i = 0u; i < obstacle.box_count; ++i) {
         least = keep(least, planeTo(boxes[i], p, way));

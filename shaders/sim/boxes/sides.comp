@@ -2,12 +2,20 @@
 // the substep began: of what is too much X gives way first, so that nothing is shot off, then d.
 // Where planes leave no room between them the whole way is shortened, which keeps behind all of
 // them. Reads X at the beginning of the substep, planes, triangles around each vertex. Reads and
-// writes X and d, clears shares. One thread per vertex. A storage barrier follows.
+// writes X and d, clears shares. With OF_STEP, after an implicit step of X (numbers: its length,
+// float bits [s]), X gives way, and the velocity with it. One thread per vertex. A storage barrier
+// follows.
+#include "bindings.h"
 #include "blade_records.h"
+#include "sim/numbers.glsl"
 #include "sim/boxes/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };
+#ifdef OF_STEP
+layout(std430, binding = kVelocitiesBinding) buffer Velocities { vec4 velocities[]; };
+#else
 layout(std430, binding = kBoxDisplacementBinding) buffer Displacement { vec4 displacement[]; };
+#endif
 layout(std430, binding = kBoxRecordsBinding) readonly buffer Planes { BoxPlanes planes[]; };
 layout(std430, binding = kBoxSharesBinding) buffer Shares { uint shares[]; };
 layout(std430, binding = kBladeRangesBinding) readonly buffer Ranges { IncidenceRange ranges[]; };
@@ -67,12 +75,21 @@ void main() {
     IncidenceRange range = ranges[v];
     vec3 x = start[v].xyz;
     vec4 now = positions[v];
+#ifdef OF_STEP
+    if (now.w == 0.0) return;
+    Way way = Way(now.xyz - x, vec3(0.0));
+#else
     Way way = Way(now.xyz - x, displacement[v].xyz);
+#endif
     Way before = way;
     for (int i = 0; i < kRounds; ++i) way = behindAll(way, range);
     float share = shareOfAll(way, range);
     way = Way(share * way.push, share * way.d);
     // Not x + push where X stays: its bits stay.
     if (way.push != before.push) positions[v] = vec4(x + way.push, now.w);
+#ifdef OF_STEP
+    velocities[v].xyz += (way.push - before.push) / uintBitsToFloat(numbers.x);
+#else
     displacement[v] = vec4(way.d, 0.0);
+#endif
 }

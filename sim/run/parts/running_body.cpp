@@ -177,9 +177,15 @@ int RunningBody::implicitStepsFor(const Params& params, const Surroundings& arou
     if (params.solver != SolverMode::implicit) {
         return 1;
     }
-    return stepsWithin(params.timeStep,
-                       std::min(longestStep(model(), params),
-                                longestStepAt(relativeSpeed(params, around), diagonal)));
+    const double longest = std::min(longestStep(model(), params),
+                                    longestStepAt(relativeSpeed(params, around), diagonal));
+    return stepsWithin(params.timeStep, longest) * memory.guard.divisions();
+}
+
+bool RunningBody::guardSteps(const Params& params, bool worked) {
+    const bool gains = worked || isMoved_ || cutter->inStroke() || solver.stepper().unfolds();
+    return params.solver == SolverMode::implicit &&
+           memory.guard.note(memory.measure, params.timeStep, gains);
 }
 
 double RunningBody::relativeSpeed(const Params& params, const Surroundings& around) const {
@@ -280,6 +286,7 @@ void RunningBody::movePinned(const MovePins& move) {
         mesh().setVelocity(v, Vec3::Zero());
     }
     memory.pins.goOnFrom(memory.pins, mesh());
+    memory.guard.startAnew();
     solver.setState(stateOf(mesh()));
     sync.forget();
     measureAtRest();
@@ -304,6 +311,7 @@ void RunningBody::prepareStep(const Params& params) {
         pulls.insert(pulls.end(), bonds.begin(), bonds.end());
     }
     solver.setPulls(pulls);
+    isMoved_ = volumesChange || !pulls.empty() || memory.pins.moves();
     chooseSteps(params);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {

@@ -47,6 +47,9 @@ struct RunningBody {
     /// Of how many implicit steps the coming time step is made, by how fast the body meets
     /// something.
     int implicitStepsFor(const Params& params, const Surroundings& around) const;
+    /// After a step; `worked`: something that acts from outside, such as a blade. Returns whether
+    /// the body gained energy of itself, so that coming steps are divided further.
+    bool guardSteps(const Params& params, bool worked);
     /// At which something near may be met in the coming step, or parts meet each other [m/s].
     double relativeSpeed(const Params& params, const Surroundings& around) const;
     /// Gives the solver parameters with a number of iterations; after apply().
@@ -147,6 +150,7 @@ struct RunningBody {
     void beginAtRest();
 
     std::optional<PieceMap> pieces_;  ///< of the present mesh, if known
+    bool isMoved_ = true;             ///< in this step, by hands, forces, pins or volumes
 };
 
 }  // namespace kerf

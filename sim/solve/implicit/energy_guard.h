@@ -1,0 +1,33 @@
+#pragma once
+
+#include "sim/solve/body_measure.h"
+
+namespace kerf {
+
+/// Finds out that a body gains energy of itself, as none does whose steps are short enough, and
+/// into how many parts its coming steps are to be divided therefore. The state of a body: it is
+/// stored with it.
+class EnergyGuard {
+  public:
+    /// What was changed before the coming step, or is new, may have another energy.
+    void startAnew() { isNew_ = true; }
+    /// After a step of `h` seconds; `worked`: something else may have given energy. Returns whether
+    /// the steps are divided further now.
+    bool note(const BodyMeasure& measure, double h, bool worked);
+    /// Of a step that would do for what does not grow.
+    int divisions() const { return divisions_; }
+
+    /// Writes or reads all of it (ByteArchive).
+    template <class Archive>
+    void archive(Archive& io) {
+        io(isNew_, highest_, divisions_, calm_);
+    }
+
+  private:
+    bool isNew_ = true;
+    double highest_ = 0;  ///< energy of late [J]
+    int divisions_ = 1;
+    double calm_ = 0;  ///< time since it grew [s]
+};
+
+}  // namespace kerf
