@@ -234,7 +234,7 @@ struct ProductSums {
     // Of the whole piece, the same on each of its pages; not where a stage begins.
     float residual_answer;    // r . z
     float gradient_pressure;  // dV/dp . pressure
-    float unused;
+    float scale;              // of residual_answer: see scalars.glsl
 };
 // Over the vertices of an aggregate.
 struct AnswerSums {

@@ -56,6 +56,10 @@ Share multiply(uint v, Turn turn) {
 #ifndef OF_START
     direction += turn.beta * fetch(directions, v).xyz - turn.pressure * pressure;
     image += turn.beta * fetch(images, v).xyz - turn.pressure * fetch(pressureImages, v).xyz;
+    if (isDone(turn)) {
+        direction = vec3(0.0);
+        image = vec3(0.0);
+    }
     newDirections[v] = vec4(direction, 0.0);
 #endif
     newImages[v] = vec4(image, 0.0);
@@ -106,9 +110,10 @@ void leaveRows(uint page, Turn turn) {
 void main() {
     uvec2 page = fetch(pageTable, gl_WorkGroupID.x).xy;  // its number, its piece
 #ifdef OF_MOTION
-    Turn turn = Turn(0.0, 0.0, 0.0, sumOfProducts(pieceAt(page.y), kPressureSlot).first.z);
+    float gamma = sumOfProducts(pieceAt(page.y), kPressureSlot).first.z;
+    Turn turn = Turn(0.0, 0.0, 0.0, gamma, 0.0);
 #elif defined(OF_START)
-    Turn turn = Turn(0.0, 0.0, 0.0, 0.0);
+    Turn turn = Turn(0.0, 0.0, 0.0, 0.0, 0.0);
 #else
     Turn turn = turnOf(page.y, numbers.x);
 #endif
@@ -117,6 +122,6 @@ void main() {
     if (gl_LocalInvocationID.x == 0u) {
         uint at = productsAt(numbers.x, gl_WorkGroupID.x);
         newSums[at] = sums.first;
-        newSums[at + 1u] = vec4(sums.second.x, turn.size, turn.gamma, 0.0);
+        newSums[at + 1u] = vec4(sums.second.x, turn.size, turn.gamma, turn.scale);
     }
 }

@@ -78,15 +78,23 @@ struct Turn {
     float pressure;
     float size;   // left . z, of all that touch
     float gamma;  // dV/dp . pressure
+    float scale;  // of sizes: that of the first iteration, or the energy of the motion
 };
+
+// Of that scale: what is less is rounding, along which directions would grow.
+const float kRounding = 1e-12;
+
+bool isDone(Turn turn) { return !(turn.size > kRounding * turn.scale); }
 
 // Polak and Ribiere's, since contact bends the way.
 Turn turnOf(uint index, uint slot) {
     ImplicitPiece piece = pieceAt(index);
     vec4 before = knownOf(piece, slot - 1u);
+    bool begins = slot == kFirstSlot;
     float size = 0.0;
     float turned = 0.0;
     float pressure = 0.0;
+    float moved = 0.0;
     for (uint p = piece.root; p != kNoPiece;) {
         ImplicitPiece other = pieceAt(p);
         TwoSums now = sumOfAnswers(other, slot);
@@ -94,8 +102,9 @@ Turn turnOf(uint index, uint slot) {
         size += now.first.x - swelling * now.first.w;
         turned += now.first.z - swelling * now.second.x;
         if (p == index) pressure = swelling;
+        if (begins) moved += sumOfProducts(other, kStartSlot).first.w;
         p = other.next;
     }
-    float beta = slot > kFirstSlot ? max(ratio(size - turned, before.y), 0.0) : 0.0;
-    return Turn(beta, pressure, size, before.z);
+    float beta = begins ? 0.0 : max(ratio(size - turned, before.y), 0.0);
+    return Turn(beta, pressure, size, before.z, begins ? max(size, moved) : before.w);
 }
