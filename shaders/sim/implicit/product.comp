@@ -56,7 +56,7 @@ Share multiply(uint v, Turn turn) {
 #ifndef OF_START
     direction += turn.beta * fetch(directions, v).xyz - turn.pressure * pressure;
     image += turn.beta * fetch(images, v).xyz - turn.pressure * fetch(pressureImages, v).xyz;
-    if (isDone(turn)) {
+    if (turn.done) {
         direction = vec3(0.0);
         image = vec3(0.0);
     }
@@ -111,9 +111,9 @@ void main() {
     uvec2 page = fetch(pageTable, gl_WorkGroupID.x).xy;  // its number, its piece
 #ifdef OF_MOTION
     float gamma = sumOfProducts(pieceAt(page.y), kPressureSlot).first.z;
-    Turn turn = Turn(0.0, 0.0, 0.0, gamma, 0.0);
+    Turn turn = Turn(0.0, 0.0, 0.0, gamma, 0.0, false);
 #elif defined(OF_START)
-    Turn turn = Turn(0.0, 0.0, 0.0, 0.0, 0.0);
+    Turn turn = Turn(0.0, 0.0, 0.0, 0.0, 0.0, false);
 #else
     Turn turn = turnOf(page.y, numbers.x);
 #endif

@@ -76,15 +76,13 @@ float ratio(float a, float b) {
 struct Turn {
     float beta;
     float pressure;
-    float size;   // left . z, of all that touch
+    float size;   // left . z without a change of volume, of all that touch
     float gamma;  // dV/dp . pressure
-    float scale;  // of sizes: that of the first iteration, or the energy of the motion
+    float scale;  // of left . z: what it was at first, or the energy of the motion
+    bool done;    // what is left is rounding, along which directions would grow
 };
 
-// Of that scale: what is less is rounding, along which directions would grow.
-const float kRounding = 1e-12;
-
-bool isDone(Turn turn) { return !(turn.size > kRounding * turn.scale); }
+const float kRounding = 1e-12;  // of the scale
 
 // Polak and Ribiere's, since contact bends the way.
 Turn turnOf(uint index, uint slot) {
@@ -92,6 +90,7 @@ Turn turnOf(uint index, uint slot) {
     vec4 before = knownOf(piece, slot - 1u);
     bool begins = slot == kFirstSlot;
     float size = 0.0;
+    float left = 0.0;
     float turned = 0.0;
     float pressure = 0.0;
     float moved = 0.0;
@@ -99,6 +98,7 @@ Turn turnOf(uint index, uint slot) {
         ImplicitPiece other = pieceAt(p);
         TwoSums now = sumOfAnswers(other, slot);
         float swelling = ratio(now.first.y, knownOf(other, slot - 1u).z);
+        left += now.first.x;
         size += now.first.x - swelling * now.first.w;
         turned += now.first.z - swelling * now.second.x;
         if (p == index) pressure = swelling;
@@ -106,5 +106,6 @@ Turn turnOf(uint index, uint slot) {
         p = other.next;
     }
     float beta = begins ? 0.0 : max(ratio(size - turned, before.y), 0.0);
-    return Turn(beta, pressure, size, before.z, begins ? max(size, moved) : before.w);
+    float scale = begins ? max(left, moved) : before.w;
+    return Turn(beta, pressure, size, before.z, scale, !(left > kRounding * scale));
 }

@@ -1,6 +1,7 @@
 #include "sim/run/parts/running_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,8 @@
 namespace kerf {
 
 namespace {
+
+constexpr double kStill = 2e-4;  // at which nothing moves, diagonals of the uncut body per second
 
 /// Ascending.
 std::vector<std::uint32_t> verticesOf(const std::vector<shared::PullRecord>& pulls) {
@@ -184,8 +187,13 @@ int RunningBody::implicitStepsFor(const Params& params, const Surroundings& arou
 
 bool RunningBody::guardSteps(const Params& params, bool worked) {
     const bool gains = worked || isMoved_ || cutter->inStroke() || solver.stepper().unfolds();
+    double still = 0;
+    for (const BodyMember& member : model().members) {
+        const double mass = params.density * member.density * std::abs(member.restVolume);
+        still += 0.5 * mass * std::pow(kStill * diagonal, 2);
+    }
     return params.solver == SolverMode::implicit &&
-           memory.guard.note(memory.measure, params.timeStep, gains);
+           memory.guard.note(memory.measure, params.timeStep, gains, still);
 }
 
 double RunningBody::relativeSpeed(const Params& params, const Surroundings& around) const {
@@ -441,7 +449,6 @@ bool RunningBody::liesStill() const {
 }
 
 void RunningBody::noteStillness(double timeStep, bool lost) {
-    constexpr double kStill = 2e-4;  // diagonals of the uncut body per second
     const bool still = !lost && memory.measure.fastest <= kStill * diagonal;
     memory.stillFor = still ? memory.stillFor + timeStep : 0;
 }

@@ -11,9 +11,9 @@ class EnergyGuard {
   public:
     /// What was changed before the coming step, or is new, may have another energy.
     void startAnew() { isNew_ = true; }
-    /// After a step of `h` seconds; `worked`: something else may have given energy. Returns whether
-    /// the steps are divided further now.
-    bool note(const BodyMeasure& measure, double h, bool worked);
+    /// After a step of `h` seconds; `worked`: something else may have given energy; `least`: less
+    /// is nothing [J]. Returns whether the steps are divided further now.
+    bool note(const BodyMeasure& measure, double h, bool worked, double least);
     /// Of a step that would do for what does not grow.
     int divisions() const { return divisions_; }
 

@@ -5,8 +5,6 @@
 namespace kerf {
 namespace {
 
-constexpr double kStep = 1.0 / 240;  // [s]
-
 BodyMeasure moving(double kinetic, double strain = 0) {
     BodyMeasure measure;
     measure.kineticEnergy = kinetic;
@@ -16,7 +14,11 @@ BodyMeasure moving(double kinetic, double strain = 0) {
 
 class EnergyGuardTest : public testing::Test {
   protected:
-    EnergyGuardTest() { guard.note(moving(1), kStep, false); }
+    EnergyGuardTest() { note(moving(1)); }
+
+    bool note(const BodyMeasure& measure, bool worked = false) {
+        return guard.note(measure, 1.0 / 240, worked, 1e-3);
+    }
 
     EnergyGuard guard;
 };
@@ -26,31 +28,37 @@ TEST_F(EnergyGuardTest, DividesWhatGrowsFurtherEachTimeUpToAnEighth) {
     for (const int expected : {2, 4, 8, 8}) {
         energy *= 1.2;
         const int before = guard.divisions();
-        EXPECT_EQ(guard.note(moving(energy), kStep, false), expected > before);
+        EXPECT_EQ(note(moving(energy)), expected > before);
         EXPECT_EQ(guard.divisions(), expected);
     }
 }
 
 TEST_F(EnergyGuardTest, LetsEnergyChangeItsKind) {
-    EXPECT_FALSE(guard.note(moving(0.2, 0.8), kStep, false));
-    EXPECT_FALSE(guard.note(moving(0.1, 0.5), kStep, false));  // the rest is in contacts
-    EXPECT_FALSE(guard.note(moving(0.9), kStep, false));
+    EXPECT_FALSE(note(moving(0.2, 0.8)));
+    EXPECT_FALSE(note(moving(0.1, 0.5)));  // the rest is in contacts
+    EXPECT_FALSE(note(moving(0.9)));
     EXPECT_EQ(guard.divisions(), 1);
 }
 
 TEST_F(EnergyGuardTest, LetsGrowWhatIsWorkedOnOrNew) {
-    EXPECT_FALSE(guard.note(moving(5), kStep, true));
+    EXPECT_FALSE(note(moving(5), true));
     guard.startAnew();
-    EXPECT_FALSE(guard.note(moving(20), kStep, false));
-    EXPECT_TRUE(guard.note(moving(25), kStep, false));
+    EXPECT_FALSE(note(moving(20)));
+    EXPECT_TRUE(note(moving(25)));
+}
+
+TEST_F(EnergyGuardTest, LetsLittleEnergyBe) {
+    guard.startAnew();
+    note(moving(1e-5));
+    EXPECT_FALSE(note(moving(1e-4)));
 }
 
 TEST_F(EnergyGuardTest, GoesBackAfterSecondsWithoutGrowth) {
-    guard.note(moving(2), kStep, false);
-    guard.note(moving(4), kStep, false);
+    note(moving(2));
+    note(moving(4));
     ASSERT_EQ(guard.divisions(), 4);
     for (int step = 0; step < 485; ++step) {
-        guard.note(moving(1), kStep, false);
+        note(moving(1));
     }
     EXPECT_EQ(guard.divisions(), 1);
 }
