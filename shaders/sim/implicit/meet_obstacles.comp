@@ -65,7 +65,10 @@ Meeting nearestFace(uint v) {
     if (face == 3) return none;
     vec3 normal = vec3(0.0);
     normal[face] = faces.side[face];
-    return Meeting(fromBox(blade.box, normal), before[face], after[face], lead, wall.w != 0.0);
+    // The bevel comes nearer also where it slides along.
+    float widening = before[face] + normal[face] * way[face] - after[face];
+    normal = fromBox(blade.box, normal);
+    return Meeting(normal, before[face], after[face], lead + widening * normal, wall.w != 0.0);
 }
 
 vec3 leadAt(vec3 x) { return wayOfBlade(bladeNow(), x); }
