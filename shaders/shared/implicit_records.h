@@ -139,6 +139,10 @@ SHARED_CONST uint kSlotBits = 4u;
 // bend is softer, so that it is no stiffer against motion.
 SHARED_CONST float kMostSteepness = 1.0f;
 
+// A spring pressed together by more than this share of its length resists what turns it: free of
+// all but mass, a crushed sliver would buckle by metres in a linear step.
+SHARED_CONST float kMostBuckling = 0.2f;
+
 // Vertices that move together in the coarse part of the preconditioner. Modes 0 to 2 are
 // translations; 3 m + axis is one along an axis, times the share m of a vertex.
 SHARED_CONST uint kAggregateModes = 12u;

@@ -29,7 +29,8 @@ ConstraintPull springPull(const std::array<std::uint32_t, N>& vertices,
     pull.direction = span / length;
     pull.value = length - rest;
     pull.stiffness = stiffness;
-    pull.across = stiffness * std::max(pull.value, 0.0) / length;
+    const double turns = std::max(pull.value, -pull.value - shared::kMostBuckling * rest) / length;
+    pull.across = stiffness * std::clamp(turns, 0.0, 1.0);
     for (std::size_t k = 0; k < N; ++k) {
         pull.vertices[k] = vertices[k];
         pull.weights[k] = weights[k];
