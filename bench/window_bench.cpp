@@ -1,11 +1,10 @@
 // What the time of the clock goes to in the window, while a scene of the start page falls that was
 // cut across its middle with the pointer. Needs a display.
 //
-//   kerf_window_bench [SCENE]... [--pace]
+//   kerf_window_bench [SCENE]...
 //
-// Without names citrus alone. With --pace it keeps pace with the clock.
+// Without names citrus alone.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -99,12 +98,9 @@ class Play {
     app::Editor editor_;
 };
 
-void bench(const std::string& scene, bool keepsPace) {
+void bench(const std::string& scene) {
     Play play(scene);
     play.cut();
-    if (keepsPace) {
-        play.tap(ui::Key::k);
-    }
     play.tap(ui::Key::space);
     play.lastFor(kSettles);
     const Sums before = sumsOf(play.panels());
@@ -119,7 +115,6 @@ void bench(const std::string& scene, bool keepsPace) {
         {"real_time_factor", (after.simulated - before.simulated) / seconds},
         {"pictures_per_second", (after.pictures - before.pictures) / seconds},
         {"seconds", seconds},
-        {"keeps_pace", keepsPace},
         {"load", load}};
     std::puts(line.dump().c_str());
     std::fflush(stdout);
@@ -130,13 +125,12 @@ void bench(const std::string& scene, bool keepsPace) {
 
 int main(int count, char** words) {
     std::vector<std::string> scenes(words + 1, words + count);
-    const bool keepsPace = std::erase(scenes, "--pace") > 0;
     if (scenes.empty()) {
         scenes = {"citrus"};
     }
     try {
         for (const std::string& scene : scenes) {
-            kerf::bench(scene, keepsPace);
+            kerf::bench(scene);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

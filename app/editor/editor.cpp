@@ -296,8 +296,7 @@ void Editor::State::makePicture(double elapsedSeconds) {
     if (s.scene == nullptr && s.work.opening() == nullptr && !s.view.faulty && !s.panels.asked) {
         s.panels.startOpen = true;
     }
-    if (EditorScene* const now = s.scene.atRest();
-        now && s.guide.follow(*now, s.view, s.clock.byTheClock() && !s.pace.isOn())) {
+    if (EditorScene* const now = s.scene.atRest(); now && s.guide.follow(*now, s.view)) {
         s.redraw.panels();
     }
     const double before = watch.seconds();
@@ -462,7 +461,6 @@ void Editor::State::goOn() {
     scene->readout().addPicture(time, picture.takeSceneMilliseconds());
     if (time.all > 0) {
         panels.experiments.note(*scene);
-        pace.follow(*scene, time);
     }
 }
 

@@ -200,17 +200,6 @@ void reset(State& s) {
     s.scene->reset();
 }
 
-void keepPace(State& s) {
-    if (s.scene->document().session.task && !s.pace.isOn()) {
-        s.toast.show("A task is scored with its own steps, so it can't keep pace.", false);
-        return;
-    }
-    s.pace.toggle(*s.scene);
-    if (s.pace.isOn() && s.scene->timeline().playingBack()) {
-        s.toast.show("Keeps pace once the recorded session is over.", false);
-    }
-}
-
 void toggleRecording(State& s) {
     s.toast.withdrawOffer();
     if (s.scene->recorder().recording()) {
@@ -369,7 +358,6 @@ constexpr std::array kOtherHandlers{
             [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
     Handler{ActionId::faster, Needs::scene,
             [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
-    Handler{ActionId::keepPace, Needs::body, keepPace},
     Handler{ActionId::record, Needs::body, toggleRecording},
     Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->timeline().toggleLoop(); }},
     Handler{ActionId::addPicture, Needs::body, addPicture},

@@ -99,8 +99,6 @@ void Editor::State::describeScene() {
     if (scene != nullptr) {
         scene->describe(panels.told);
         sceneHistory.describe(*scene, panels.told.changes);
-        panels.told.transport.paceCost =
-            pace.cost(scene->readout().sweeps(), scene->simulation().params());
     }
     panels.told.help.hint = guide.hint(scene.get(), view);
     panels.experiments.describe(scene.get(), panels.told);
@@ -133,7 +131,6 @@ void Editor::State::describe(bool withOverlay) {
     model.tools = view.tools.settings();
     model.view.measures = view.tools.get<MeasureTool>().rows();
     model.transport.speed = clock.speed();
-    model.transport.keepsPace = pace.isOn();
     chooser.describe(model);
     materials.describe(model);
     model.work = work.state();

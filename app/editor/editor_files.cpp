@@ -158,7 +158,6 @@ void Editor::State::beginScene() {
     scene->readout().plot(std::nullopt);  // The list of measurements begins anew.
     work.models.begin(app::modelFiles(scene->document().session));
     guide.begin(*scene);
-    pace.begin();
     kernels.begin();
     const std::filesystem::path& session = sessionFile.path();
     chooser.setSource(session.empty() ? scene->document().session.model.path : session);

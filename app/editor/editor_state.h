@@ -9,7 +9,6 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/steps/kernel_preparation.h"
-#include "app/editor/steps/pace_keeper.h"
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
@@ -56,7 +55,6 @@ struct Editor::State {
     InputQueue queue;
     Redraw redraw;
     StepClock clock;
-    PaceKeeper pace;
     EditorPanels panels;
     EditorPicture picture;
     SceneAtWork scene;          ///< null while nothing is open

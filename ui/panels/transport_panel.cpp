@@ -83,20 +83,17 @@ void drawSpeed(double speed, std::vector<Action>& actions) {
 
 /// What steps were chosen, and what the clock went to.
 std::string explainPace(const PanelModel& model) {
-    const TransportState& transport = model.transport;
     const Params& params = model.parameters.now;
     return fmt::format(
         "Real-time factor: simulated seconds over seconds of the clock.\n"
-        "Step {:.3g} ms, {}{}{}.\n{}",
+        "Step {:.3g} ms, {}{}.\n{}",
         1000 * params.timeStep, partsOfStep(model.parameters),
         params.iterations == kAutoIterations ? " (auto)" : "",
-        transport.paceCost.empty() ? "" : ": " + transport.paceCost,
         sharesOfStages(*model.plots.history));
 }
 
-void drawPace(const PanelModel& model, std::vector<Action>& actions) {
+void drawPace(const PanelModel& model) {
     const TransportState& transport = model.transport;
-    const float width = buttonWidth("Keep pace") + ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", transport.realTimeFactor
                                   ? (factorText(*transport.realTimeFactor) + " real time").c_str()
@@ -105,22 +102,6 @@ void drawPace(const PanelModel& model, std::vector<Action>& actions) {
     if (ImGui::IsItemHovered()) {
         itemTooltip(explainPace(model));
     }
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##pace", transport.keepsPace ? "Keep pace" : "Accurate")) {
-        if (ImGui::Selectable("Accurate", !transport.keepsPace) && transport.keepsPace) {
-            actions.emplace_back(ActionId::keepPace);
-        }
-        itemTooltip("Iterations as set: auto keeps to the iteration error, however long it takes");
-        if (ImGui::Selectable("Keep pace", transport.keepsPace) && !transport.keepsPace) {
-            actions.emplace_back(ActionId::keepPace);
-        }
-        itemTooltip("Steps as large and iterations as few as it takes to keep up with the clock");
-        ImGui::EndCombo();
-    }
-    noteItem("transport.keepPace");
-    itemTooltip(describeAction(ActionId::keepPace) +
-                (transport.keepsPace ? "\nOn: " + transport.paceCost : ""));
 }
 
 /// In a narrow panel words need the room more than what is around them.
@@ -159,7 +140,7 @@ void drawTransport(const PanelModel& model, std::vector<Action>& actions) {
     ImGui::SameLine(3 * (width + gap) + ImGui::GetStyle().WindowPadding.x);
     ImGui::SetNextItemWidth(width);
     drawSpeed(transport.speed, actions);
-    drawPace(model, actions);
+    drawPace(model);
     const bool played = playback.played;
     if (played || transport.recording) {
         drawAddButton(width, actions);

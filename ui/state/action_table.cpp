@@ -84,8 +84,6 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
     ActionRow{ActionId::slower, at(Key::minus, kPlain, "-"), "Half speed", "Time", withBody},
     ActionRow{ActionId::faster, at(Key::equal, kPlain, "="), "Double speed", "Time", withBody},
-    ActionRow{ActionId::keepPace, at(Key::k, kShift, "Shift+K"), "Keep pace with the clock", "Time",
-              withBody, [](const PanelModel& m) { return m.transport.keepsPace; }},
     ActionRow{ActionId::record, at(Key::r, kControl, "Ctrl+R"), "Start or stop recording", "Time",
               withBody, [](const PanelModel& m) { return m.transport.recording; }},
     ActionRow{ActionId::loop, at(Key::l, kPlain, "L"), "Loop session", "Time",

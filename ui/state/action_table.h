@@ -49,7 +49,6 @@ enum class ActionId : std::uint8_t {
     finishTry,
     slower,
     faster,
-    keepPace,
     record,
     loop,
     addPicture,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 namespace kerf::ui {
 
@@ -15,8 +14,6 @@ struct TransportState {
     double speed = 1;       ///< wanted, of simulated time against the clock
     /// Simulated seconds over seconds of the clock, lately; none before time ran.
     std::optional<double> realTimeFactor;
-    bool keepsPace = false;  ///< step and iterations follow the clock
-    std::string paceCost;    ///< what that costs: "about 20 % too soft"
     int step = 0;
     double time = 0;         ///< simulated, since the last restart [s]
     bool restarted = false;  ///< there was one

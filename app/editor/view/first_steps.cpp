@@ -8,7 +8,6 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
-#include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
@@ -22,7 +21,6 @@ using ui::actionOf;
 using ui::Hint;
 
 constexpr double kLately = 0.2;     // simulated time in which one advance follows another [s]
-constexpr double kSlow = 0.25;      // real-time factor below which keeping pace is proposed
 constexpr double kFarAhead = 0.01;  // of a hand, as a share of the body's diagonal
 
 static bool isFarAhead(const EditorScene& scene) {
@@ -65,8 +63,6 @@ void FirstSteps::follow(const Situation& now) {
     played_ |= now.playing && now.session;
     const bool falls = now.playing && !now.weightless;
     weighed_ |= falls;
-    proposed_ |= proposes_ && !now.slow;
-    proposes_ = now.slow.has_value();
     wentOn_ |= fell_ && now.cutting;
     fell_ |= falls && now.parted();
 }
@@ -76,12 +72,6 @@ Hint FirstSteps::hint(const Situation& now) const {
         return {};
     }
     if (now.playing) {
-        if (now.slow && !proposed_) {
-            return {fmt::format("Time runs at {} real time here. Coarser steps keep pace better, "
-                                "but soften it.",
-                                factorText(*now.slow)),
-                    {{ActionId::keepPace, "Keep pace"}}};
-        }
         const bool still = now.weightless && !now.session && !weighed_;
         return still ? Hint{"Gravity is off, so nothing falls.",
                             {{ActionId::toggleGravity, "Turn on gravity"}}}
@@ -172,17 +162,12 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.touching = view.tools.holdsBody();
     now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
-    const std::optional<double> factor = scene->readout().readings().realTimeFactor();
-    if (now.playing && mayKeepPace_ && factor < kSlow) {
-        now.slow = factor;
-    }
     now.outcome = cutWatch_.outcome();
     now.refusal = scene->simulation().refusalOfStroke();
     return now;
 }
 
-bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view, bool mayKeepPace) {
-    mayKeepPace_ = mayKeepPace && !scene.document().session.task && !scene.timeline().playingBack();
+bool NewcomerGuide::follow(const EditorScene& scene, const EditorView& view) {
     const StrokeOutcome before = cutWatch_.outcome();
     Situation now = situationOf(&scene, view);
     cutWatch_.follow(now.cutting, now.pieces, scene.simulation().report().triangles);

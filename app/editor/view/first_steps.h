@@ -42,14 +42,13 @@ class CutWatch {
 
 /// The situation in the editor that selects a hint.
 struct Situation {
-    bool open = false;             ///< whether anything is
-    bool playing = false;          ///< time runs
-    bool weightless = false;       ///< there is no gravity
-    bool session = false;          ///< events of a session are still to come
-    bool past = false;             ///< the person went back in time
-    bool cutting = false;          ///< a stroke is drawn or still to be cut
-    bool touching = false;         ///< a tool pulls or pins
-    std::optional<double> slow{};  ///< the real-time factor, if time runs far slower than the clock
+    bool open = false;        ///< whether anything is
+    bool playing = false;     ///< time runs
+    bool weightless = false;  ///< there is no gravity
+    bool session = false;     ///< events of a session are still to come
+    bool past = false;        ///< the person went back in time
+    bool cutting = false;     ///< a stroke is drawn or still to be cut
+    bool touching = false;    ///< a tool pulls or pins
     ui::Tool tool = ui::kFirstTool;
     int pieces = 1;
     int piecesAtFirst = 1;  ///< when opened: a file may hold several shells
@@ -80,16 +79,14 @@ class FirstSteps {
     bool weighed_ = false;               ///< time ran with gravity
     bool fell_ = false;                  ///< and did so with pieces
     bool wentOn_ = false;                ///< a stroke was drawn after that
-    bool proposes_ = false;              ///< to keep pace
-    bool proposed_ = false;              ///< and did so before
 };
 
 /// Follows what a new user does, and suggests what to do next.
 class NewcomerGuide {
   public:
     /// Follows the open document once a frame. Returns whether the outcome of the last stroke has
-    /// changed. `mayKeepPace`: its steps could follow the clock and don't.
-    bool follow(const EditorScene& scene, const EditorView& view, bool mayKeepPace);
+    /// changed.
+    bool follow(const EditorScene& scene, const EditorView& view);
     /// Drops the last stroke: this document was just opened.
     void begin(const EditorScene& scene);
     /// Suggests what to try in this document, until something was tried. "" suggests nothing.
@@ -104,7 +101,6 @@ class NewcomerGuide {
     CutWatch cutWatch_;
     FirstSteps firstSteps_;
     int piecesAtFirst_ = 1;
-    bool mayKeepPace_ = false;
     double toreAt_ = -1;  ///< simulated time [s]
     std::string tip_;
 };

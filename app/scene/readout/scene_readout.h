@@ -59,8 +59,6 @@ class SceneReadout {
     /// The document's faults as marks on the present body, where its triangles are undivided.
     const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
     const EditorReadings& readings() const { return readings_; }
-    /// What the iterations of the body are good for, as of the last description.
-    const SweepStrength& sweeps() const { return sweeps_; }
     /// The forces on the blade in the steps so far, where they are measured.
     const ForceTrace& forces() const { return forces_; }
 

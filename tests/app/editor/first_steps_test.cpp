@@ -47,26 +47,6 @@ TEST(CutWatch, TellsWhatCameOfAStroke) {
         << "undone before it had ended: it met something";
 }
 
-TEST(FirstSteps, KeepingPaceIsProposedOnce) {
-    FirstSteps steps;
-    Situation now;
-    now.open = now.playing = true;
-    steps.follow(now);
-    EXPECT_EQ(steps.hint(now).text, "");
-    now.slow = 0.03;
-    for (int i = 0; i < 2; ++i) {
-        steps.follow(now);
-        EXPECT_THAT(steps.hint(now).text, HasSubstr("0.03x real time"));
-        EXPECT_THAT(choicesOf(steps.hint(now)), ::testing::ElementsAre(ActionId::keepPace));
-    }
-    now.slow.reset();
-    steps.follow(now);
-    EXPECT_EQ(steps.hint(now).text, "");
-    now.slow = 0.03;
-    steps.follow(now);
-    EXPECT_EQ(steps.hint(now).text, "") << "once is enough";
-}
-
 TEST(FirstSteps, LeadThroughTheFirstCut) {
     FirstSteps steps;
     Situation now;
