@@ -141,7 +141,7 @@ std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
 
 /// In the editor, with the settings of a new session.
 MemoryNeed memoryNeedOf(const MeshReport& report) {
-    MemorySettings settings = memorySettings(Params{}, false);
+    MemorySettings settings = memorySettings(withSolverFor(report.vertices, Params{}), false);
     settings.undoBudget = kUndoBudget;
     settings.keyframeBudget = kKeyframeBudget;
     return memoryNeedOf(
@@ -151,8 +151,9 @@ MemoryNeed memoryNeedOf(const MeshReport& report) {
 
 /// Of a model as the editor opens it.
 RealTimeForecast forecastOf(const SurfaceMesh& mesh) {
-    Params params = suitedTo(meshBounds(mesh).diagonal(), ofNewScene({}));
+    Params params = withSolverFor(mesh.vertexCount(), ofNewScene({}));
     applyMaterial(params, findMaterial(kMaterialOfNewModel, {}));
+    params = suitedTo(meshBounds(mesh).diagonal(), params);
     const gpu::EglContext context;
     return realTimeForecast(mesh, params);
 }

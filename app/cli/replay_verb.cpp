@@ -234,7 +234,9 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
             throw UsageError("--set " + setting + ": expected NAME=VALUE");
         }
         try {
-            setParamFromText(session.params, setting.substr(0, equals), setting.substr(equals + 1));
+            const std::string name = setting.substr(0, equals);
+            setParamFromText(session.params, name, setting.substr(equals + 1));
+            session.namesSolver = session.namesSolver || name == "solver";
             requireModelsOfParams(session);
         } catch (const InputError& error) {
             throw UsageError(std::string("--set ") + error.what());

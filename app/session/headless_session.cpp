@@ -17,6 +17,13 @@ namespace kerf::app {
 
 namespace {
 
+/// As it runs with this model.
+Session withModel(const Session& session, const ModelMesh& model) {
+    Session running = withOrigin(session, model.origin);
+    running.params = startParams(session, model.mesh.vertexCount());
+    return running;
+}
+
 /// A host of SimulationDriver::applyActions.
 struct CommandsAlone {
     HeadlessSession& running;
@@ -29,15 +36,16 @@ struct CommandsAlone {
 }  // namespace
 
 void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size_t undoBudget) {
-    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
+    const BodySize size = BodySize::ofMesh(mesh);
+    MemorySettings settings =
+        memorySettings(startParams(session, mesh.vertexCount()), !session.boxes.empty());
     settings.undoBudget = undoBudget;
-    requireMemory(session.model.name(), memoryNeedOf(BodySize::ofMesh(mesh), settings),
-                  memoryMeansOfContext());
+    requireMemory(session.model.name(), memoryNeedOf(size, settings), memoryMeansOfContext());
 }
 
 HeadlessSession::HeadlessSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                                  render::Quality quality)
-    : session_(withOrigin(session, model.origin)),
+    : session_(withModel(session, model)),
       quality_(quality),
       looks_(std::move(model.looks)),
       simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),

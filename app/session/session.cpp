@@ -15,6 +15,7 @@
 #include "app/files/import/model_units.h"
 #include "app/files/io/sha256.h"
 #include "sim/base/quantity_text.h"
+#include "sim/base/size_params.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
@@ -33,6 +34,10 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
 }
 
 }  // namespace
+
+Params startParams(const Session& session, std::size_t vertices) {
+    return session.namesSolver ? session.params : withSolverFor(vertices, session.params);
+}
 
 void place(SurfaceMesh& mesh, const Placement& placement) {
     const PlacementMap map(placement);

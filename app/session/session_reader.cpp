@@ -396,9 +396,10 @@ class ObjectReader : public NoFields {
         }
     }
 
-    void params(const Word& word, Params& params) {
+    void params(const Word& word, Session& session) {
         if (const auto node = find(word.name)) {
-            readParams(*node, params);
+            readParams(*node, session.params);
+            session.namesSolver = node->value->contains("solver");
         }
     }
 

@@ -198,7 +198,7 @@ void describe(auto& fields, Session& session) {
         session);
     fields.params(
         {"params", "The parameters at the start. One left out has its default, or the material's."},
-        session.params);
+        session);
     fields.list({"boxes", "What the body collides with besides the floor."}, session.boxes,
                 kMostBoxes);
     fields.optional({"task", "What to practise, and how well it must be done (docs/practice.md)."},

@@ -197,7 +197,9 @@ class DocumentWriter : public NoFields {
             line(word, toJson(value).dump());
         }
     }
-    void params(const Word& word, const Params& params) { line(word, toJson(params).dump()); }
+    void params(const Word& word, const Session& session) {
+        line(word, toJson(session.params).dump());
+    }
     void list(const Word& word, const auto& items, std::size_t) {
         if (!items.empty()) {
             line(word, linesOf(items));

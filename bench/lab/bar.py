@@ -132,7 +132,8 @@ class Specimen:
         self.strength = self.gravity_for(setting.modulus)
         gravity[0 if loading.aside else 1] = self.strength * (1 if loading.aside else -1)
         self.sim = bodies.simulate(self.points, self.triangles, params={
-            "time_step": setting.time_step, "iterations": setting.iterations,
+            "solver": "small_steps", "time_step": setting.time_step,
+            "iterations": setting.iterations,
             "youngs_modulus": setting.modulus, "true_modulus": int(setting.true_modulus),
             "density": DENSITY, "air_drag": self.drag_for(setting.modulus), "friction": 0,
             "floor": -self.length / 2 if loading.support == "floor" else None,

@@ -89,8 +89,8 @@ def make_cut(sim, cut, low, high, along):
 
 def move(setting, iterations, error=ASKED, steps=1):
     """Positions after each time step, the iterations of each, and whether these were too few."""
-    sim = begin(setting, {"iterations": iterations, "iteration_error": error,
-                          "time_step": TIME_STEP / steps})
+    sim = begin(setting, {"solver": "small_steps", "iterations": iterations,
+                          "iteration_error": error, "time_step": TIME_STEP / steps})
     count = (FALL_STEPS + IMPACT_STEPS if setting.motion == "drop"
              else SWING_STEPS[setting.model])
     places, chosen = [], []

@@ -142,6 +142,7 @@ SHARED_CONST float kMostSteepness = 1.0f;
 // A spring pressed together by more than this share of its length resists what turns it: free of
 // all but mass, a crushed sliver would buckle by metres in a linear step.
 SHARED_CONST float kMostBuckling = 0.2f;
+SHARED_CONST float kMostAcross = 0.75f;  // of the stiffness along, however crushed or drawn
 
 // Vertices that move together in the coarse part of the preconditioner. Modes 0 to 2 are
 // translations; 3 m + axis is one along an axis, times the share m of a vertex.

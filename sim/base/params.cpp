@@ -45,13 +45,13 @@ const std::array kRows = {
          ParamType::real, 0.0005, 0.02, true},
         &Params::timeStep},
     Row{orAuto({"iterations", "Iterations", "",
-                "Substeps per time step, each one sweep of the solver: more is firmer and slower. "
-                "With pbd sweeps; with implicit those of conjugate gradients in each of the two "
-                "stages of an implicit step. auto: as many as each step needs.",
+                "Of conjugate gradients, in each of the two stages of an implicit step: more is "
+                "more exact and slower. With pbd sweeps, with small_steps substeps. auto: as many "
+                "as each step needs.",
                 ParamType::integer, 1, 60, false}),
         &Params::iterations},
     Row{newer({"iteration_error", "Iteration error", "",
-               "With auto iterations of small_steps, the error that too few of them may add to a "
+               "With auto iterations, about the error that they and the steps may add to a "
                "motion, as a share of it.",
                ParamType::real, 0.002, 0.05, true}),
         &Params::iterationError},
@@ -62,8 +62,8 @@ const std::array kRows = {
         &Params::ispcStiffness},
     Row{newer({"true_modulus", "True modulus", "",
                "1: the body is as stiff as Young's modulus says, by three turned ISPCs a vertex "
-               "that share the load with the skin; 0: the paper's ISPC along the normal. Not used "
-               "by pbd.",
+               "that share the load with the skin; 0: the paper's ISPC along the normal. Always 1 "
+               "with implicit, not used by pbd.",
                ParamType::integer, 0, 1, false}),
         &Params::trueModulus},
     Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
@@ -212,9 +212,9 @@ const std::array kRows = {
          ParamType::choice, 0, 2, false, kCutSearches, false},
         &Params::cutSearch},
     Row{{"solver", "Solver", "",
-         "small_steps: substeps and a material in pascals; pbd: the paper's sweeps and stiffness "
-         "factors, which lose volume; implicit: a few large steps, quick for firm bodies, not "
-         "complete yet: a blade does not push, folds stay, edges pass each other.",
+         "implicit: a few large steps of a material in pascals, which its firmness does not "
+         "shorten; small_steps: the same by many small ones; pbd: the paper's sweeps and stiffness "
+         "factors, which lose volume.",
          ParamType::choice, 0, 2, false, kSolverModes},
         &Params::solver},
 };
@@ -391,8 +391,6 @@ std::string setOwn(Params& params, const OwnParam& own, const ParamValue& value)
 }  // namespace
 
 Params ofNewScene(Params params) {
-    params.trueModulus = 1;
-    params.iterations = kAutoIterations;
     params.sleeps = 1;
     params.wallCoarsening = 3;
     return params;

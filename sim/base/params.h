@@ -36,6 +36,8 @@ inline constexpr int kMostModels = 64;
 
 /// Params::iterations: the simulation chooses them before each step; "auto" in text.
 inline constexpr int kAutoIterations = 0;
+/// As many iterations of other solvers than implicit, where they are auto and nothing says more.
+inline constexpr int kUsualSweeps = 20;
 
 /// How the blade acts on the body.
 struct BladeParams {
@@ -57,10 +59,11 @@ struct TearParams {
 
 /// The parameters of a scene as a whole.
 struct SceneParams : BladeParams, TearParams {
-    SolverMode solver = SolverMode::smallSteps;
+    SolverMode solver = SolverMode::implicit;
     double timeStep = 0.005;  ///< [s]
-    /// Substeps of one sweep each, or sweeps of pbd; kAutoIterations: as many as each step needs.
-    int iterations = 20;
+    /// Of a stage of an implicit step, or substeps of one sweep each, or sweeps of pbd;
+    /// kAutoIterations: as many as each step needs.
+    int iterations = kAutoIterations;
     double iterationError = 0.02;       ///< that auto iterations are to keep to, as a share
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
     int trueModulus = 0;                ///< 1: as stiff as youngsModulus says; 0: plain ISPCs
@@ -130,8 +133,8 @@ struct ParamInfo {
     bool isNewer = false;
 };
 
-/// `params` with what a new scene begins with, which has no bits to keep: a true modulus, auto
-/// iterations, sleep at rest, graded walls. What a session leaves out has the default of Params
+/// `params` with what a new scene begins with, which has no bits to keep: sleep at rest, graded
+/// walls. What a session leaves out has the default of Params
 /// instead.
 Params ofNewScene(Params params);
 /// All parameters, in the order in which panels and sessions list them.

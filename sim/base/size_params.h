@@ -1,12 +1,27 @@
 #pragma once
 
+#include <cstddef>
+
 #include "sim/base/params.h"
 
 namespace kerf {
 
+/// The longest implicit step that errs by a few hundredths of a motion: less than a wave needs to
+/// cross a member of this diagonal [m], Young's modulus [Pa] and density [kg/m^3], between 1/200
+/// and 1/60 s; of a smaller iterationError shorter by its root. From measured swings, see
+/// docs/notes/implicit-steps.md. [s]
+double longestImplicitStep(double diagonal, double modulus, double density, const Params& params);
+
+/// A body of more vertices is solved by small steps unless somebody names another solver: a cut
+/// would wait for seconds for the dense inverse that implicit steps have.
+inline constexpr std::size_t kMostImplicitVertices = 10000;
+/// The parameters with the solver that suits a body of so many vertices, where nobody named one.
+/// The material is the same with both.
+Params withSolverFor(std::size_t vertices, Params params);
+
 /// The parameters with a time step and a depenetration speed for a body of this diagonal [m], the
-/// rest unchanged. A small body falls its own length in less time, so it needs a shorter step; the
-/// defaults suit 0.5 to 10 m.
+/// rest unchanged: the longest step that material and size allow. A small body falls its own length
+/// in less time, so it needs a shorter one.
 Params suitedTo(double diagonal, Params params);
 /// Adapts parameters to a body whose size changed from `before` to `after` [m]. A value that
 /// differs from that for the old size was set by the user, and stays.

@@ -167,8 +167,7 @@ shared::SolverUniforms pbdUniforms(const Params& params) {
 
 int numberOfIterations(const Params& params) {
     constexpr int kOfImplicitStage = 8;
-    const int usual =
-        params.solver == SolverMode::implicit ? kOfImplicitStage : Params{}.iterations;
+    const int usual = params.solver == SolverMode::implicit ? kOfImplicitStage : kUsualSweeps;
     return params.iterations == kAutoIterations ? usual : params.iterations;
 }
 

@@ -215,27 +215,20 @@ void ImplicitStepper::setSlips(const std::vector<shared::vec4>& slips) {
     own_.contact.keptSlips.write(0, std::span<const shared::vec4>(slips));
 }
 
-void ImplicitStepper::run(uint number, bool heldMove) {
+void ImplicitStepper::begin(uint number) {
     number_ = number;
     meet();
     linearise();
-    answerPressure();
-    driftBy(heldMove);
-    solveStage(false);
-    solveStage(true);
-    bindVectors();
-    body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
-    own_.contact.keptSlips.bindStorage(shared::kKeptSlipsBinding);
-    end();
-    if (heldMove) {
-        body_.run(contact_.carry, uniforms_.vertex_count);
-    }
-    collisions_.keepSides(body_.state.velocities, uniforms_.step);
 }
 
-/// With vectors bound: the spin that pieces lack, then new positions and velocities.
-void ImplicitStepper::end() {
+/// The spin that pieces lack, then new positions and velocities.
+void ImplicitStepper::end(bool heldMove) {
     const uint last = shared::kFirstSlot + iterations_ + 1;
+    bindVectors();
+    bindLists();
+    body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);
+    own_.contact.keptSlips.bindStorage(shared::kKeptSlipsBinding);
     own_.vectors.motions.bindStorage(shared::kMotionsBinding);
     runGroups(stage_.turning, own_.inverse.aggregateCount, last);
     body_.bindFetched(own_.vectors.motions, shared::kMotionsUnit, TexelFormat::float32x4);
@@ -244,6 +237,10 @@ void ImplicitStepper::end() {
     body_.bindFetched(own_.vectors.spins, shared::kSpinsUnit, TexelFormat::float32x4);
     collisions_.contacts().state().bindStorage(shared::kEndContactsBinding);
     runGroups(stage_.end, own_.inverse.aggregateCount, last);
+    if (heldMove) {
+        body_.run(contact_.carry, uniforms_.vertex_count);
+    }
+    collisions_.keepSides(body_.state.velocities, uniforms_.step);
 }
 
 /// What the motion of held vertices does to the others.
@@ -439,7 +436,7 @@ void ImplicitStepper::makeFactors(uint type) {
 }
 
 /// By which volumes are held: the preconditioner's answer to dV/dp, and the matrix times that.
-void ImplicitStepper::answerPressure() {
+void ImplicitStepper::answerPressure(bool heldMove) {
     bindVectors();
     bindLists();
     body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
@@ -449,6 +446,7 @@ void ImplicitStepper::answerPressure() {
     body_.bindFetched(own_.vectors.pressure, shared::kDirectionBinding, TexelFormat::float32x4);
     own_.vectors.pressureImage.bindStorage(shared::kImageBinding);
     runGroups(press_.product, own_.matrix.pageCount, shared::kPressureSlot);
+    driftBy(heldMove);
 }
 
 void ImplicitStepper::solveStage(bool second) {
@@ -456,6 +454,7 @@ void ImplicitStepper::solveStage(bool second) {
     const uint left = shared::kFirstSlot + iterations_ + 1;
     pull(second ? uniforms_.step : uniforms_.stage, false);
     bindVectors();
+    bindLists();
     body_.bindFetched(own_.vectors.drift, shared::kDriftUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.contact.rows, shared::kContactRowsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.contact.states, shared::kRowStatesUnit, TexelFormat::float32x4);

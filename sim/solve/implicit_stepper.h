@@ -43,8 +43,19 @@ class ImplicitStepper {
     void setSlips(const std::vector<shared::vec4>& slips);
     /// Does one step, the one with this number in the time step. Masses must be fresh, and contacts
     /// searched for. `heldMove`: whether any vertex without a mass has a velocity, with which it is
-    /// moved.
-    void run(std::uint32_t number = 0, bool heldMove = false);
+    /// moved. `portion` does each part of it, the next one after that, between which others may use
+    /// OpenGL.
+    template <class Portion>
+    void run(std::uint32_t number, bool heldMove, Portion&& portion) {
+        portion([&] { begin(number); });
+        portion([&] { answerPressure(heldMove); });
+        portion([&] { solveStage(false); });
+        portion([&] { solveStage(true); });
+        portion([&] { end(heldMove); });
+    }
+    void run(std::uint32_t number = 0, bool heldMove = false) {
+        run(number, heldMove, [](auto&& part) { part(); });
+    }
 
   private:
     void bindVectors() const;
@@ -64,9 +75,10 @@ class ImplicitStepper {
     void bindContacts() const;
     void linearise();
     void makeFactors(std::uint32_t type);
-    void answerPressure();
+    void begin(std::uint32_t number);
+    void answerPressure(bool heldMove);
     void solveStage(bool second);
-    void end();
+    void end(bool heldMove);
 
     SolverBody& body_;
     Collisions& collisions_;

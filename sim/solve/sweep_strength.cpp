@@ -229,7 +229,7 @@ int SweepStrength::iterationsFor(const Params& params, double speed) const {
     }
     const int most = mostIterations();
     Params tried = params;
-    int enough = hasSlit_ ? Params{}.iterations : 1;
+    int enough = hasSlit_ ? kUsualSweeps : 1;
     for (int upTo = most; enough < upTo;) {
         tried.iterations = (enough + upTo) / 2;
         const bool tooFew = error(tried) > params.iterationError;
@@ -237,7 +237,7 @@ int SweepStrength::iterationsFor(const Params& params, double speed) const {
     }
     const double edges = edgeLength_ > 0 ? speed * params.timeStep / edgeLength_ : 0;
     const double sound = std::sqrt(params.youngsModulus / params.density);
-    const double deep = Params{}.iterations * std::min(1.0, speed / sound);
+    const double deep = kUsualSweeps * std::min(1.0, speed / sound);
     const double fast = kSpeedSteps * std::ceil(std::max(edges / kMostOfEdge, deep) / kSpeedSteps);
     return std::max(enough, static_cast<int>(std::min(fast, double(most))));
 }

@@ -137,7 +137,7 @@ void TimeStepper::stepImplicitly(bool heldMove) {
         searchBefore(i);
         unfoldBefore(false);
         collisions_.beginSubstep();
-        timed(deformTimer_, [&] { implicit_->run(i, heldMove); });
+        implicit_->run(i, heldMove, [&](auto&& part) { timed(deformTimer_, part); });
     }
 }
 

@@ -135,7 +135,7 @@ std::vector<Record> sharedRecords() {
         RECORD(Reach, AT(alpha), AT(pressure), AT(missing), AT(swelling)),
         RECORD(ProductSums, AT(direction_image), AT(pressure_image), AT(gradient_direction),
                AT(direction_residual), AT(pressure_residual), AT(residual_answer),
-               AT(gradient_pressure), AT(unused)),
+               AT(gradient_pressure), AT(scale)),
         RECORD(AnswerSums, AT(left_answer), AT(gradient_answer), AT(before_answer),
                AT(left_pressure), AT(rest)),
         RECORD(UnfoldGoal, AT(rotation), AT(center), AT(rest_center), AT(velocity), AT(spin)),

@@ -302,7 +302,7 @@ class Errors(TestCase):
         self.assertIn("colour: unknown key, ignored.", logs.output[0])
 
     def test_too_few_iterations_are_told_as_by_a_replay(self):
-        stiff = {"iterations": 1, "youngs_modulus": 1e7}
+        stiff = {"solver": "small_steps", "iterations": 1, "youngs_modulus": 1e7}
         sim = kerf.Simulation.from_session(SPHERE, params=stiff)
         self.assertEqual(sim.too_few_iterations, "")
         sim.step(3)

@@ -311,7 +311,7 @@ class FieldSchemas : public NoFields {
         property(word, {{"anyOf", Json::array({choiceOf(names), file})}});
     }
 
-    void params(const Word& word, const Params&) { property(word, paramsSchema()); }
+    void params(const Word& word, const Session&) { property(word, paramsSchema()); }
 
     template <class Item>
     void list(const Word& word, const std::vector<Item>&, std::size_t most) {

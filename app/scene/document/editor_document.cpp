@@ -72,8 +72,9 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     if (const std::string problem = checkRoom(placed); !problem.empty()) {
         throw InputError(file.string() + ": " + problem);
     }
-    session.params = suitedTo(placed.diagonal(), ofNewScene(session.params));
+    session.params = ofNewScene(session.params);
     giveMaterial(session, model.looks);
+    session.params = suitedTo(placed.diagonal(), startParams(session, model.mesh.vertexCount()));
     Document document =
         finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
     document.guess = guess;
@@ -88,6 +89,7 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
     }
     ModelMesh model = loadSessionModel(session, options);
     session = withOrigin(std::move(session), model.origin);
+    session.params = startParams(session, model.mesh.vertexCount());
     std::string note = joined(session.warnings, "; ");
     Document document =
         finish(shortName(file), std::move(session), std::move(model), std::move(note));

@@ -9,7 +9,7 @@ Spring springOf(vec3 span, float restLength, float stiffness) {
     float reach = length(span);
     float error = reach - restLength;
     float turns = max(error, -error - kMostBuckling * restLength) / max(reach, 1e-12);
-    float across = stiffness * clamp(turns, 0.0, 1.0);
+    float across = stiffness * clamp(turns, 0.0, kMostAcross);
     float root = sqrt(stiffness * (1.0 + implicit.damping) - across);
     bool acts = reach > 1e-12 && stiffness > 0.0;
     return Spring(acts ? span * (root / reach) : vec3(0.0), acts ? sqrt(across) : 0.0,

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "shaders/shared/constraints.h"
 #include "sim/base/boxes.h"
 #include "sim/base/float_rounding.h"
 #include "sim/base/pausing.h"
@@ -36,7 +37,8 @@ OrientedBox oriented(const Bounds& box) {
 
 /// What flesh of the modulus of the edges is as stiff as the skin [m].
 double skinAsFlesh(const Params& params, double ownModulus) {
-    const double flesh = params.stretchStiffness * params.youngsModulus * ownModulus;
+    const double flesh =
+        modulusFactor(shared::kStretch, params) * params.youngsModulus * ownModulus;
     const bool has = flesh > 0 && params.solver != SolverMode::pbd;
     return has ? params.skinModulus * params.skinThickness / flesh : 0;
 }
@@ -170,7 +172,9 @@ int RunningBody::iterationsFor(const Params& params, const Surroundings& around)
     }
     if (params.solver == SolverMode::implicit) {
         const double step = params.timeStep / implicitStepsFor(params, around);
-        return implicitIterations(model(), relativeSpeed(params, around) * step);
+        return implicitIterations(model(),
+                                  relativeSpeed(params, around) * step / leastDiagonal(model()),
+                                  params.iterationError);
     }
     memory.sweeps.follow(model(), params);
     return memory.sweeps.iterationsFor(params, speedOfMeeting(params, around));
@@ -180,9 +184,11 @@ int RunningBody::implicitStepsFor(const Params& params, const Surroundings& arou
     if (params.solver != SolverMode::implicit) {
         return 1;
     }
-    const double longest = std::min(longestStep(model(), params),
-                                    longestStepAt(relativeSpeed(params, around), diagonal));
-    return stepsWithin(params.timeStep, longest) * memory.guard.divisions();
+    const double longest =
+        std::min(longestStep(model(), params),
+                 longestStepAt(relativeSpeed(params, around), leastDiagonal(model())));
+    return std::min(stepsWithin(params.timeStep, longest) * memory.guard.divisions(),
+                    kMostImplicitSteps);
 }
 
 bool RunningBody::guardSteps(const Params& params, bool worked) {

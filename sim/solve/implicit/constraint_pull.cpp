@@ -30,7 +30,7 @@ ConstraintPull springPull(const std::array<std::uint32_t, N>& vertices,
     pull.value = length - rest;
     pull.stiffness = stiffness;
     const double turns = std::max(pull.value, -pull.value - shared::kMostBuckling * rest) / length;
-    pull.across = stiffness * std::clamp(turns, 0.0, 1.0);
+    pull.across = stiffness * std::clamp<double>(turns, 0, shared::kMostAcross);
     for (std::size_t k = 0; k < N; ++k) {
         pull.vertices[k] = vertices[k];
         pull.weights[k] = weights[k];

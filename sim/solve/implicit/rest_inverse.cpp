@@ -21,7 +21,10 @@ AggregateFrame frameOf(const VertexGroup& group, std::span<const Vec3> rest) {
         bounds.add(rest[v]);
     }
     const Vec3 half = 0.5 * (bounds.high - bounds.low);
-    const double least = 2 * kFlattest * half.maxCoeff() + 1e-9;
+    const double least = 2 * kFlattest * half.maxCoeff();
+    if (!(least > 0)) {
+        return {bounds.center(), Vec3::Ones()};  // of one vertex
+    }
     return {bounds.center(), half.cwiseMax(least)};
 }
 
@@ -183,7 +186,7 @@ class RestSystem {
         }
         for (int a = 0; a < matrix.count(); ++a) {
             for (double& own : matrix.at(a, a).diagonal()) {
-                own = own > 0 ? own * (1 + 1e-9) + 1e-13 * largest : std::max(largest, 1.0);
+                own = own > 0 ? own * (1 + 1e-9) + 1e-13 * largest : (largest > 0 ? largest : 1.0);
             }
         }
     }

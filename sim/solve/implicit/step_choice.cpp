@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "sim/base/size_params.h"
 
 namespace kerf {
 
@@ -16,25 +19,32 @@ std::vector<Bounds> memberBoxes(const BodyModel& model) {
 }
 
 double longestStep(const BodyModel& model, const Params& params) {
-    constexpr double kOfWave = 0.65;
-    constexpr double kShortest = 1.0 / 240;
-    constexpr double kLongest = 1.0 / 60;
     const std::vector<Bounds> bounds = memberBoxes(model);
-    double longest = kLongest;
+    double longest = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < bounds.size(); ++m) {
         if (!bounds[m].empty()) {
             const BodyMember& member = model.members[m];
-            const double wave = std::sqrt(params.youngsModulus * member.modulus /
-                                          (params.density * member.density));
-            longest = std::min(longest, kOfWave * bounds[m].diagonal() / wave);
+            longest =
+                std::min(longest, longestImplicitStep(bounds[m].diagonal(),
+                                                      params.youngsModulus * member.modulus,
+                                                      params.density * member.density, params));
         }
     }
-    return std::max(longest, kShortest);
+    return longest;
+}
+
+double leastDiagonal(const BodyModel& model) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Bounds& box : memberBoxes(model)) {
+        least = box.empty() ? least : std::min(least, box.diagonal());
+    }
+    return least;
 }
 
 int stepsWithin(double timeStep, double longest) {
     constexpr double kRounding = 1e-6;
-    return std::max(1, static_cast<int>(std::ceil(timeStep / longest - kRounding)));
+    const double steps = std::ceil(timeStep / longest - kRounding);
+    return static_cast<int>(std::clamp<double>(steps, 1, kMostImplicitSteps));
 }
 
 double longestStepAt(double speed, double diagonal) {
@@ -42,13 +52,15 @@ double longestStepAt(double speed, double diagonal) {
     return kOfDiagonal * diagonal / std::max(speed, 1e-6);
 }
 
-int implicitIterations(const BodyModel& model, double way) {
-    constexpr double kStill = 0.002;     // of the diagonal
+int implicitIterations(const BodyModel& model, double way, double error) {
+    constexpr double kStill = 0.002;  // of the diagonal
+    constexpr double kSmallError = 0.01;
     constexpr std::size_t kMany = 5000;  // vertices, see ImplicitStep::of()
-    if (way > kStill * model.diagonal) {
-        return model.pieces.size() > 1 ? 8 : 6;
+    const int more = error < kSmallError ? 2 : 0;
+    if (way > kStill) {
+        return more + (model.pieces.size() > 1 ? 8 : 6);
     }
-    return model.restPositions.size() > kMany ? 6 : 4;
+    return more + (model.restPositions.size() > kMany ? 6 : 4);
 }
 
 }  // namespace kerf

@@ -28,7 +28,6 @@ class KernelPreparationTest : public EditorTest {
         options.warmsUp = warmsUp;
         start(options);
     }
-    // Those of its answers are parts of the kernel that solves small bodies.
     static constexpr std::array kOfContact{"sim/contact/candidates.comp", "sim/contact/fit.comp"};
 };
 
@@ -42,12 +41,8 @@ TEST_F(KernelPreparationTest, KernelsOfContactRunBeforeAnybodyTouchesTheBody) {
         EXPECT_TRUE(hasRun(kernel)) << kernel;
     }
     if (gpu::kernelWay() == gpu::KernelWay::images) {
-        const gpu::Defines touching{
-            {"COLLIDES", "1"}, {"SMALL_GROUP", "64u"}, {"LOAD_IMAGES", "1"}};
-        EXPECT_TRUE(hasRun("sim/small_body.comp", touching));
-        gpu::Defines unfolding{{"UNFOLDS", "1"}};
-        unfolding.insert(unfolding.end(), touching.begin(), touching.end());
-        EXPECT_TRUE(hasRun("sim/small_body.comp", unfolding));
+        EXPECT_TRUE(hasRun("sim/implicit/reach.comp", {{"GROUP", "8u"}, {"LOAD_IMAGES", "1"}}));
+        EXPECT_TRUE(hasRun("sim/implicit/meet.comp", {{"UNFOLDS", "1"}, {"LOAD_IMAGES", "1"}}));
     }
     EXPECT_EQ(panels().transport.step, 0) << "and nothing happened to it";
 }

@@ -151,7 +151,7 @@ TEST_F(TestVerb, NamesTheStepThePartAndHowFar) {
     makeExpectation();
     const std::string session = smallSession();
     writeText(session_, replaced(session, "\"iterations\": 8", "\"iterations\": 9"));
-    expectFailure("Step 0: positions, velocities and parameters differ");
+    expectFailure("Step 0: parameters differ, from step ");
     writeText(session_, replaced(session, "[0, -9.81, 0]", "[0, -9.7, 0]"));
     expectFailure("Step 16: positions, velocities and parameters differ; at most ");
     writeText(session_, replaced(session, "0.62, 0.02", "0.62, 0.04"));

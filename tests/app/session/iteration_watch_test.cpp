@@ -4,6 +4,7 @@
 
 #include "sim/body/body_updater.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf::app {
 namespace {
@@ -13,21 +14,21 @@ BodyModel ball() {
 }
 
 Params withModulus(double modulus) {
-    Params params;
+    Params params = test::smallSteps();
     params.youngsModulus = modulus;
     return params;
 }
 
 TEST(IterationWatch, SaysNothingWhereAllStepsHadEnough) {
     IterationWatch watch;
-    watch.add(0, ball(), Params{});
+    watch.add(0, ball(), test::smallSteps());
     EXPECT_EQ(watch.sentence(), "");
 }
 
 TEST(IterationWatch, NamesTheWorstStepAndWhatWouldDo) {
     const BodyModel body = ball();
     IterationWatch watch;
-    watch.add(0, body, Params{});
+    watch.add(0, body, test::smallSteps());
     watch.add(1, body, withModulus(2e7));
     watch.add(2, body, withModulus(3e7));
     watch.add(3, body, withModulus(3e7));

@@ -71,7 +71,7 @@ TEST_F(StudyFile, ListedRunsKeepWhatTheyDoNotSet) {
     EXPECT_EQ(settingsText(study.runs[0]), "");
     EXPECT_EQ(settingsText(study.runs[1]), "floor=null gravity=[0, -1, 0]");
     EXPECT_EQ(settingsText(study.runs[2]), "solver=\"pbd\" iterations=4");
-    EXPECT_EQ(startValue(study, study.runs[0], "iterations"), "20");
+    EXPECT_EQ(startValue(study, study.runs[0], "iterations"), "\"auto\"");
     EXPECT_EQ(startValue(study, study.runs[0], "gravity"), "[0, 0, 0]") << "as its session has it";
     EXPECT_EQ(startValue(study, study.runs[1], "gravity"), "[0, -1, 0]");
 }

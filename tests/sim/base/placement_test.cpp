@@ -87,14 +87,28 @@ TEST(Placement, TheOriginLiesAtZeroOrBesideTheModels) {
     }
 }
 
-TEST(SizeParams, AreTheDefaultsForWhatIsAsLargeAsAPerson) {
+TEST(SizeParams, FollowSizeAndFirmness) {
+    Params params;
     for (const double diagonal : {0.5, 1.5, 9.0}) {
-        EXPECT_EQ(suitedTo(diagonal, Params{}), Params{}) << diagonal;
+        EXPECT_EQ(suitedTo(diagonal, params).timeStep, 0.016)
+            << "a sixtieth of a second, or nearly";
+        EXPECT_EQ(suitedTo(diagonal, params).depenetrationSpeed, params.depenetrationSpeed);
     }
-    EXPECT_EQ(suitedTo(0.05, Params{}).timeStep, 0.001);
+    params.youngsModulus = 1e7;
+    EXPECT_EQ(suitedTo(1, params).timeStep, 0.005);
+    EXPECT_EQ(suitedTo(0.05, Params{}).timeStep, 0.005);
     EXPECT_EQ(suitedTo(1e-5, Params{}).timeStep, 0.0005);
     EXPECT_LT(suitedTo(0.005, Params{}).depenetrationSpeed, 1);
     EXPECT_EQ(suitedTo(300, Params{}).depenetrationSpeed, 10);
+}
+
+TEST(SizeParams, OfALargeBodyAreThoseOfSmallSteps) {
+    EXPECT_EQ(withSolverFor(kMostImplicitVertices, Params{}), Params{});
+    const Params large = withSolverFor(kMostImplicitVertices + 1, Params{});
+    EXPECT_EQ(large.solver, SolverMode::smallSteps);
+    EXPECT_EQ(large.trueModulus, 1);
+    EXPECT_EQ(suitedTo(1, large).timeStep, 0.005);
+    EXPECT_EQ(suitedTo(0.05, large).timeStep, 0.001);
 }
 
 TEST(SizeParams, FollowASizeUnlessSomebodyChoseThem) {

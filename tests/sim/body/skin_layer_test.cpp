@@ -76,7 +76,6 @@ constexpr double kLoad = 2;      // [m/s^2]
 Params soft() {
     Params params;
     params.youngsModulus = 1e4;
-    params.iterations = 40;
     params.gravity = {0, -kLoad, 0};
     params.floor.reset();
     params.airDrag = 20;
@@ -102,9 +101,10 @@ TEST_F(SkinLayerTest, StiffensABarByModulusThicknessAndCircumference) {
     params.skinModulus = 1e5;
     const double added = load / lengthening(params) - without;
     const double expected = params.skinModulus * params.skinThickness * 4 * kWidth;
-    // A grid of squares with diagonals is 1.2 times as stiff as a sheet along its edges.
+    // A grid of squares with diagonals is 1.2 times as stiff as a sheet along its edges, and flesh
+    // that keeps its volume holds the sheet's width, which makes it 1.3 times as stiff.
     EXPECT_GT(added, 0.85 * expected);
-    EXPECT_LT(added, 1.35 * expected);
+    EXPECT_LT(added, 1.6 * expected);
 }
 
 std::string hashAfterAFall(const Params& params) {

@@ -59,7 +59,9 @@ struct Pair {
         if (edgeLength > 0) {
             model.edgeLength = edgeLength;
         }
-        const Params params = withoutWeight();
+        params = withoutWeight();
+        params.solver = SolverMode::smallSteps;
+        params.iterations = kUsualSweeps;
         settings = contactSettings(params);
         settings.edges = false;  // the reference knows vertices alone
         BodyState start = stateOf(mesh);
@@ -94,6 +96,7 @@ struct Pair {
 
     BodyModel model;
     ContactSettings settings;
+    Params params;
     shared::ContactUniforms uniforms;
     ReferenceState reference;
     GpuSolver gpu;
@@ -260,7 +263,7 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
         EXPECT_GT(contacts, 10);
 
         searchAnew(pair.gpu.collisions());
-        shared::SolverUniforms uniforms = solverUniforms(withoutWeight());
+        shared::SolverUniforms uniforms = solverUniforms(pair.params);
         uniforms.active_parts = 0;
         pair.gpu.setUniforms(uniforms);
         pair.gpu.predictAndStretch();
@@ -304,43 +307,30 @@ SurfaceMesh crossedBeams() {
     return mesh;
 }
 
-/// With implicit steps.
-Params implicitly(Params params) {
-    params.solver = SolverMode::implicit;
-    params.iterations = kAutoIterations;
-    return params;
-}
-
 TEST_F(ContactSolverTest, EdgesDoNotPassThroughEdges) {
-    for (const Params& params : {withoutWeight(), implicitly(withoutWeight())}) {
-        Simulation simulation(crossedBeams(), params);
-        int stepsInContact = 0;
-        for (int i = 0; i < 75; ++i) {
-            stepsInContact += simulation.step().contacts > 0;
-            if (i % 3 == 0) {
-                EXPECT_EQ(test::selfIntersections(simulation.mesh()).size(), 0U) << i;
-            }
+    Simulation simulation(crossedBeams(), withoutWeight());
+    int stepsInContact = 0;
+    for (int i = 0; i < 75; ++i) {
+        stepsInContact += simulation.step().contacts > 0;
+        if (i % 3 == 0) {
+            EXPECT_EQ(test::selfIntersections(simulation.mesh()).size(), 0U) << i;
         }
-        EXPECT_GT(stepsInContact, 3);
-        // Of implicit steps some vertices still touch then.
-        const int most = params.solver == SolverMode::implicit ? 5 : 0;
-        EXPECT_LE(simulation.report().contacts, most) << "they have parted";
     }
+    EXPECT_GT(stepsInContact, 3);
+    EXPECT_LE(simulation.report().contacts, 5) << "they have parted, or nearly so";
 }
 
 TEST_F(ContactSolverTest, KeepsMomentum) {
-    for (const Params& params : {withContact(), implicitly(withContact())}) {
-        const test::CollisionFigures figures = test::collideSpheres(params);
-        EXPECT_GT(figures.stepsInContact, 5);
-        EXPECT_TRUE(figures.parted);
-        EXPECT_LT(figures.linearDrift, params.solver == SolverMode::implicit ? 3e-5 : 1e-5);
-        EXPECT_LT(figures.angularDrift, 1e-3);
-    }
+    const test::CollisionFigures figures = test::collideSpheres(withContact());
+    EXPECT_GT(figures.stepsInContact, 5);
+    EXPECT_TRUE(figures.parted);
+    EXPECT_LT(figures.linearDrift, 3e-5);
+    EXPECT_LT(figures.angularDrift, 1e-3);
 }
 
 TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
     const test::HalvesFigures figures = test::restHalves(false, withContact(), 0.6);
-    EXPECT_EQ(figures.penetration, 0);
+    EXPECT_LT(figures.penetration, 5e-5) << "a push needs a depth";
     EXPECT_GT(figures.contacts, 50);
     EXPECT_GT(figures.height, 0.95);
     EXPECT_LT(figures.shift, 0.1);

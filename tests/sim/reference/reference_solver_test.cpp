@@ -9,6 +9,7 @@
 #include "tests/support/shaken_state.h"
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +36,7 @@ Momentum momentumOf(const ReferenceSolver& solver, const ReferenceState& before,
 
 TEST(ReferenceSolver, EverySweepConservesMomentum) {
     const BodyModel model = buildBodyModel(test::bentTube());
-    shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+    shared::SolverUniforms uniforms = solverUniforms(test::smallSteps(), model);
     uniforms.active_parts |= (1u << kConstraintTypes) - 1;
     const ReferenceSolver solver(model, uniforms);
     for (std::uint32_t type = 0; type <= kConstraintTypes; ++type) {
@@ -54,7 +55,7 @@ TEST(ReferenceSolver, EverySweepConservesMomentum) {
 }
 
 Params freeFlight() {
-    Params params;
+    Params params = test::smallSteps();
     params.gravity = Vec3::Zero();
     params.floor.reset();
     params.airDrag = 0;
@@ -92,7 +93,7 @@ TEST(ReferenceSolver, ABodyAtRestWithoutGravityStaysAtRest) {
 
 TEST(ReferenceSolver, KinematicVerticesGoOnWithTheirVelocity) {
     const BodyModel model = buildBodyModel(test::icosphere(1));
-    ReferenceSolver solver(model, solverUniforms(Params{}, model));
+    ReferenceSolver solver(model, solverUniforms(test::smallSteps(), model));
     solver.setInverseMass(7, 0);
     ReferenceState state = restState(model);
     const Vec3 start = state.positions[7] += Vec3(0, 3, 0);
@@ -105,7 +106,7 @@ TEST(ReferenceSolver, KinematicVerticesGoOnWithTheirVelocity) {
 
 TEST(ReferenceSolver, FrictionShortensTheSlideByAtMostItsShareOfTheLift) {
     const BodyModel model = buildBodyModel(test::icosphere(0));
-    Params params;
+    Params params = test::smallSteps();
     params.floor = -0.2;
     params.friction = 0.5;
     const ReferenceSolver solver(model, solverUniforms(params, model));
@@ -185,8 +186,8 @@ void expectSoftLanding(const DropResult& result) {
 }
 
 TEST(ReferenceSolver, DroppedSpheresKeepTheirVolumeLookSoftAndComeToRest) {
-    const DropResult coarse = drop(test::icosphere(1), Params{}, 800);
-    const DropResult fine = drop(test::cubeSphere(8), Params{}, 800);
+    const DropResult coarse = drop(test::icosphere(1), test::smallSteps(), 800);
+    const DropResult fine = drop(test::cubeSphere(8), test::smallSteps(), 800);
     expectSoftLanding(coarse);
     expectSoftLanding(fine);
     // One Young's modulus behaves alike at every resolution.
@@ -196,7 +197,7 @@ TEST(ReferenceSolver, DroppedSpheresKeepTheirVolumeLookSoftAndComeToRest) {
 TEST(ReferenceSolver, MoreIspcStiffnessMeansLessDeformation) {
     double last = 1;
     for (const double stiffness : {0.0, 0.25, 0.5, 1.0}) {
-        Params params;
+        Params params = test::smallSteps();
         params.ispcStiffness = stiffness;
         const DropResult result = drop(test::icosphere(1), params, 120);
         EXPECT_LT(result.peakError, 0.95 * last) << stiffness;

@@ -4,6 +4,7 @@
 
 #include "sim/body/solver_uniforms.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -20,7 +21,7 @@ TEST(SolverUniforms, IspcStiffnessRunsFromNoneOverTheMaterialToRigid) {
 }
 
 TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
-    Params params;
+    Params params = test::smallSteps();
     EXPECT_EQ(solverUniforms(params).active_parts,
               shared::kStretchPart | shared::kBendPart | shared::kIspcPart | shared::kVolumePart |
                   shared::kFloorPart | shared::kPullAsBeforePart | shared::kUnfoldPart);
@@ -32,7 +33,7 @@ TEST(SolverUniforms, PartsWithoutStiffnessAreOff) {
 }
 
 TEST(SolverUniforms, MeanWhatTheyAreNamed) {
-    Params params;
+    Params params = test::smallSteps();
     params.timeStep = 0.01;
     params.iterations = 10;
     params.damping = 0.002;
@@ -49,7 +50,7 @@ TEST(SolverUniforms, MeanWhatTheyAreNamed) {
 
 // Each type alone is stable where its compliance has the room 1.
 TEST(SolverUniforms, TypesShareTheRoomOfASweep) {
-    Params params;
+    Params params = test::smallSteps();
     params.trueModulus = 1;
     const shared::SolverUniforms u = solverUniforms(params);
     double shares = 0;
@@ -61,7 +62,7 @@ TEST(SolverUniforms, TypesShareTheRoomOfASweep) {
 }
 
 TEST(SolverUniforms, PbdSpreadsItsStiffnessOverTheSweeps) {
-    Params params;
+    Params params = test::smallSteps();
     params.solver = SolverMode::pbd;
     params.iterations = 30;
     params.stretchStiffness = 2;
@@ -85,7 +86,7 @@ TEST(SolverUniforms, SweepStiffnessMeansTheSameForAnyNumberOfSweeps) {
 
 TEST(SolverUniforms, CountTheModel) {
     const BodyModel model = buildBodyModel(test::icosphere(0));
-    const shared::SolverUniforms u = solverUniforms(Params{}, model);
+    const shared::SolverUniforms u = solverUniforms(test::smallSteps(), model);
     EXPECT_EQ(u.vertex_count, 12u);
     EXPECT_EQ(u.count[shared::kStretch], 30u);
     EXPECT_EQ(u.count[shared::kBend], 30u);

@@ -8,6 +8,7 @@
 #include "sim/solve/sweep_strength.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -22,7 +23,9 @@ struct Course {
 class AutoIterationsTest : public test::SimulationTest {
   protected:
     static Params autoParams() {
-        Params params = ofNewScene({});
+        Params params = ofNewScene(test::smallSteps());
+        params.trueModulus = 1;
+        params.iterations = kAutoIterations;
         params.sleeps = 0;
         params.floor = -0.6;
         return params;
@@ -103,7 +106,7 @@ TEST_F(AutoIterationsTest, AreThoseOfTheDefaultsAtLeastWithASlit) {
     simulation->execute(LiftBlade{});
     run(2);
     EXPECT_EQ(simulation->report().pieces, 1);
-    EXPECT_EQ(step(), Params{}.iterations);
+    EXPECT_EQ(step(), kUsualSweeps);
 }
 
 TEST_F(AutoIterationsTest, GiveTheBitsOfTheNumberThatIsChosen) {
@@ -138,7 +141,7 @@ TEST_F(AutoIterationsTest, AreThoseOfTheDefaultsWithPlainPbd) {
     Params params = autoParams();
     params.solver = SolverMode::pbd;
     start(params);
-    EXPECT_EQ(step(), Params{}.iterations);
+    EXPECT_EQ(step(), kUsualSweeps);
 }
 
 TEST_F(AutoIterationsTest, AMomentAndAReplayGiveTheSameBits) {

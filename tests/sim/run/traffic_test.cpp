@@ -8,6 +8,7 @@
 
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -110,7 +111,7 @@ TEST_F(TrafficTest, WhileTimeStandsNothingIsDispatched) {
 
 /// On llvmpipe; a GPU's group takes even more at once.
 TEST_F(TrafficTest, TwoHalvesOfASmallBodyOnEachOtherAskForFourDispatches) {
-    Params params;
+    Params params = test::smallSteps();
     params.floor = -0.5;
     open(params);
     cutAt(0.01);
@@ -128,6 +129,7 @@ TEST_F(TrafficTest, TwoHalvesOfASmallBodyOnEachOtherAskForFourDispatches) {
 
 TEST_F(TrafficTest, ALargeBodyThatBendsAndTouchesNothingHasNoPhasesOfContact) {
     Params params = test::weightless();
+    params.solver = SolverMode::smallSteps;
     constexpr int kTooLargeForOneGroup = 20;
     open(params, kTooLargeForOneGroup);
     const std::uint64_t atRest = ofStep().dispatches;
@@ -143,6 +145,7 @@ TEST_F(TrafficTest, ALargeBodyThatBendsAndTouchesNothingHasNoPhasesOfContact) {
 
 TEST_F(TrafficTest, MorePiecesAreNoMoreDispatches) {
     Params params = test::weightless();
+    params.solver = SolverMode::smallSteps;
     params.contact = 0;
     constexpr int kTooLargeForOneGroup = 20;
     open(params, kTooLargeForOneGroup);

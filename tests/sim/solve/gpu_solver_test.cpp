@@ -12,6 +12,7 @@
 #include "tests/support/reference/reference_constraints.h"
 #include "tests/support/reference/solver_pair.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -32,7 +33,7 @@ class GpuSolverTest : public test::GlTest {
     void expectSamePhase(uint parts, double tolerance, OnGpu onGpu, OnReference onReference) {
         for (const SurfaceMesh& mesh : bodies()) {
             SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
-            Params params;
+            Params params = test::smallSteps();
             params.floor = 0.2;  // some way up, so that it lifts part of each body
             Pair pair(mesh, params, parts, 7);
             const ReferenceSolver solver(pair.model, pair.uniforms);
@@ -53,7 +54,7 @@ constexpr double kDisplacementTolerance = 2e-10;
 constexpr double kPositionTolerance = 6e-8;
 
 TEST_F(GpuSolverTest, PredictsLikeTheReference) {
-    Pair pair(test::cubeSphere(8), Params{}, 0, 7);
+    Pair pair(test::cubeSphere(8), test::smallSteps(), 0, 7);
     ReferenceSolver(pair.model, pair.uniforms).predict(pair.reference);
     pair.gpu.predictAndStretch();
     EXPECT_LT(pair.error(), kDisplacementTolerance);
@@ -92,7 +93,7 @@ TEST_F(GpuSolverTest, MeetsTheFloorLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, FinishesLikeTheReference) {
-    Pair pair(test::bentTube(), Params{}, 0, 7);
+    Pair pair(test::bentTube(), test::smallSteps(), 0, 7);
     const ReferenceSolver solver(pair.model, pair.uniforms);
     solver.predict(pair.reference);
     solver.finishSubstep(pair.reference);
@@ -111,7 +112,7 @@ TEST_F(GpuSolverTest, StepsLikeTheReference) {
     // Rounding grows with time; after one step of 20 substeps the two are this close.
     for (const SurfaceMesh& mesh : bodies()) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
-        Pair pair(mesh, Params{}, solverUniforms(Params{}).active_parts, 11);
+        Pair pair(mesh, test::smallSteps(), solverUniforms(test::smallSteps()).active_parts, 11);
         const ReferenceSolver solver(pair.model, pair.uniforms);
         solver.step(pair.reference);
         pair.gpu.step();
@@ -122,7 +123,7 @@ TEST_F(GpuSolverTest, StepsLikeTheReference) {
 TEST_F(GpuSolverTest, StepsInPbdModeLikeTheReference) {
     for (const SurfaceMesh& mesh : bodies()) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
-        Params params;
+        Params params = test::smallSteps();
         params.solver = SolverMode::pbd;
         params.iterations = 7;
         params.floor = -0.45;
@@ -141,7 +142,7 @@ TEST_F(GpuSolverTest, StepsInPbdModeLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, LeavesChipsAlone) {
-    Pair pair(test::cubeSphere(4), Params{}, shared::kVolumePart, 3);
+    Pair pair(test::cubeSphere(4), test::smallSteps(), shared::kVolumePart, 3);
     const VolumeTarget chip{0.1, false};
     pair.gpu.setVolumeTargets(std::span(&chip, 1));
     pair.gpu.predictAndStretch();
@@ -151,7 +152,7 @@ TEST_F(GpuSolverTest, LeavesChipsAlone) {
 }
 
 TEST_F(GpuSolverTest, ReachesItsVolumeTarget) {
-    Params params;
+    Params params = test::smallSteps();
     params.gravity = Vec3::Zero();
     params.floor.reset();
     Pair pair(test::icosphere(2), params, shared::kVolumePart, 3);
@@ -165,7 +166,7 @@ TEST_F(GpuSolverTest, ReachesItsVolumeTarget) {
 TEST_F(GpuSolverTest, MeasuresEveryPiece) {
     const SurfaceMesh mesh = test::meshOf(
         test::joined(test::icosphereSoup(3), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
-    Pair pair(mesh, Params{}, 0, 3);
+    Pair pair(mesh, test::smallSteps(), 0, 3);
     const std::vector<double> expected =
         ReferenceSolver(pair.model, pair.uniforms).volumes(pair.reference);
     const BodyMeasure measure = pair.gpu.measure();
@@ -182,7 +183,7 @@ TEST_F(GpuSolverTest, MeasuresEveryPiece) {
 }
 
 TEST_F(GpuSolverTest, MeasuresTheEnergyOfAFallingBody) {
-    Params params;
+    Params params = test::smallSteps();
     params.floor = -3.0;
     Pair pair(test::icosphere(3), params, shared::kFloorPart, 3);
     const double mass = params.density * pair.model.pieces[0].restVolume;
@@ -204,8 +205,8 @@ TEST_F(GpuSolverTest, MeasuresTheEnergyOfStrainedMaterialLikeTheReference) {
     for (const SurfaceMesh& mesh : bodies()) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
         for (const uint part : {shared::kStretchPart, shared::kBendPart, shared::kIspcPart,
-                                solverUniforms(Params{}).active_parts}) {
-            Pair pair(mesh, Params{}, part, 7);
+                                solverUniforms(test::smallSteps()).active_parts}) {
+            Pair pair(mesh, test::smallSteps(), part, 7);
             const double expected = strainEnergy(pair.model, pair.uniforms, pair.reference);
             EXPECT_GT(expected, 0);
             const double ours = pair.gpu.measure().strainEnergy;
@@ -217,7 +218,8 @@ TEST_F(GpuSolverTest, MeasuresTheEnergyOfStrainedMaterialLikeTheReference) {
 
 // Edges and ISPCs are springs of their own length, and angles stay.
 TEST_F(GpuSolverTest, StrainEnergyGrowsWithTheSquareOfAStretch) {
-    Pair pair(test::cubeSphere(6), Params{}, solverUniforms(Params{}).active_parts, 3);
+    Pair pair(test::cubeSphere(6), test::smallSteps(),
+              solverUniforms(test::smallSteps()).active_parts, 3);
     const auto energyAt = [&](float strain) {
         BodyState state = pair.start;
         for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -235,7 +237,7 @@ TEST_F(GpuSolverTest, StrainEnergyGrowsWithTheSquareOfAStretch) {
 TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
-    Pair pair(test::icosphere(2), Params{}, 0, 3);
+    Pair pair(test::icosphere(2), test::smallSteps(), 0, 3);
     const BodyState good = pair.start;
     for (const float bad : {nan, infinite, -infinite, 1e30f, 1e4f}) {
         BodyState state = good;
@@ -252,7 +254,7 @@ TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
 }
 
 TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
-    Pair pair(test::icosphere(2), Params{}, 0, 3);
+    Pair pair(test::icosphere(2), test::smallSteps(), 0, 3);
     pair.gpu.savedPieces().save();
     pair.gpu.step();
     EXPECT_NE(pair.gpu.readState().positions, pair.start.positions);
@@ -266,7 +268,7 @@ TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
     const SurfaceMesh mesh = test::meshOf(
         test::joined(test::icosphereSoup(2), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
     const auto run = [&](float badSpeed) {
-        Pair pair(mesh, Params{}, solverUniforms(Params{}).active_parts, 3);
+        Pair pair(mesh, test::smallSteps(), solverUniforms(test::smallSteps()).active_parts, 3);
         BodyState state = pair.start;
         state.velocities.front().x() += badSpeed;
         pair.gpu.setState(state);
@@ -288,7 +290,7 @@ TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
 }
 
 TEST_F(GpuSolverTest, PullsLikeTheReference) {
-    Pair pair(test::cubeSphere(8), Params{}, 0, 7);
+    Pair pair(test::cubeSphere(8), test::smallSteps(), 0, 7);
     std::vector<shared::PullRecord> pulls;
     for (uint v = 3; v < 40; v += 2) {
         pulls.push_back({v, 0.1f, 0.7f, 0.2f, 1.0f, 0.0f, -2.0f, v % 4 == 1 ? 1u : 0u});
@@ -307,7 +309,7 @@ TEST_F(GpuSolverTest, PullsLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
-    Params params;
+    Params params = test::smallSteps();
     params.floor.reset();
     Pair pair(test::icosphere(2), params, solverUniforms(params).active_parts, 3);
     pair.gpu.masses().setPinned({2, 7, 50});
@@ -343,7 +345,7 @@ FlightMomentum momentumOf(const BodyModel& model, const BodyState& state) {
 
 TEST_F(GpuSolverTest, KeepsMomentumInFreeFlight) {
     // 5 s without gravity, floor and drag; the displacement form drifts by about 1e-6.
-    Params params;
+    Params params = test::smallSteps();
     params.gravity = Vec3::Zero();
     params.floor.reset();
     params.airDrag = 0;
@@ -365,7 +367,8 @@ TEST_F(GpuSolverTest, KeepsMomentumInFreeFlight) {
 
 TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
     const auto run = [] {
-        Pair pair(test::bentTube(), Params{}, solverUniforms(Params{}).active_parts, 13);
+        Pair pair(test::bentTube(), test::smallSteps(),
+                  solverUniforms(test::smallSteps()).active_parts, 13);
         for (int step = 0; step < 20; ++step) {
             pair.gpu.step();
         }
@@ -390,7 +393,7 @@ struct OneGroupCase {
 
 /// Ten steps with pins, hands and a floor.
 BodyState played(const SurfaceMesh& mesh, const OneGroupCase& how, bool oneGroup) {
-    Params params;
+    Params params = test::smallSteps();
     params.floor = -0.45;
     params.iterations = how.iterations;
     params.contact = how.contact ? 1 : 0;
@@ -464,7 +467,7 @@ struct SweptSteps {
 };
 
 SweptSteps sweptSteps(const SurfaceMesh& mesh, uint parts, bool oneGroup) {
-    Params params;
+    Params params = test::smallSteps();
     params.floor = -0.45;
     params.solver = SolverMode::pbd;
     Pair pair(mesh, params, parts, 3);
@@ -532,7 +535,8 @@ TEST_F(GpuSolverTest, OneGroupEndsNoLoopEarly) {
 }
 
 TEST_F(GpuSolverTest, ASmallBodyTakesOneDispatchAStep) {
-    Pair pair(test::cubeSphere(8), Params{}, solverUniforms(Params{}).active_parts, 1);
+    Pair pair(test::cubeSphere(8), test::smallSteps(),
+              solverUniforms(test::smallSteps()).active_parts, 1);
     pair.gpu.step();
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
@@ -542,7 +546,7 @@ TEST_F(GpuSolverTest, ASmallBodyTakesOneDispatchAStep) {
 TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
     for (const SolverMode mode : {SolverMode::smallSteps, SolverMode::pbd}) {
         const auto play = [&](bool settles) {
-            Params params;
+            Params params = test::smallSteps();
             params.floor = -0.45;
             params.solver = mode;
             Pair pair(test::cubeSphere(8), params, solverUniforms(params).active_parts, 5);
@@ -561,11 +565,12 @@ TEST_F(GpuSolverTest, SettlingInOneDispatchChangesNoBit) {
 }
 
 TEST_F(GpuSolverTest, SmallBodiesAreSolvedInOneGroup) {
-    EXPECT_TRUE(Pair(test::icosphere(1), Params{}, 0, 1).gpu.stepper().solvesInOneGroup());
-    const Pair large(test::icosphere(4), Params{}, 0, 1);
+    EXPECT_TRUE(
+        Pair(test::icosphere(1), test::smallSteps(), 0, 1).gpu.stepper().solvesInOneGroup());
+    const Pair large(test::icosphere(4), test::smallSteps(), 0, 1);
     EXPECT_GT(large.model.restPositions.size(), 2048U);
     EXPECT_FALSE(large.gpu.stepper().solvesInOneGroup());
-    Params params;
+    Params params = test::smallSteps();
     params.solver = SolverMode::pbd;
     Pair swept(test::icosphere(1), params, 0, 1);
     EXPECT_TRUE(swept.gpu.stepper().solvesInOneGroup());
@@ -574,11 +579,12 @@ TEST_F(GpuSolverTest, SmallBodiesAreSolvedInOneGroup) {
 }
 
 TEST_F(GpuSolverTest, UsesAtMostSevenDispatchesASubstep) {
-    Pair pair(test::icosphere(1), Params{}, solverUniforms(Params{}).active_parts, 1);
+    Pair pair(test::icosphere(1), test::smallSteps(),
+              solverUniforms(test::smallSteps()).active_parts, 1);
     pair.gpu.stepper().allowOneGroup(false);
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
-    EXPECT_LE(pair.gpu.dispatches() - before, 7 * Params{}.iterations);
+    EXPECT_LE(pair.gpu.dispatches() - before, 7 * kUsualSweeps);
 }
 
 }  // namespace

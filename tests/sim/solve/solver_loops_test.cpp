@@ -14,6 +14,7 @@
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf {
@@ -92,7 +93,7 @@ class SolverLoops : public test::GlTest {
     /// Expects no more turns than reckoned in each substep or sweep, and not many less.
     void expectReckoned(const SurfaceMesh& mesh, KernelWay way, SolverMode solver) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
-        Params params;
+        Params params = test::smallSteps();
         params.solver = solver;
         params.contact = 0;
         params.iterations = 2;
@@ -108,7 +109,7 @@ class SolverLoops : public test::GlTest {
     /// The same with contact, where not all turn as often as they might.
     void expectTouchingReckoned(const SurfaceMesh& mesh, KernelWay way, bool folded) {
         folded_ = folded;
-        Params params;
+        Params params = test::smallSteps();
         params.iterations = 4;
         const std::size_t four = turnsOfStep(mesh, way, params);
         EXPECT_LE(four, 4 * reckoned_ + kSparedTurns);

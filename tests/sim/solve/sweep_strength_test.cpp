@@ -9,12 +9,13 @@
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/box_surface.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
 
 Params trueParams() {
-    Params params;
+    Params params = test::smallSteps();
     params.trueModulus = 1;
     return params;
 }

@@ -16,6 +16,7 @@
 #include "tests/support/reference/reference_solver.h"
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -25,7 +26,7 @@ struct Crumpled {
     /// `reach`: of each coordinate, in mean edge lengths. `speed` [m/s].
     Crumpled(SurfaceMesh body, float reach, float speed)
         : mesh(std::move(body)), model(buildBodyModel(mesh)) {
-        Params params;
+        Params params = test::smallSteps();
         params.gravity = Vec3::Zero();
         params.floor.reset();
         uniforms = solverUniforms(params, model);
@@ -250,7 +251,7 @@ Touched countTouched(const Crumpled& body, const std::vector<double>& folds, dou
 
 /// One substep with contact.
 Touched touchedBy(Crumpled& body) {
-    Params params;
+    Params params = test::smallSteps();
     params.contact = 1;
     ContactSettings settings = contactSettings(params);
     settings.edges = false;

@@ -97,9 +97,9 @@ class Fields : public app::NoFields {
     void ignored(const app::Word&) {}
     void format(const app::Word&, const app::Word&, const app::FileFormat&) {}
     void material(const app::Word&, const app::Session&) {}  // taken over into the parameters
-    void params(const app::Word&, const Params& params) {
+    void params(const app::Word&, const app::Session& session) {
         for (const ParamInfo& info : paramTable()) {
-            note(std::string(info.name), getParam(params, info.name));
+            note(std::string(info.name), getParam(session.params, info.name));
         }
     }
     void list(const app::Word& word, auto& items, std::size_t) {

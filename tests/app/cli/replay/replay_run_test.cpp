@@ -258,7 +258,8 @@ TEST(Replay, ARefusedEventLeavesFoldersThatWereThereAndPicturesOfBefore) {
 TEST(Replay, TooFewIterationsForTheStiffnessAreARemarkAndNoFailure) {
     const TemporaryFolder folder;
     const std::string stiffer =
-        R"({"step": 2, "type": "set", "name": "iterations", "value": 5},
+        R"({"step": 0, "type": "set", "name": "solver", "value": "small_steps"},
+           {"step": 2, "type": "set", "name": "iterations", "value": 5},
            {"step": 3, "type": "set", "name": "youngs_modulus", "value": 1e8})";
     const ProgramRun run = replay(folder, sessionThatDoes(stiffer), "out");
     EXPECT_EQ(run.exitCode, 0);

@@ -14,6 +14,7 @@
 #include "tests/support/buffer_bytes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -77,16 +78,18 @@ TEST_F(MemoryNeedOnGpu, IsAboutWhatTheDriverIsAskedFor) {
     for (SurfaceMesh& mesh : bodies()) {
         const BodySize size = sizeOf(mesh);
         const test::BufferBytes buffers;
-        Simulation simulation(std::move(mesh), Params{});
+        Simulation simulation(std::move(mesh), test::smallSteps());
         simulation.step();
         const auto taken = static_cast<double>(buffers.now());
-        const auto need = static_cast<double>(bytesOnGpu(size, memorySettings(Params{}, false)));
+        const auto need =
+            static_cast<double>(bytesOnGpu(size, memorySettings(test::smallSteps(), false)));
         std::printf("%.0f triangles: %.0f bytes of buffers, %.0f by records\n", size.triangles,
                     taken, need);
         EXPECT_GE(need, taken);
         EXPECT_LE(need, kWithin * taken);
         // Of a body that was cut.
-        const auto largest = memoryNeedOf(size, memorySettings(Params{}, false)).largestBuffer;
+        const auto largest =
+            memoryNeedOf(size, memorySettings(test::smallSteps(), false)).largestBuffer;
         EXPECT_NEAR(static_cast<double>(largest) / static_cast<double>(buffers.largest()), 1.75,
                     0.1);
     }
@@ -94,7 +97,7 @@ TEST_F(MemoryNeedOnGpu, IsAboutWhatTheDriverIsAskedFor) {
 
 // Rays that are cast anew have room to grow, so the driver is asked for more than records take.
 TEST_F(MemoryNeedOnGpu, CoversTheRaysOfATrueModulus) {
-    Params params;
+    Params params = test::smallSteps();
     params.trueModulus = 1;
     for (SurfaceMesh& mesh : bodies()) {
         const BodySize size = sizeOf(mesh);
@@ -103,13 +106,14 @@ TEST_F(MemoryNeedOnGpu, CoversTheRaysOfATrueModulus) {
         simulation.step();
         const MemorySettings settings = memorySettings(params, false);
         EXPECT_GE(memoryNeedOf(size, settings).graphics, buffers.now());
-        EXPECT_GT(bytesOnGpu(size, settings), bytesOnGpu(size, memorySettings({}, false)));
+        EXPECT_GT(bytesOnGpu(size, settings),
+                  bytesOnGpu(size, memorySettings(test::smallSteps(), false)));
     }
 }
 
 // Which a body gets besides those of small steps. Of sizes with small aggregates and large ones.
 TEST_F(MemoryNeedOnGpu, IsAboutWhatImplicitStepsAskFor) {
-    Params small;
+    Params small = test::smallSteps();
     small.trueModulus = 1;
     Params implicit = small;
     implicit.solver = SolverMode::implicit;
