@@ -97,7 +97,7 @@ void GpuSolver::stepImplicitly(const BodyModel& model, const Params& params,
     } else {
         implicit_->setStep(params, step);
     }
-    stepper_.stepImplicitly(&*implicit_);
+    stepper_.stepImplicitly(&*implicit_, step.unfolds);
 }
 
 void GpuSolver::makeRoom(const BodyModel& model) {

@@ -19,6 +19,7 @@ struct ImplicitStep {
     int iterations = 4;              ///< of conjugate gradients, per stage
     std::size_t aggregateSize = 60;  ///< see groupVertices()
     double prepared = step;          ///< for which parts are inverted; good for shorter steps [s]
+    bool unfolds = true;             ///< what is folded is drawn out of it: see Unfolding
 
     /// As the parameters say, of a body whose longestStep() this is.
     static ImplicitStep of(const Params& params, std::size_t vertexCount, double longest);

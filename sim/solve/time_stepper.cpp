@@ -27,7 +27,7 @@ void TimeStepper::setBody(const BodyModel& model, bool isNew) {
 }
 
 void TimeStepper::step(bool heldMove) {
-    unfolds_ = unfolds();
+    unfolds_ = unfolds() && mayUnfold_;
     const gpu::Buffer* folds = unfolds_ ? &unfolding_.folds() : nullptr;
     collisions_.beginStep(folds);
     phases_.setFolds(folds);

@@ -67,8 +67,11 @@ class TimeStepper {
     /// steps. Masses must be fresh. `heldMove`: whether any vertex without one has a velocity.
     void step(bool heldMove);
     /// Makes the coming time steps of implicit ones; null: of substeps, the default. It must
-    /// outlive them.
-    void stepImplicitly(ImplicitStepper* implicit) { implicit_ = implicit; }
+    /// outlive them. `unfolds`: whether they unfold what is folded.
+    void stepImplicitly(ImplicitStepper* implicit, bool unfolds = true) {
+        implicit_ = implicit;
+        mayUnfold_ = unfolds;
+    }
     /// Whether small bodies may be solved by one work group (the default), or in a dispatch for
     /// each phase like larger ones.
     void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
@@ -122,6 +125,7 @@ class TimeStepper {
     Unfolding unfolding_;
     ImplicitStepper* implicit_ = nullptr;
     bool unfolds_ = false;  ///< in this step
+    bool mayUnfold_ = true;
     bool oneGroupAllowed_ = true;
     bool settlingAllowed_ = true;
     bool waitsForSearches_ = true;

@@ -335,8 +335,10 @@ void RunningBody::prepareStep(const Params& params) {
 
 void RunningBody::chooseSteps(const Params& params) {
     if (params.solver == SolverMode::implicit) {
-        const ImplicitStep step =
+        ImplicitStep step =
             ImplicitStep::of(params, model().restPositions.size(), longestStep(model(), params));
+        // Elasticity unfolds lips; pulls would hold them back in what falls.
+        step.unfolds = memory.crumpled;
         solver.stepImplicitly(model(), params, step, memory.pins.vertices());
     } else {
         solver.stepBySubsteps();
