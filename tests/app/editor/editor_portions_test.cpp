@@ -127,6 +127,9 @@ TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
 }
 
 TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
+    Document slow = sphereDocument();
+    slow.session.params.solver = SolverMode::smallSteps;
+    show(std::move(slow));
     tap(Key::d);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     frames(1);

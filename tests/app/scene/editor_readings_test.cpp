@@ -146,7 +146,7 @@ TEST_F(EditorReadingsTest, CountsThePiecesThatWereTakenBack) {
     stepOnce();
     stepOnce();
     EXPECT_EQ(history[ui::Reading::lostPieces].last(), 2);
-    ASSERT_EQ(simulation.execute(Release{0}), "");
+    ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0.5, 0, 0}, 0.3}, Vec3::Zero()}), "");
     stepOnce();
     EXPECT_EQ(history[ui::Reading::lostPieces].last(), 2) << "since the start";
     readings.forgetAfter(2.5 * params.timeStep);
