@@ -48,7 +48,8 @@ double longestImplicitStep(double diagonal, double modulus, double density, cons
 }
 
 Params withSolverFor(std::size_t vertices, Params params) {
-    if (params.solver == SolverMode::implicit && vertices > kMostImplicitVertices) {
+    const bool isSuited = vertices <= kMostImplicitVertices && params.bladeFeels == 0;
+    if (params.solver == SolverMode::implicit && !isSuited) {
         params.solver = SolverMode::smallSteps;
         params.trueModulus = 1;
     }

@@ -15,8 +15,9 @@ double longestImplicitStep(double diagonal, double modulus, double density, cons
 /// A body of more vertices is solved by small steps unless somebody names another solver: a cut
 /// would wait for seconds for the dense inverse that implicit steps have.
 inline constexpr std::size_t kMostImplicitVertices = 10000;
-/// The parameters with the solver that suits a body of so many vertices, where nobody named one.
-/// The material is the same with both.
+/// The parameters with the solver that suits a body of so many vertices, where nobody named one:
+/// small steps for a large one, or an edge that is felt, under which implicit steps may lose a
+/// piece. The material is the same with both.
 Params withSolverFor(std::size_t vertices, Params params);
 
 /// The parameters with a time step and a depenetration speed for a body of this diagonal [m], the

@@ -107,6 +107,9 @@ TEST(SizeParams, OfALargeBodyAreThoseOfSmallSteps) {
     const Params large = withSolverFor(kMostImplicitVertices + 1, Params{});
     EXPECT_EQ(large.solver, SolverMode::smallSteps);
     EXPECT_EQ(large.trueModulus, 1);
+    Params felt;
+    felt.bladeFeels = 1;
+    EXPECT_EQ(withSolverFor(100, felt).solver, SolverMode::smallSteps);
     EXPECT_EQ(suitedTo(1, large).timeStep, 0.005);
     EXPECT_EQ(suitedTo(0.05, large).timeStep, 0.001);
 }
