@@ -40,6 +40,7 @@ TEST(SliderFormat, LosesNothingOfTheSmallestValue) {
 TEST(RemarkOn, AutoIterationsOfWhichEvenTheMostAreTooFew) {
     PanelModel model;
     Params& now = model.parameters.now;
+    now.solver = SolverMode::smallSteps;
     now.iterations = kAutoIterations;
     const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), now);
     model.parameters.sweeps = &strength;
@@ -52,6 +53,8 @@ TEST(RemarkOn, AutoIterationsOfWhichEvenTheMostAreTooFew) {
 TEST(RemarkOn, IterationsThatAreTooFewForTheModulus) {
     const ParamInfo& iterations = *findParam("iterations");
     PanelModel model;
+    model.parameters.now.solver = SolverMode::smallSteps;
+    model.parameters.now.iterations = kUsualSweeps;
     model.parameters.now.youngsModulus = 3e7;
     EXPECT_EQ(remarkOn(iterations, model.parameters), "") << "nothing is open";
     const SweepStrength strength(buildBodyModel(test::builtin("sphere768")), model.parameters.now);

@@ -198,8 +198,11 @@ bool RunningBody::guardSteps(const Params& params, bool worked) {
         const double mass = params.density * member.density * std::abs(member.restVolume);
         still += 0.5 * mass * std::pow(kStill * diagonal, 2);
     }
+    const BodyMeasure& measure = memory.measure;
     return params.solver == SolverMode::implicit &&
-           memory.guard.note(memory.measure, params.timeStep, gains, still);
+           memory.guard.note(
+               {measure.kineticEnergy + measure.strainEnergy, measure.potentialEnergy},
+               params.timeStep, gains, still);
 }
 
 double RunningBody::relativeSpeed(const Params& params, const Surroundings& around) const {

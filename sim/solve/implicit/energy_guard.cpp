@@ -16,11 +16,10 @@ constexpr int kMostDivisions = 8;
 
 }  // namespace
 
-bool EnergyGuard::note(const BodyMeasure& measure, double h, bool worked, double least) {
-    const double moving = measure.kineticEnergy + measure.strainEnergy;
-    const double energy = moving + measure.potentialEnergy;
-    const double noise = std::max(least, kNoise * std::abs(measure.potentialEnergy));
-    const double most = highest_ + kGrowth * moving + noise;
+bool EnergyGuard::note(const BodyEnergies& body, double h, bool worked, double least) {
+    const double energy = body.moving + body.potential;
+    const double noise = std::max(least, kNoise * std::abs(body.potential));
+    const double most = highest_ + kGrowth * body.moving + noise;
     const bool mayGrow = std::exchange(isNew_, false) || worked;
     const bool grew = !mayGrow && energy > most;
     const double kept = std::max(0.0, highest_ - energy) * std::exp(-h / kMemory);

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "sim/solve/body_measure.h"
-
 namespace kerf {
+
+/// What a body has after a step [J].
+struct BodyEnergies {
+    double moving = 0;     ///< kinetic and strain energy
+    double potential = 0;  ///< in the field of gravity
+};
 
 /// Finds out that a body gains energy of itself, as none does whose steps are short enough, and
 /// into how many parts its coming steps are to be divided therefore. The state of a body: it is
@@ -13,7 +17,7 @@ class EnergyGuard {
     void startAnew() { isNew_ = true; }
     /// After a step of `h` seconds; `worked`: something else may have given energy; `least`: less
     /// is nothing [J]. Returns whether the steps are divided further now.
-    bool note(const BodyMeasure& measure, double h, bool worked, double least);
+    bool note(const BodyEnergies& body, double h, bool worked, double least);
     /// Of a step that would do for what does not grow.
     int divisions() const { return divisions_; }
 

@@ -5,19 +5,16 @@
 namespace kerf {
 namespace {
 
-BodyMeasure moving(double kinetic, double strain = 0) {
-    BodyMeasure measure;
-    measure.kineticEnergy = kinetic;
-    measure.strainEnergy = strain;
-    return measure;
+BodyEnergies moving(double kinetic, double strain = 0) {
+    return {kinetic + strain, 0};
 }
 
 class EnergyGuardTest : public testing::Test {
   protected:
     EnergyGuardTest() { note(moving(1)); }
 
-    bool note(const BodyMeasure& measure, bool worked = false) {
-        return guard.note(measure, 1.0 / 240, worked, 1e-3);
+    bool note(const BodyEnergies& body, bool worked = false) {
+        return guard.note(body, 1.0 / 240, worked, 1e-3);
     }
 
     EnergyGuard guard;
