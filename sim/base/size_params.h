@@ -8,8 +8,8 @@ namespace kerf {
 
 /// The longest implicit step that errs by a few hundredths of a motion: less than a wave needs to
 /// cross a member of this diagonal [m], Young's modulus [Pa] and density [kg/m^3], between 1/200
-/// and 1/60 s; of a smaller iterationError shorter by its root. From measured swings, see
-/// docs/notes/implicit-steps.md. [s]
+/// and 1/60 s; of a smaller iterationError shorter by its root. From swings measured at 1/240 and
+/// 1/120 s, see docs/notes/implicit-steps.md. [s]
 double longestImplicitStep(double diagonal, double modulus, double density, const Params& params);
 
 /// A body of more vertices is solved by small steps unless somebody names another solver: a cut

@@ -119,8 +119,8 @@ void Simulation::State::applyParameters() {
         body.apply(input.params);
     }
     const Surroundings around = surroundings();
-    const int iterations = body.iterationsFor(input.params, around);
     const int steps = body.implicitStepsFor(input.params, around);
+    const int iterations = body.iterationsFor(input.params, around, steps);
     const bool sameIterations = std::exchange(input.iterations, iterations) == iterations;
     const bool sameSteps = std::exchange(input.implicitSteps, steps) == steps;
     if (!sameIterations || !sameSteps || changed) {

@@ -221,7 +221,7 @@ void ImplicitStepper::begin(uint number) {
     linearise();
 }
 
-/// The spin that pieces lack, then new positions and velocities.
+/// The spin that pieces lack, then new positions and velocities, also of what is held.
 void ImplicitStepper::end(bool heldMove) {
     const uint last = shared::kFirstSlot + iterations_ + 1;
     bindVectors();
@@ -436,7 +436,7 @@ void ImplicitStepper::makeFactors(uint type) {
 }
 
 /// By which volumes are held: the preconditioner's answer to dV/dp, and the matrix times that.
-void ImplicitStepper::answerPressure(bool heldMove) {
+void ImplicitStepper::answerPressure() {
     bindVectors();
     bindLists();
     body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
@@ -446,7 +446,6 @@ void ImplicitStepper::answerPressure(bool heldMove) {
     body_.bindFetched(own_.vectors.pressure, shared::kDirectionBinding, TexelFormat::float32x4);
     own_.vectors.pressureImage.bindStorage(shared::kImageBinding);
     runGroups(press_.product, own_.matrix.pageCount, shared::kPressureSlot);
-    driftBy(heldMove);
 }
 
 void ImplicitStepper::solveStage(bool second) {

@@ -49,7 +49,10 @@ class ImplicitStepper {
     template <class Portion>
     void run(std::uint32_t number, bool heldMove, Portion&& portion) {
         portion([&] { begin(number); });
-        portion([&] { answerPressure(heldMove); });
+        portion([&] {
+            answerPressure();
+            driftBy(heldMove);
+        });
         portion([&] { solveStage(false); });
         portion([&] { solveStage(true); });
         portion([&] { end(heldMove); });
@@ -77,7 +80,7 @@ class ImplicitStepper {
     void linearise();
     void makeFactors(std::uint32_t type);
     void begin(std::uint32_t number);
-    void answerPressure(bool heldMove);
+    void answerPressure();
     void solveStage(bool second);
     void end(bool heldMove);
 

@@ -4,12 +4,16 @@
 
 namespace kerf::test {
 
-/// Parameters of a scene that is solved by small_steps, of the usual number.
-inline Params smallSteps() {
-    Params params;
+/// These parameters with small_steps of the usual number, as large bodies have it, and those whose
+/// blade feels.
+inline Params smallSteps(Params params = {}) {
     params.solver = SolverMode::smallSteps;
     params.iterations = kUsualSweeps;
     return params;
+}
+
+inline bool isImplicit(const Params& params) {
+    return params.solver == SolverMode::implicit;
 }
 
 }  // namespace kerf::test

@@ -166,15 +166,13 @@ double RunningBody::speedOfMeeting(const Params& params, const Surroundings& aro
     return meets ? measure.fastest : 0;
 }
 
-int RunningBody::iterationsFor(const Params& params, const Surroundings& around) {
+int RunningBody::iterationsFor(const Params& params, const Surroundings& around, int steps) {
     if (params.iterations != kAutoIterations) {
         return params.iterations;
     }
     if (params.solver == SolverMode::implicit) {
-        const double step = params.timeStep / implicitStepsFor(params, around);
-        return implicitIterations(model(),
-                                  relativeSpeed(params, around) * step / leastDiagonal(model()),
-                                  params.iterationError);
+        const double way = relativeSpeed(params, around) * params.timeStep / steps;
+        return implicitIterations(model(), way / leastDiagonal(model()), params.iterationError);
     }
     memory.sweeps.follow(model(), params);
     return memory.sweeps.iterationsFor(params, speedOfMeeting(params, around));

@@ -42,8 +42,9 @@ struct RunningBody {
     void measureAtRest();
     void apply(const Params& params);
     /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
-    /// as it needs (SweepStrength::iterationsFor()).
-    int iterationsFor(const Params& params, const Surroundings& around);
+    /// as it needs (SweepStrength::iterationsFor(), implicitIterations()). `steps`:
+    /// implicitStepsFor() them.
+    int iterationsFor(const Params& params, const Surroundings& around, int steps);
     /// Of how many implicit steps the coming time step is made, by how fast the body meets
     /// something.
     int implicitStepsFor(const Params& params, const Surroundings& around) const;
