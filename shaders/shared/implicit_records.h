@@ -18,8 +18,9 @@ SHARED_CONST uint kPressureImageBinding = 9u;  // per vertex: the matrix times t
 SHARED_CONST uint kForceBinding = 11u;         // per vertex: elastic force [N]
 SHARED_CONST uint kProductSumsBinding = 12u;   // per slot and page: ProductSums
 SHARED_CONST uint kAnswerSumsBinding = 13u;    // per slot and aggregate: AnswerSums
-SHARED_CONST uint kModesBinding = 14u;         // per aggregate: residual by modes, three texels
-SHARED_CONST uint kFirstWayBinding = 15u;      // per vertex: way of the first stage [m]
+// Three texels each: per aggregate, then per region the residual by modes, per region its motion.
+SHARED_CONST uint kModesBinding = 14u;
+SHARED_CONST uint kFirstWayBinding = 15u;  // per vertex: way of the first stage [m]
 // Of kernels that write what the others fetch.
 SHARED_CONST uint kMadeFactorsBinding = 3u;
 SHARED_CONST uint kMadePullsBinding = 4u;
@@ -29,7 +30,7 @@ SHARED_CONST uint kTurnedBinding = 10u;  // per member: its residual, as its pat
 SHARED_CONST uint kTurnedUnit = 30u;     // the same
 // Of contact: written, then fetched by the units below.
 SHARED_CONST uint kTotalBinding = 15u;  // per vertex two: what is left of all forces, by turns [N]
-SHARED_CONST uint kContactForcesBinding = 1u;    // per vertex: ivec4, in units of force_unit
+SHARED_CONST uint kContactForcesBinding = 1u;    // per vertex: ivec4, in force_unit
 SHARED_CONST uint kRelativeBinding = 2u;         // per row: along the direction, see reach.comp
 SHARED_CONST uint kReachesBinding = 8u;          // per piece: Reach
 SHARED_CONST uint kRowStatesBinding = 9u;        // per row: RowState
@@ -83,14 +84,18 @@ SHARED_CONST uint kPatchInverseUnit = 23u;  // per block of a patch's inverse: t
 SHARED_CONST uint kCoarseUnit = 24u;        // of each aggregate: its rows of the inverse
 SHARED_CONST uint kPatchesUnit = 23u;       // per patch: first and end of its members
 SHARED_CONST uint kRestUnit = 24u;          // per vertex: place at rest [m]
-SHARED_CONST uint kTurnsUnit = 25u;         // per patch, then per aggregate: a quaternion
-SHARED_CONST uint kPiecesUnit = 26u;        // per piece: ImplicitPiece
-SHARED_CONST uint kBlockListUnit = 27u;     // per block: ImplicitBlock
-SHARED_CONST uint kBlockSharesUnit = 28u;   // what adds up to the blocks: see kSlotBits
-SHARED_CONST uint kDiagonalUnit = 27u;      // per vertex: ImplicitBlock
-SHARED_CONST uint kFactorsUnit = 29u;       // per slot of a constraint: see factors.comp
-SHARED_CONST uint kPullsUnit = 30u;         // per two texels of those: force over root of stiffness
-SHARED_CONST uint kSpokeOwnersUnit = 31u;   // per spoke: its vertex
+SHARED_CONST uint kTurnsUnit = 25u;         // per patch, aggregate, region: a quaternion
+SHARED_CONST uint kRegionsUnit = 18u;       // per region: ImplicitRegion
+// Per aggregate two: what its shares of modes are in those of its region, off + by * share. The w
+// of the first is the region.
+SHARED_CONST uint kLevelsUnit = 19u;
+SHARED_CONST uint kPiecesUnit = 26u;       // per piece: ImplicitPiece
+SHARED_CONST uint kBlockListUnit = 27u;    // per block: ImplicitBlock
+SHARED_CONST uint kBlockSharesUnit = 28u;  // what adds up to the blocks: see kSlotBits
+SHARED_CONST uint kOwnSharesUnit = 27u;    // per vertex: first and end of its own shares
+SHARED_CONST uint kFactorsUnit = 29u;      // per slot of a constraint: see factors.comp
+SHARED_CONST uint kPullsUnit = 30u;        // per two texels of those: force over root of stiffness
+SHARED_CONST uint kSpokeOwnersUnit = 31u;  // per spoke: its vertex
 
 // Of the contact of a step.
 struct ImplicitContact {
@@ -99,7 +104,6 @@ struct ImplicitContact {
     float reach;         // of the floor: nearer than that is met at any speed [m]
     float stiffness;     // of a mass: the square of contactRate() [1/s^2]
     float let_out;       // of a depth that no push has made, at most [m]
-    float force_unit;    // of sums of forces [N]
 };
 
 // The numbers of a step that hold for the whole body.
@@ -121,6 +125,7 @@ struct ImplicitUniforms {
     uint page_count;  // of the table of pages
     uint piece_count;
     uint holds_volume;  // 0: no piece is held
+    uint region_count;  // 0: each aggregate is one
 };
 
 // A block of the matrix, and what adds up to it.
@@ -152,7 +157,19 @@ struct ImplicitAggregate {
     uint first;  // of its members; those of a patch lie together
     uint end;
     uint piece;
+    uint coarse;  // first texel of its rows of the inverse, or with regions of its own
+};
+
+// Aggregates of a piece whose modes are summed up to those of the whole region. Two texels.
+struct ImplicitRegion {
+    uint first;  // of its aggregates
+    uint end;
+    uint members_first;
+    uint members_end;
+    uint of_piece;  // the first region of the piece
+    uint piece_count;
     uint coarse;  // first texel of its rows of the inverse
+    uint unused;
 };
 
 // A vertex, and its rows of the inverse of its patch: as many blocks as that has members.
@@ -172,7 +189,9 @@ struct ImplicitPiece {
     uint root;       // the first of those
     uint next;       // of them; kNoPiece behind the last
     uint row_count;  // of contact
-    uint held;       // by an obstacle
+    // In which forces of contact on its vertices are added up: what is light takes few. Below 0: an
+    // obstacle holds the piece. [N]
+    float force_unit;
 };
 
 // What a vertex meets in a step, a row each, kRowsOfVertex * v + what it is. Behind those of all

@@ -43,7 +43,6 @@ void setParameters(shared::ImplicitUniforms& u, const Params& params, double ste
     }
 }
 
-constexpr double kMostUnits = 1e9;    // that forces of contact add up to in integers
 constexpr double kFloorReach = 0.02;  // diagonals: nearer vertices are looked at in each step
 
 /// A kernel of groups that work for a page or an aggregate.
@@ -62,7 +61,7 @@ ImplicitStepper::MatrixKernels::MatrixKernels(const SolverBody& body)
               body.compile("implicit/factors", {{"OF_BENDS", "1"}}),
               body.compile("implicit/factors")},
       blocks(body.compile("implicit/blocks")),
-      diagonal(body.compile("implicit/diagonal")),
+      forces(body.compile("implicit/forces")),
       turns(body.compile("implicit/turns")),
       volume(body.compile("volume_gradient", body.groupsOfSums())) {}
 
@@ -86,6 +85,12 @@ ImplicitStepper::PressureKernels::PressureKernels(const SolverBody& body)
     : patches(compileGroups(body, "patches", {{"OF_PRESSURE", "1"}})),
       coarse(compileGroups(body, "coarse", {{"OF_PRESSURE", "1"}})),
       product(compileGroups(body, "product", {{"OF_START", "1"}})) {}
+
+ImplicitStepper::RegionKernels::RegionKernels(const SolverBody& body)
+    : restrict(compileGroups(body, "restrict")),
+      regions(compileGroups(body, "regions")),
+      pressCoarse(compileGroups(body, "coarse", {{"OF_PRESSURE", "1"}, {"OF_REGIONS", "1"}})),
+      coarse(compileGroups(body, "coarse", {{"OF_REGIONS", "1"}})) {}
 
 ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
     : begin{compileGroups(body, "begin"), compileGroups(body, "begin", {{"OF_SECOND", "1"}})},
@@ -130,8 +135,8 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     }
     own_.matrix.assign(model, body_.pieces.pages().places(), pages);
     own_.inverse.assign(model, groups, inverse, pages);
-    heaviest_ = masses.empty() ? 0 : *std::ranges::max_element(masses);
-    own_.contact.assign(model, contactFirmness(pulls, masses.size()), own_.matrix.pageCount);
+    own_.contact.assign(model, contactFirmness(pulls, masses.size()), masses,
+                        own_.matrix.pageCount);
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
                           model.pieces.size());
@@ -139,6 +144,10 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     uniforms_.block_count = own_.matrix.blockCount;
     uniforms_.patch_count = own_.inverse.patchCount;
     uniforms_.aggregate_count = own_.inverse.aggregateCount;
+    uniforms_.region_count = own_.inverse.regionCount;
+    if (own_.inverse.regionCount > 0 && !regions_) {
+        regions_.emplace(body_);
+    }
     uniforms_.page_count = own_.matrix.pageCount;
     uniforms_.piece_count = size32(model.pieces.size());
     uniforms_.contact.reach = static_cast<float>(kFloorReach * model.diagonal);
@@ -150,8 +159,7 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
     setParameters(uniforms_, params, step.step);
-    const double firmest = own_.contact.firmest + uniforms_.contact.stiffness * heaviest_;
-    uniforms_.contact.force_unit = static_cast<float>(own_.contact.farthest * firmest / kMostUnits);
+    own_.setForceUnits(uniforms_.contact.stiffness);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
 
@@ -400,7 +408,6 @@ void ImplicitStepper::linearise() {
 
     uniformBuffer_.bindStorage(shared::kImplicitBinding);
     body_.bindFetched(body_.state.positions, shared::kPositionsBinding, TexelFormat::float32x4);
-    own_.matrix.factors.bindStorage(shared::kMadeFactorsBinding);
     own_.matrix.pulls.bindStorage(shared::kMadePullsBinding);
     for (uint type = 0; type < kConstraintTypes; ++type) {
         makeFactors(type);
@@ -408,19 +415,25 @@ void ImplicitStepper::linearise() {
     body_.bindFetched(own_.matrix.factors, shared::kFactorsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.matrix.pulls, shared::kPullsUnit, TexelFormat::float32x4);
     body_.bindFetched(own_.matrix.blockShares, shared::kBlockSharesUnit, TexelFormat::uint32);
-    own_.matrix.blocks.bindStorage(shared::kMadeBlocksBinding);
     own_.vectors.force.bindStorage(shared::kForceBinding);
     body_.bindFetched(own_.matrix.blockList, shared::kBlockListUnit, TexelFormat::uint32x4);
-    body_.run(make_.blocks, own_.matrix.blockCount);
-    body_.bindFetched(own_.matrix.diagonal, shared::kDiagonalUnit, TexelFormat::uint32x4);
-    body_.run(make_.diagonal, uniforms_.vertex_count);
+    own_.matrix.blocks.bindStorageParts(
+        shared::kMadeBlocksBinding, 3 * sizeof(shared::vec4),
+        [&](std::size_t first, std::size_t bound) {
+            make_.blocks.setNumbers({size32(first), size32(bound), 0, 0});
+            body_.run(make_.blocks, own_.matrix.blockCount);
+        });
+    body_.bindFetched(own_.matrix.ownShares, shared::kOwnSharesUnit, TexelFormat::uint32x2);
+    body_.run(make_.forces, uniforms_.vertex_count);
 
     body_.bindFetched(own_.inverse.aggregates, shared::kAggregatesUnit, TexelFormat::uint32x4);
     body_.bindFetched(own_.inverse.members, shared::kMembersUnit, TexelFormat::uint32x4);
     body_.bindFetched(own_.inverse.patches, shared::kPatchesUnit, TexelFormat::uint32x2);
     body_.bindFetched(body_.model.restPositions, shared::kRestUnit, TexelFormat::float32x4);
+    body_.bindFetched(own_.inverse.regions, shared::kRegionsUnit, TexelFormat::uint32x4);
     own_.inverse.turns.bindStorage(shared::kMadeTurnsBinding);
-    body_.run(make_.turns, own_.inverse.patchCount + own_.inverse.aggregateCount);
+    body_.run(make_.turns,
+              uniforms_.patch_count + uniforms_.aggregate_count + uniforms_.region_count);
 }
 
 void ImplicitStepper::makeFactors(uint type) {
@@ -431,8 +444,13 @@ void ImplicitStepper::makeFactors(uint type) {
     body_.bindFetched(own_.matrix.spokeOwners, shared::kSpokeOwnersUnit, TexelFormat::uint32);
     const uint count = spokes ? size32(constraints.entries.size() / sizeof(shared::Spoke))
                               : body_.uniforms.count[type];
-    make_.factors[type].setNumbers({count, own_.matrix.firstFactor[type], 0, 0});
-    body_.run(make_.factors[type], count);
+    own_.matrix.factors.bindStorageParts(
+        shared::kMadeFactorsBinding, sizeof(shared::vec4),
+        [&](std::size_t first, std::size_t bound) {
+            make_.factors[type].setNumbers(
+                {count, own_.matrix.firstFactor[type], size32(first), size32(bound)});
+            body_.run(make_.factors[type], count);
+        });
 }
 
 /// By which volumes are held: the preconditioner's answer to dV/dp, and the matrix times that.
@@ -442,10 +460,26 @@ void ImplicitStepper::answerPressure() {
     body_.pieces.pieceBuffer.bindStorage(shared::kPiecesBinding);
     runGroups(press_.patches, own_.inverse.aggregateCount, shared::kPressureSlot);
     own_.vectors.pressure.bindStorage(shared::kPressureBinding);
-    runGroups(press_.coarse, own_.inverse.aggregateCount, shared::kPressureSlot);
+    answerByModes(true, shared::kPressureSlot);
     body_.bindFetched(own_.vectors.pressure, shared::kDirectionBinding, TexelFormat::float32x4);
     own_.vectors.pressureImage.bindStorage(shared::kImageBinding);
     runGroups(press_.product, own_.matrix.pageCount, shared::kPressureSlot);
+}
+
+/// Adds the answer of the aggregates to that of the patches.
+void ImplicitStepper::answerByModes(bool ofPressure, uint slot) {
+    const uint aggregates = own_.inverse.aggregateCount;
+    if (own_.inverse.regionCount == 0) {
+        runGroups(ofPressure ? press_.coarse : stage_.coarse, aggregates, slot);
+        return;
+    }
+    body_.bindFetched(own_.inverse.regions, shared::kRegionsUnit, TexelFormat::uint32x4);
+    body_.bindFetched(own_.inverse.levels, shared::kLevelsUnit, TexelFormat::float32x4);
+    runGroups(regions_->restrict, own_.inverse.regionCount, slot);
+    runGroups(regions_->regions, own_.inverse.regionCount, slot);
+    runGroups(ofPressure ? regions_->pressCoarse : regions_->coarse, aggregates, slot);
+    body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
+    body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, TexelFormat::uint32x2);
 }
 
 void ImplicitStepper::solveStage(bool second) {
@@ -468,7 +502,7 @@ void ImplicitStepper::solveStage(bool second) {
     runGroups(stage_.startPatches, aggregates, shared::kStartSlot);
     for (uint i = 0; i < iterations_; ++i) {
         const uint slot = shared::kFirstSlot + i;
-        runGroups(stage_.coarse, aggregates, slot);
+        answerByModes(false, slot);
         runGroups(stage_.product, own_.matrix.pageCount, slot);
         runGroups(contact_.reach, uniforms_.piece_count, slot, i + 1 == iterations_ / 2 ? 1 : 0);
         if (i + 1 < iterations_) {

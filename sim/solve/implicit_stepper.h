@@ -81,6 +81,7 @@ class ImplicitStepper {
     void makeFactors(std::uint32_t type);
     void begin(std::uint32_t number);
     void answerPressure();
+    void answerByModes(bool ofPressure, std::uint32_t slot);
     void solveStage(bool second);
     void end(bool heldMove);
 
@@ -91,13 +92,12 @@ class ImplicitStepper {
     gpu::Buffer uniformBuffer_;
     std::uint32_t iterations_ = 0;
     std::uint32_t number_ = 0;  ///< of the step
-    double heaviest_ = 0;       ///< of the masses of vertices [kg]
     bool drifts_ = true;        ///< the drift may not be zero
     /// Of where a step begins.
     struct MatrixKernels {
         explicit MatrixKernels(const SolverBody& body);
         std::array<gpu::Program, kConstraintTypes> factors;
-        gpu::Program blocks, diagonal, turns, volume;
+        gpu::Program blocks, forces, turns, volume;
     } make_;
     struct ContactKernels {
         explicit ContactKernels(const SolverBody& body);
@@ -114,6 +114,12 @@ class ImplicitStepper {
         explicit PressureKernels(const SolverBody& body);
         gpu::Program patches, coarse, product;
     } press_;
+    /// Of a body with regions, compiled when the first one comes.
+    struct RegionKernels {
+        explicit RegionKernels(const SolverBody& body);
+        gpu::Program restrict, regions, pressCoarse, coarse;
+    };
+    std::optional<RegionKernels> regions_;
     struct StageKernels {
         explicit StageKernels(const SolverBody& body);
         std::array<gpu::Program, 2> begin;  ///< of the first and the second stage

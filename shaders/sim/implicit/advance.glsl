@@ -15,7 +15,9 @@ layout(std430, binding = kTotalBinding) writeonly buffer Totals { vec4 newTotals
 layout(std430, binding = kContactForcesBinding) writeonly buffer Forces { ivec4 newForces[]; };
 
 Reach reach;
+float forceUnit;
 void prepare(uint piece) {
+    forceUnit = forceUnitOf(piece);
     vec4 words = fetch(reaches, piece);
     reach = Reach(words.x, words.y, words.z, words.w);
 }
@@ -24,7 +26,7 @@ void prepare(uint piece) {
 vec3 takeContactForce(uint v) {
     ivec4 sum = ivec4(fetch(contactForces, v));
     for (uint once = sum != ivec4(0) ? 1u : 0u; once > 0u; --once) newForces[v] = ivec4(0);
-    return implicit.contact.force_unit * vec3(sum.xyz);
+    return forceUnit * vec3(sum.xyz);
 }
 
 vec3 residualOf(uint v) {

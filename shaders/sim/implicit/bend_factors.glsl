@@ -25,9 +25,9 @@ void setFactors(uint index, uint first) {
         min(1.0, kMostSteepness * bend.steepness / max(steepest, 1e-30));
     float root = slivers ? 0.0 : sqrt(stiffness * (secant + implicit.damping));
     uint at = first + 4u * index;
-    factors[at] = vec4(root * g0, 0.0);
-    factors[at + 1u] = vec4(root * g1, 0.0);
-    factors[at + 2u] = vec4(-root * a, 0.0);
-    factors[at + 3u] = vec4(-root * b, 0.0);
+    storeFactor(at, vec4(root * g0, 0.0));
+    storeFactor(at + 1u, vec4(root * g1, 0.0));
+    storeFactor(at + 2u, vec4(-root * a, 0.0));
+    storeFactor(at + 3u, vec4(-root * b, 0.0));
     setPull(at, root > 0.0 ? stiffness * value / root : 0.0);
 }

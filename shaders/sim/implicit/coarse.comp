@@ -1,5 +1,6 @@
 // Ends the preconditioner's answer to the residual: adds that of the aggregates, each of which
-// moves by its modes as the inverse at rest says of the residuals of all aggregates of its piece.
+// moves by its modes as the inverse at rest says of the residuals of all aggregates of its piece;
+// with OF_REGIONS as that of its own residual says, and as its region moves.
 // With OF_PRESSURE it is the answer to dV/dp. Numbers: the slot.
 // One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
@@ -10,9 +11,7 @@ STATE_TEXELS(kPositionsBinding) positions;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
 STATE_TEXELS(kMemberSharesUnit) memberShares;
-STATE_TEXELS(kCoarseUnit) coarse;
 STATE_TEXELS(kTurnsUnit) turns;
-STATE_TEXELS(kModesBinding) modes;
 STATE_TEXELS(kAnswerBinding) answers;
 STATE_TEXELS(kGradientsBinding) gradients;
 #ifdef OF_PRESSURE
@@ -30,36 +29,32 @@ vec3 pressureAt(uint v) { return fetch(pressures, v).xyz; }
 layout(std430, binding = kAnswerBinding) writeonly buffer Answers { vec4 newAnswers[]; };
 #endif
 layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSums[]; };
+#include "sim/implicit/coarse_rows.glsl"
+#ifdef OF_REGIONS
+#include "sim/implicit/levels.glsl"
+#endif
 
-const uint kParts = 4u;  // of a row, each every fourth aggregate
 const uint kSumGroups = 8u;
-shared float parts[kAggregateModes * kParts];
-shared float ownModes[kAggregateModes];
 shared vec4 productRows[kSumGroups];
 shared float lastRows[kSumGroups];
 
-float partOf(uint row, uint part, uvec2 all, uint firstTexel) {
-    float sum = 0.0;
-    for (uint k = part; k < all.y; k += kParts) {
-        uint at = firstTexel + 3u * (row * all.y + k);
-        uint from = 3u * (all.x + k);
-        sum += dot(fetch(coarse, at), fetch(modes, from));
-        sum += dot(fetch(coarse, at + 1u), fetch(modes, from + 1u));
-        sum += dot(fetch(coarse, at + 2u), fetch(modes, from + 2u));
+#ifdef OF_REGIONS
+// Adds how its region moves the aggregate to ownModes.
+void addRegion(uint aggregate) {
+    uint region = regionOf(aggregate);
+    uint first = motionOfRegion(region);
+    for (uint row = gl_LocalInvocationID.x; row < kAggregateModes; row += GROUP) {
+        uint m = row % 4u;
+        vec3 motion = levelOf(aggregate, m).y * modeAt(first, m);
+        if (m == 0u) {
+            for (uint k = 1u; k < 4u; ++k) motion += levelOf(aggregate, k).x * modeAt(first, k);
+        }
+        vec3 moved = rotated(turnOfRegion(region), motion);
+        ownModes[row] += turnedBack(turnOfAggregate(aggregate), moved)[row / 4u];
     }
-    return sum;
+    barrier();
 }
-
-float modeOf(uint row) {
-    uint at = kParts * row;
-    return (parts[at] + parts[at + 1u]) + (parts[at + 2u] + parts[at + 3u]);
-}
-
-// Along an axis.
-vec4 modesOf(uint axis) {
-    uint row = 4u * axis;
-    return vec4(ownModes[row], ownModes[row + 1u], ownModes[row + 2u], ownModes[row + 3u]);
-}
+#endif
 
 // How an aggregate moves.
 struct Motion {
@@ -127,16 +122,13 @@ void finishAll(uvec4 own, Motion motion) {
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
+#ifdef OF_REGIONS
+    findModes(uvec2(gl_WorkGroupID.x, 1u), own.w);
+    addRegion(gl_WorkGroupID.x);
+#else
     ImplicitPiece piece = pieceAt(own.z);
-    uvec2 all = uvec2(piece.first_aggregate, piece.aggregate_count);
-    for (uint task = gl_LocalInvocationID.x; task < kAggregateModes * kParts; task += GROUP) {
-        parts[task] = partOf(task / kParts, task % kParts, all, own.w);
-    }
-    barrier();
-    for (uint row = gl_LocalInvocationID.x; row < kAggregateModes; row += GROUP) {
-        ownModes[row] = modeOf(row);
-    }
-    barrier();
+    findModes(uvec2(piece.first_aggregate, piece.aggregate_count), own.w);
+#endif
     vec4 turn = fetch(turns, implicit.patch_count + gl_WorkGroupID.x);
     finishAll(own, Motion(modesOf(0u), modesOf(1u), modesOf(2u), turn));
     barrier();

@@ -2,7 +2,7 @@
 // texel of which the blocks of the matrix are sums of products,
 //   xyz  gradient * sqrt(stiffness along it)    w  weight * sqrt(stiffness across it)
 // and of each constraint its force over that root. Of an edge both its spokes have their own.
-// Numbers: how many there are, the first texel.
+// Numbers: how many there are, the first texel, and of those that are bound the first and how many.
 // One thread per constraint, or place of a spoke. A storage barrier follows, then blocks.
 #include "constraints.h"
 #include "sim/numbers.glsl"
@@ -14,6 +14,10 @@ layout(std430, binding = kMadeFactorsBinding) writeonly buffer Factors { vec4 fa
 layout(std430, binding = kMadePullsBinding) writeonly buffer Pulls { float pulls[]; };
 
 vec3 placeOf(uint v) { return fetch(positions, v).xyz; }
+
+void storeFactor(uint at, vec4 factor) {
+    if (at - numbers.z < numbers.w) factors[at - numbers.z] = factor;
+}
 
 // Of a constraint whose texels begin at `at`.
 void setPull(uint at, float pull) { pulls[at / 2u] = pull; }

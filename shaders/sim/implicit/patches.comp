@@ -5,7 +5,7 @@
 // Numbers: the slot. One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
-#include "sim/implicit/uniforms.glsl"
+#include "sim/implicit/pieces.glsl"
 #include "sim/unfold/best_rotation.glsl"
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kGradientsBinding) gradients;

@@ -1,4 +1,5 @@
-// The matrix times a vector, row by row, and what follows for the iteration:
+// The matrix M / s^2 + (1 + 2 beta / h) K times a vector, row by row, and what follows for the
+// iteration:
 //   p = z - pressure (dV/dp . z) / (dV/dp . pressure) + beta p,  image = A p
 // of which A p is summed up from A z and the images before. With OF_START p is there already: its
 // answer to dV/dp, or, with OF_MOTION, the motion of the body.
@@ -29,14 +30,18 @@ vec3 factorOf(uint v) { return fetch(directions, v).xyz; }
 vec3 factorOf(uint v) { return fetch(answers, v).xyz; }
 #endif
 
-vec3 rowTimes(uint v) {
+// What moves as a whole is not strained: a block on the diagonal of K is what the others of its row
+// lack. So they take how much farther than this vertex the others go, since the sum of rounded
+// blocks would drag walls, whose springs are short, by more than their mass.
+vec3 rowTimes(uint v, float inverseUnitMass) {
     uvec2 range = fetch(rows, v).xy;
-    vec3 sum = vec3(0.0);
+    vec3 own = factorOf(v);
+    vec3 sum = implicit.inertia * massOf(inverseUnitMass) * own;
     for (uint k = range.x; k < range.y; ++k) {
         vec4 x = fetch(blocks, 3u * k);
         vec3 y = fetch(blocks, 3u * k + 1u).xyz;
         vec3 z = fetch(blocks, 3u * k + 2u).xyz;
-        vec3 factor = factorOf(uint(x.w));
+        vec3 factor = factorOf(uint(x.w)) - own;
         sum += vec3(dot(x.xyz, factor), dot(y, factor), dot(z, factor));
     }
     return sum;
@@ -49,8 +54,8 @@ struct Share {
 };
 
 Share multiply(uint v, Turn turn) {
-    bool held = !(fetch(positions, v).w > 0.0);
-    vec3 image = held ? vec3(0.0) : rowTimes(v);
+    float inverseUnitMass = fetch(positions, v).w;
+    vec3 image = inverseUnitMass > 0.0 ? rowTimes(v, inverseUnitMass) : vec3(0.0);
     vec3 direction = factorOf(v);
     vec3 pressure = fetch(pressures, v).xyz;
 #ifndef OF_START

@@ -207,12 +207,8 @@ float search(Touching all) {
     return alpha;
 }
 
-void addForce(uint v, vec3 force) {
-    addFixed(4u * v, implicit.contact.force_unit, force);
-}
-
-// Goes along the direction, and adds up what it pushes there.
-void pushAt(uint row, float alpha) {
+// Goes along the direction, and adds up what it pushes there. `p`: whose row it is.
+void pushAt(uint row, uint p, float alpha) {
     ContactRow contact = rowAt(row);
     vec3 normal = contact.normal.xyz;
     float stiffness = contact.slip.w;
@@ -230,9 +226,12 @@ void pushAt(uint row, float alpha) {
     vec3 force = push * normal - grip * state.xyz;
     if (force == vec3(0.0)) return;
     uvec4 vertices = fetch(rowVertices, row);
+    float own = forceUnitOf(p);
+    float met = contact.weights.x < 0.0 ? own : forceUnitOf(uint(contact.weights.x));
     vec4 weights = vec4(firstWeight(contact.weights), contact.weights.yzw);
     for (int k = 0; k < 4; ++k) {
-        if (weights[k] != 0.0) addForce(vertices[k], weights[k] * force);
+        float unit = weights[k] < 0.0 ? met : own;
+        if (weights[k] != 0.0) addFixed(4u * vertices[k], unit, weights[k] * force);
     }
 }
 
@@ -250,7 +249,7 @@ void main() {
     for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
         uint count = pieceAt(p).row_count;
         for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
-            pushAt(rowOf(p, k), alpha);
+            pushAt(rowOf(p, k), p, alpha);
         }
     }
 }

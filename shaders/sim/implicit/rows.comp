@@ -106,5 +106,8 @@ void main() {
     uint root = rootOf(own);
     findNext(own, root);
     barrier();
-    if (gl_LocalInvocationID.x == 0u) made[2u * own + 1u] = uvec4(root, nextOne, count, isHeld);
+    if (gl_LocalInvocationID.x == 0u) {
+        float unit = isHeld != 0u ? -forceUnitOf(own) : forceUnitOf(own);
+        made[2u * own + 1u] = uvec4(root, nextOne, count, floatBitsToUint(unit));
+    }
 }

@@ -17,5 +17,5 @@ Spring springOf(vec3 span, float restLength, float stiffness) {
 }
 
 void setFactor(uint at, Spring spring, float weight) {
-    factors[at] = weight * vec4(spring.root, spring.across);
+    storeFactor(at, weight * vec4(spring.root, spring.across));
 }

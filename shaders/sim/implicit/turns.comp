@@ -1,4 +1,4 @@
-// How far each patch and each aggregate has turned since rest. One thread each, patches first.
+// How far each patch, each aggregate and each region has turned since rest. One thread each.
 #include "sim/implicit/uniforms.glsl"
 #include "sim/unfold/best_rotation.glsl"
 layout(local_size_x = kGroupSize) in;
@@ -7,6 +7,7 @@ STATE_TEXELS(kRestUnit) rest;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
 RECORD_PAIRS(kPatchesUnit) patches;
+RECORD_QUADS(kRegionsUnit) regions;
 layout(std430, binding = kMadeTurnsBinding) writeonly buffer Turns { vec4 turns[]; };
 
 vec4 turnOf(uvec2 range) {
@@ -37,11 +38,15 @@ vec4 turnOf(uvec2 range) {
     return bestRotation(sx, sy, sz);
 }
 
+uvec2 membersOf(uint index) {
+    if (index < implicit.patch_count) return fetch(patches, index).xy;
+    index -= implicit.patch_count;
+    if (index < implicit.aggregate_count) return fetch(aggregates, index).xy;
+    return fetch(regions, 2u * (index - implicit.aggregate_count)).zw;
+}
+
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= implicit.patch_count + implicit.aggregate_count) return;
-    bool isPatch = index < implicit.patch_count;
-    uvec2 range = isPatch ? fetch(patches, index).xy
-                          : fetch(aggregates, index - implicit.patch_count).xy;
-    turns[index] = turnOf(range);
+    if (index >= implicit.patch_count + implicit.aggregate_count + implicit.region_count) return;
+    turns[index] = turnOf(membersOf(index));
 }

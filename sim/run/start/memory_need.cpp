@@ -133,7 +133,7 @@ std::vector<PerElement> writtenInImplicitSteps(int ispcsOfEach) {
     constexpr double kRows = shared::kRowsOfVertex;
     const PerElement factors =
         2 * Entries(ispcsOfEach).edges + 4 * kEdges + PerElement{4.0 * ispcsOfEach, 0};
-    return {3 * sizeof(vec4) * (implicitBlocks(ispcsOfEach) + PerElement{1, 0}),
+    return {3 * sizeof(vec4) * implicitBlocks(ispcsOfEach),
             sizeof(vec4) * factors,
             sizeof(vec4) / 8.0 * factors,  // their pulls
             {kRows * sizeof(shared::ContactRow), 0},
@@ -146,12 +146,12 @@ PerElement readInImplicitSteps(int ispcsOfEach) {
     constexpr double kOfGroups = 40;  // bytes of patches and aggregates, on each vertex
     // Pairs of vertices of edges, of bends, of ISPCs.
     const PerElement shares = (4.0 + 16.0) * kEdges + PerElement{16.0 * ispcsOfEach, 0};
-    return sizeof(shared::ImplicitBlock) * (implicitBlocks(ispcsOfEach) + PerElement{1, 0}) +
+    return sizeof(shared::ImplicitBlock) * implicitBlocks(ispcsOfEach) +
            kWord * (shares + Entries(ispcsOfEach).edges) +
-           PerElement{4 * kWord + sizeof(shared::ImplicitMember) + sizeof(vec4) + kOfGroups, 0};
+           PerElement{6 * kWord + sizeof(shared::ImplicitMember) + sizeof(vec4) + kOfGroups, 0};
 }
 
-/// The inverses of patches and of the aggregates of a body in one piece, whose boxes are halved
+/// The inverses of patches, aggregates and regions of a body in one piece, whose boxes are halved
 /// until they are small enough: where not all have the same number of vertices, some once more.
 double bytesOfInverses(double vertices) {
     constexpr double kUneven = 1.1;
@@ -159,7 +159,9 @@ double bytesOfInverses(double vertices) {
     const auto count = static_cast<std::size_t>(vertices);
     const double boxes = kUneven * vertices / double(ImplicitStep::of({}, count, 1).aggregateSize);
     const double aggregates = kUneven * std::exp2(std::ceil(std::log2(std::max(1.0, boxes))));
-    return 3 * sizeof(vec4) * kPatchSize * vertices + kCoarse * aggregates * aggregates;
+    const double together = std::min<double>(aggregates, kMostAggregates);
+    const double alone = aggregates > kMostAggregates ? aggregates : 0;
+    return 3 * sizeof(vec4) * kPatchSize * vertices + kCoarse * (together * together + alone);
 }
 
 /// The buffers of the running body that shaders write to; the lists that they only read come as

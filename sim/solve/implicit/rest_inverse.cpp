@@ -59,27 +59,32 @@ class RestSystem {
         : rest_(rest),
           masses_(masses),
           patchSeats_(seatsOf(groups.patches, rest.size())),
-          seats_(seatsOf(groups.aggregates, rest.size())),
-          shares_(rest.size()) {
+          aggregates_(groups.aggregates, rest, masses),
+          regions_(vertexGroupsOf(groups), rest, masses),
+          hasLevelBetween_(groups.hasLevelBetween()),
+          shared_(groups.aggregates.size(), true) {
         for (const VertexGroup& patch : groups.patches) {
             const auto rows = static_cast<Eigen::Index>(3 * patch.size());
             out_.patches.push_back(MatrixXd::Zero(rows, rows));
         }
+        out_.own.assign(groups.aggregates.size(), CoarseMatrix::Block::Zero());
         std::vector<int> coarse(model.pieces.size(), -1);
-        for (std::uint32_t a = 0; a < groups.aggregates.size(); ++a) {
-            const VertexGroup& group = groups.aggregates[a];
-            out_.frames.push_back(frameOf(group, rest));
-            int& piece = coarse[model.pieceOfVertex[group[0]]];
+        for (std::uint32_t r = 0; r < groups.regions.size(); ++r) {
+            const std::vector<std::uint32_t>& region = groups.regions[r];
+            if (region.size() == 1) {
+                shared_[region[0]] = false;
+            }
+            int& piece = coarse[model.pieceOfVertex[groups.aggregates[region[0]][0]]];
             if (piece < 0) {
                 piece = static_cast<int>(out_.pieces.size());
                 out_.pieces.emplace_back();
             }
-            row_.push_back(static_cast<int>(out_.pieces[piece].aggregates.size()));
+            row_.push_back(static_cast<int>(out_.pieces[piece].regions.size()));
             pieceOf_.push_back(piece);
-            out_.pieces[piece].aggregates.push_back(a);
+            out_.pieces[piece].regions.push_back(r);
         }
         for (const CoarsePiece& piece : out_.pieces) {
-            coarse_.emplace_back(static_cast<int>(piece.aggregates.size()));
+            coarse_.emplace_back(static_cast<int>(piece.regions.size()));
         }
     }
 
@@ -88,25 +93,23 @@ class RestSystem {
             const double own = masses_[v] > 0 ? inertia * masses_[v] : 1.0;
             out_.patches[seat.group].diagonal().segment<3>(3 * seat.place).array() += own;
         }
-        const int aggregate = seats_[v].group;
-        if (aggregate < 0 || masses_[v] <= 0) {
+        const int region = regions_.seats[v].group;
+        if (region < 0 || masses_[v] <= 0) {
             return;
         }
-        const Eigen::Vector4d& shares = shares_[v] = out_.frames[aggregate].sharesAt(rest_[v]);
-        CoarseMatrix::Block& block = blockOf(aggregate, aggregate);
-        for (int m = 0; m < 4; ++m) {
-            for (int n = 0; n < 4; ++n) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    block(3 * m + axis, 3 * n + axis) +=
-                        inertia * masses_[v] * shares[m] * shares[n];
-                }
-            }
+        addMassTo(blockOf(region, region), inertia * masses_[v], regions_.shares[v]);
+        if (const int aggregate = aggregates_.seats[v].group; shared_[aggregate]) {
+            addMassTo(out_.own[aggregate], inertia * masses_[v], aggregates_.shares[v]);
         }
     }
 
     void addPull(const ConstraintPull& pull, double stiffness) {
         addToPatches(pull, stiffness);
-        addToCoarse(pull, stiffness);
+        addByModes(pull, stiffness, regions_, [&](int i, int j) { return &blockOf(i, j); });
+        if (hasLevelBetween_) {
+            addByModes(pull, stiffness, aggregates_,
+                       [&](int i, int j) { return i == j && shared_[i] ? &out_.own[i] : nullptr; });
+        }
     }
 
     RestInverse inverted() {
@@ -114,14 +117,78 @@ class RestSystem {
             invertPatch(patch);
         }
         for (std::size_t piece = 0; piece < coarse_.size(); ++piece) {
-            makeDefinite(coarse_[piece]);
+            holdStill(coarse_[piece], out_.pieces[piece].regions);
             out_.pieces[piece].inverse = coarse_[piece].invert();
         }
+        for (std::size_t a = 0; a < shared_.size(); ++a) {
+            if (CoarseMatrix::Block& own = out_.own[a]; shared_[a]) {
+                holdStill(own, aggregates_.idle[a], largestOf(own));
+                own = own.llt().solve(CoarseMatrix::Block::Identity()).eval();
+            }
+        }
+        out_.frames = std::move(aggregates_.frames);
+        out_.regionFrames = std::move(regions_.frames);
         return std::move(out_);
     }
 
   private:
     using Modes = Eigen::Matrix<double, AggregateFrame::kModes, 1>;
+
+    /// Groups whose vertices move by modes.
+    struct Moved {
+        Moved(const std::vector<VertexGroup>& groups, std::span<const Vec3> rest,
+              std::span<const double> masses)
+            : seats(seatsOf(groups, rest.size())), shares(rest.size()) {
+            for (const VertexGroup& group : groups) {
+                frames.push_back(frameOf(group, rest));
+                Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
+                for (const std::uint32_t v : group) {
+                    shares[v] = frames.back().sharesAt(rest[v]);
+                    if (masses[v] > 0) {
+                        squares += shares[v] * shares[v].transpose();
+                    }
+                }
+                idle.push_back(idleOf(squares));
+            }
+        }
+        std::vector<Seat> seats;
+        std::vector<AggregateFrame> frames;
+        std::vector<Eigen::Vector4d> shares;
+        std::vector<Eigen::Matrix4d> idle;  ///< onto what moves none of its vertices
+    };
+
+    /// The projection onto sums of modes that hardly move any vertex, as across a flat wall.
+    /// Rounded to floats, what answers to those would drown the rest.
+    static Eigen::Matrix4d idleOf(const Eigen::Matrix4d& squares) {
+        constexpr double kHardly = 1e-3;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> modes(squares);
+        Eigen::Matrix4d idle = Eigen::Matrix4d::Zero();
+        for (int m = 0; m < 4; ++m) {
+            const Eigen::Vector4d mode = modes.eigenvectors().col(m);
+            if (!(modes.eigenvalues()[m] > kHardly * modes.eigenvalues()[3])) {
+                idle += mode * mode.transpose();
+            }
+        }
+        return idle;
+    }
+
+    static std::vector<VertexGroup> vertexGroupsOf(const VertexGroups& groups) {
+        std::vector<VertexGroup> regions;
+        for (const std::vector<std::uint32_t>& region : groups.regions) {
+            regions.push_back(groups.verticesOf(region));
+        }
+        return regions;
+    }
+
+    static void addMassTo(CoarseMatrix::Block& block, double own, const Eigen::Vector4d& shares) {
+        for (int m = 0; m < 4; ++m) {
+            for (int n = 0; n < 4; ++n) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    block(3 * m + axis, 3 * n + axis) += own * shares[m] * shares[n];
+                }
+            }
+        }
+    }
 
     bool moves(std::uint32_t v) const { return masses_[v] > 0; }
 
@@ -139,54 +206,68 @@ class RestSystem {
         }
     }
 
-    /// Most constraints lie inside an aggregate: so its vertices are summed up first.
-    void addToCoarse(const ConstraintPull& pull, double stiffness) {
-        std::array<int, 4> aggregates{};
+    /// Most constraints lie inside a group: so its vertices are summed up first. `blockAt`: of two
+    /// groups, the second no later one; null: not asked for.
+    template <class BlockAt>
+    void addByModes(const ConstraintPull& pull, double stiffness, const Moved& moved,
+                    const BlockAt& blockAt) {
+        std::array<int, 4> groups{};
         std::array<Modes, 4> gradients;  // by modes
         int count = 0;
         for (int i = 0; i < pull.count; ++i) {
             const std::uint32_t v = pull.vertices[i];
-            if (seats_[v].group < 0 || !moves(v)) {
+            if (moved.seats[v].group < 0 || !moves(v)) {
                 continue;
             }
-            const auto end = aggregates.begin() + count;
-            const auto place = std::find(aggregates.begin(), end, seats_[v].group);
-            Modes& gradient = gradients[place - aggregates.begin()];
+            const auto end = groups.begin() + count;
+            const auto place = std::find(groups.begin(), end, moved.seats[v].group);
+            Modes& gradient = gradients[place - groups.begin()];
             if (place == end) {
-                aggregates[count++] = seats_[v].group;
+                groups[count++] = moved.seats[v].group;
                 gradient.setZero();
             }
             for (int m = 0; m < 4; ++m) {
-                gradient.segment<3>(3 * m) += shares_[v][m] * pull.gradients[i];
+                gradient.segment<3>(3 * m) += moved.shares[v][m] * pull.gradients[i];
             }
         }
         for (int i = 0; i < count; ++i) {
             for (int j = 0; j < count; ++j) {
-                if (aggregates[i] >= aggregates[j]) {
-                    CoarseMatrix::Block& block = blockOf(aggregates[i], aggregates[j]);
+                CoarseMatrix::Block* block =
+                    groups[i] >= groups[j] ? blockAt(groups[i], groups[j]) : nullptr;
+                if (block != nullptr) {
                     const Modes force = stiffness * gradients[i];
-                    for (int column = 0; column < block.cols(); ++column) {
-                        block.col(column) += gradients[j][column] * force;
+                    for (int column = 0; column < block->cols(); ++column) {
+                        block->col(column) += gradients[j][column] * force;
                     }
                 }
             }
         }
     }
 
-    /// Of two aggregates of a piece, not before the second.
-    CoarseMatrix::Block& blockOf(int aggregate, int other) {
-        return coarse_[pieceOf_[aggregate]].at(row_[aggregate], row_[other]);
+    /// Of two regions of a piece, not before the second.
+    CoarseMatrix::Block& blockOf(int region, int other) {
+        return coarse_[pieceOf_[region]].at(row_[region], row_[other]);
     }
 
-    /// Flat aggregates and those of few vertices have modes that move nothing.
-    static void makeDefinite(CoarseMatrix& matrix) {
+    static double largestOf(const CoarseMatrix::Block& block) {
+        const double largest = block.diagonal().maxCoeff();
+        return largest > 0 ? largest : 1.0;
+    }
+    void holdStill(CoarseMatrix& matrix, std::span<const std::uint32_t> regions) {
         double largest = 0;
-        for (int a = 0; a < matrix.count(); ++a) {
-            largest = std::max(largest, matrix.at(a, a).diagonal().maxCoeff());
+        for (int r = 0; r < matrix.count(); ++r) {
+            largest = std::max(largest, largestOf(matrix.at(r, r)));
         }
-        for (int a = 0; a < matrix.count(); ++a) {
-            for (double& own : matrix.at(a, a).diagonal()) {
-                own = own > 0 ? own * (1 + 1e-9) + 1e-13 * largest : (largest > 0 ? largest : 1.0);
+        for (int r = 0; r < matrix.count(); ++r) {
+            holdStill(matrix.at(r, r), regions_.idle[regions[r]], largest);
+        }
+    }
+    /// Lets modes that move nothing answer to nothing.
+    static void holdStill(CoarseMatrix::Block& block, const Eigen::Matrix4d& idle,
+                          double firmness) {
+        for (int m = 0; m < 4; ++m) {
+            for (int n = 0; n < 4; ++n) {
+                block.block<3, 3>(3 * m, 3 * n).diagonal().array() += firmness * idle(m, n);
             }
         }
     }
@@ -194,10 +275,11 @@ class RestSystem {
     std::span<const Vec3> rest_;
     std::span<const double> masses_;
     std::vector<Seat> patchSeats_;
-    std::vector<Seat> seats_;  ///< among the aggregates
-    std::vector<Eigen::Vector4d> shares_;
-    std::vector<int> row_;              ///< of each aggregate in the matrix of its piece
-    std::vector<int> pieceOf_;          ///< RestInverse::pieces of each aggregate
+    Moved aggregates_, regions_;
+    bool hasLevelBetween_;
+    std::vector<bool> shared_;          ///< by aggregate: its region has others
+    std::vector<int> row_;              ///< of each region in the matrix of its piece
+    std::vector<int> pieceOf_;          ///< RestInverse::pieces of each region
     std::vector<CoarseMatrix> coarse_;  ///< of each of these pieces
     RestInverse out_;
 };

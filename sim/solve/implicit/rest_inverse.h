@@ -10,8 +10,9 @@
 
 namespace kerf {
 
-/// An aggregate moves as an affine map of its rest shape would: of a vertex at rest position p the
-/// first three modes are translations, the others those times (p - center) / size, axis by axis.
+/// An aggregate or a region moves as an affine map of its rest shape would: of a vertex at rest
+/// position p the first three modes are translations, the others those times (p - center) / size,
+/// axis by axis.
 struct AggregateFrame {
     static constexpr int kModes = CoarseMatrix::kRows;
 
@@ -23,10 +24,10 @@ struct AggregateFrame {
     Eigen::Vector4d sharesAt(const Vec3& p) const;
 };
 
-/// The aggregates of a piece and the inverse of the system for their modes.
+/// The regions of a piece and the inverse of the system for their modes.
 struct CoarsePiece {
-    std::vector<std::uint32_t> aggregates;
-    CoarseMatrix::Inverse inverse;  ///< a row of blocks for each of `aggregates` [m/N]
+    std::vector<std::uint32_t> regions;
+    CoarseMatrix::Inverse inverse;  ///< a row of blocks for each of `regions` [m/N]
 };
 
 /// What an implicit stage does to a body at rest, inverted by parts. A function of the model, the
@@ -35,6 +36,10 @@ struct CoarsePiece {
 struct RestInverse {
     std::vector<Eigen::MatrixXd> patches;  ///< of each patch, three rows for each vertex [m/N]
     std::vector<AggregateFrame> frames;    ///< of each aggregate
+    /// Of each aggregate, the inverse of the system for its modes alone; 0 of one that is a region
+    /// [m/N].
+    std::vector<CoarseMatrix::Block> own;
+    std::vector<AggregateFrame> regionFrames;
     std::vector<CoarsePiece> pieces;
 };
 

@@ -68,19 +68,19 @@ void appendRow(const BodyModel& model, const FactorPlaces& factors, uint v, RowP
         }
     }
     std::ranges::sort(columns);
-    const uint first = lists.blockCount;
+    const uint first = static_cast<uint>(lists.blocks.size());
     uint end = static_cast<uint>(lists.shares.size());
     for (const uint column : columns) {
         const uint begin = std::exchange(end, end + places[column]);
-        const shared::ImplicitBlock block{lists.blockCount++, column, begin, end};
         if (column == v) {
-            lists.diagonal[v] = block;
+            lists.own[v] = {begin, end};
         } else {
-            lists.others.push_back(block);
+            const uint place = static_cast<uint>(lists.blocks.size());
+            lists.blocks.push_back({place, column, begin, end});
         }
         places[column] = begin;
     }
-    lists.rows[v] = {first, lists.blockCount};
+    lists.rows[v] = {first, static_cast<uint>(lists.blocks.size())};
     lists.shares.resize(end);
     for (const Share& share : shares) {
         lists.shares[places[share.column]++] = share.word;
@@ -120,13 +120,13 @@ RowLists rowListsOf(const BodyModel& model) {
     parts.places.resize(model.restPositions.size(), 0);
     RowLists lists;
     lists.rows.resize(model.restPositions.size());
-    lists.diagonal.resize(model.restPositions.size());
+    lists.own.resize(model.restPositions.size());
     for (uint v = 0; v < lists.rows.size(); ++v) {
         if (model.pieceOfVertex[v] >= 0) {
             appendRow(model, factors, v, parts, lists);
         }
     }
-    sortByShares(lists.others);
+    sortByShares(lists.blocks);
     return lists;
 }
 

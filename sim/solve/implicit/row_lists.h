@@ -18,13 +18,13 @@ struct FactorPlaces {
     explicit FactorPlaces(const BodyModel& model);
 };
 
-/// The blocks of the matrix of an implicit stage, row by row, and which constraints add up to each.
+/// The blocks beside the diagonal in the matrix of an implicit stage, row by row, and which
+/// constraints add up to each.
 struct RowLists {
-    std::vector<IncidenceRange> rows;             ///< of each vertex: its blocks
-    std::vector<shared::ImplicitBlock> diagonal;  ///< of each vertex
-    std::vector<shared::ImplicitBlock> others;    ///< beside the diagonal
-    std::vector<std::uint32_t> shares;            ///< see shared::kSlotBits
-    std::uint32_t blockCount = 0;
+    std::vector<IncidenceRange> rows;           ///< of each vertex: its blocks
+    std::vector<shared::ImplicitBlock> blocks;  ///< sorted for their kernel, see `place`
+    std::vector<IncidenceRange> own;            ///< of each vertex: shares of its own forces
+    std::vector<std::uint32_t> shares;          ///< see shared::kSlotBits
 };
 
 /// Of a body whose edges lie on the GPU at the places of its incidence lists.

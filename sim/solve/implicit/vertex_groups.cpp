@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <span>
@@ -291,38 +292,61 @@ std::vector<VertexGroup> connectedBoxes(const Items& items, std::size_t pieceCou
 }
 
 Items vertexItems(const BodyModel& model, std::span<const ConstraintPull> pulls) {
-    return {linksOf(model, pulls),
-            model.pieceOfVertex,
-            std::vector<std::size_t>(model.restPositions.size(), 1),
-            {}};
+    return {linksOf(model, pulls), model.pieceOfVertex,
+            std::vector<std::size_t>(model.restPositions.size(), 1), restPlaces(model)};
 }
 
-Items patchItems(const Items& vertices, const std::vector<VertexGroup>& patches,
-                 std::span<const Vec3f> rest) {
-    std::vector<std::uint32_t> patchOf(vertices.piece.size(), kNone);
-    for (std::uint32_t p = 0; p < patches.size(); ++p) {
-        for (const std::uint32_t v : patches[p]) {
-            patchOf[v] = p;
+/// Items that are groups of others.
+Items groupItems(const Items& of, const std::vector<VertexGroup>& groups) {
+    std::vector<std::uint32_t> groupOf(of.piece.size(), kNone);
+    for (std::uint32_t g = 0; g < groups.size(); ++g) {
+        for (const std::uint32_t item : groups[g]) {
+            groupOf[item] = g;
         }
     }
     Items items;
-    Links back(patches.size());
-    for (std::uint32_t p = 0; p < patches.size(); ++p) {
+    Links back(groups.size());
+    for (std::uint32_t g = 0; g < groups.size(); ++g) {
+        std::size_t size = 0;
         Vec3 center = Vec3::Zero();
-        for (const std::uint32_t v : patches[p]) {
-            center += rest[v].cast<double>() / static_cast<double>(patches[p].size());
-            for (const Link& link : vertices.links[v]) {
-                if (const std::uint32_t other = patchOf[link.item]; other != p && other != kNone) {
-                    back[other].push_back({p, link.strength});
+        for (const std::uint32_t item : groups[g]) {
+            size += of.size[item];
+            center += static_cast<double>(of.size[item]) * of.place[item];
+            for (const Link& link : of.links[item]) {
+                if (const std::uint32_t other = groupOf[link.item]; other != g && other != kNone) {
+                    back[other].push_back({g, link.strength});
                 }
             }
         }
-        items.piece.push_back(vertices.piece[patches[p][0]]);
-        items.size.push_back(patches[p].size());
-        items.place.push_back(center);
+        items.piece.push_back(of.piece[groups[g][0]]);
+        items.size.push_back(size);
+        items.place.emplace_back(center / static_cast<double>(size));
     }
     items.links = turnedRound(back);
     return items;
+}
+
+std::vector<std::vector<std::uint32_t>> regionsOf(const Items& aggregates, std::size_t pieceCount) {
+    constexpr std::size_t kRegions = 96;  // of the largest piece, about
+    std::vector<std::size_t> counts(pieceCount, 0);
+    std::vector<std::size_t> sizes(pieceCount, 0);
+    for (std::size_t a = 0; a < aggregates.piece.size(); ++a) {
+        ++counts[aggregates.piece[a]];
+        sizes[aggregates.piece[a]] += aggregates.size[a];
+    }
+    Items many = aggregates;
+    std::vector<std::vector<std::uint32_t>> regions;
+    for (std::uint32_t a = 0; a < many.piece.size(); ++a) {
+        if (counts[many.piece[a]] <= kMostAggregates) {
+            many.piece[a] = -1;
+            regions.push_back({a});
+        }
+    }
+    if (regions.size() < many.piece.size()) {
+        const std::size_t most = *std::ranges::max_element(sizes) / kRegions;
+        std::ranges::move(connectedBoxes(many, pieceCount, most), std::back_inserter(regions));
+    }
+    return regions;
 }
 
 }  // namespace
@@ -337,13 +361,22 @@ std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t ve
     return seats;
 }
 
+VertexGroup VertexGroups::verticesOf(const std::vector<std::uint32_t>& region) const {
+    VertexGroup vertices;
+    for (const std::uint32_t a : region) {
+        vertices.insert(vertices.end(), aggregates[a].begin(), aggregates[a].end());
+    }
+    return vertices;
+}
+
 VertexGroups groupVertices(const BodyModel& model, std::span<const ConstraintPull> pulls,
                            std::size_t aggregateSize) {
     assert(2 * aggregateSize <= shared::kMostMembers);
     const Items vertices = vertexItems(model, pulls);
-    VertexGroups groups{growPatches(vertices), {}};
-    const Items patches = patchItems(vertices, groups.patches, model.restPositions);
+    VertexGroups groups{growPatches(vertices), {}, {}};
+    const Items patches = groupItems(vertices, groups.patches);
     groups.aggregates = connectedBoxes(patches, model.pieces.size(), aggregateSize);
+    groups.regions = regionsOf(groupItems(patches, groups.aggregates), model.pieces.size());
     for (VertexGroup& aggregate : groups.aggregates) {
         VertexGroup members;
         for (const std::uint32_t patch : aggregate) {

@@ -12,13 +12,20 @@ namespace kerf {
 /// Vertices that belong together.
 using VertexGroup = std::vector<std::uint32_t>;
 
-/// The two ways in which the vertices of a body are grouped for the preconditioner of the implicit
+/// The ways in which the vertices of a body are grouped for the preconditioner of the implicit
 /// solver. Each vertex that has a mass is in one group of each.
 struct VertexGroups {
     std::vector<VertexGroup> patches;  ///< small ones, which hold together most firmly
     /// Larger ones, in which a path of constraints leads from each vertex to each other, so that
     /// none has both walls of a slit.
     std::vector<VertexGroup> aggregates;
+    /// Larger ones yet, of whole aggregates that hang together, each its numbers. Where a piece has
+    /// kMostAggregates at most, each is a region.
+    std::vector<std::vector<std::uint32_t>> regions;
+
+    VertexGroup verticesOf(const std::vector<std::uint32_t>& region) const;
+    /// Whether any region has several aggregates.
+    bool hasLevelBetween() const { return regions.size() < aggregates.size(); }
 };
 
 /// Where a vertex is among groups; group -1: in none.
@@ -31,6 +38,8 @@ std::vector<Seat> seatsOf(const std::vector<VertexGroup>& groups, std::size_t ve
 
 inline constexpr std::size_t kPatchSize = 12;    ///< vertices of a patch, as a rule
 inline constexpr std::size_t kMostOfPatch = 16;  ///< where leftovers have joined it
+/// Of a piece, whose modes are inverted together: what that takes grows by the square.
+inline constexpr std::size_t kMostAggregates = 128;
 /// Groups the vertices of a body by its rest shape. `pulls`: pullsAtRest(). `aggregateSize`:
 /// vertices of an aggregate, at most but for leftovers that joined it; with them twice as many,
 /// shared::kMostMembers at most.

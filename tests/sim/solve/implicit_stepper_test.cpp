@@ -100,6 +100,19 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
     }
 }
 
+// Aggregates of one patch each are so many that a level comes between them and the whole.
+TEST_F(ImplicitStepperTest, StepsLikeTheReferenceWithRegions) {
+    const BodyModel model = buildBodyModel(test::cutBall(-0.06, 16));
+    const std::vector<ConstraintPull> pulls = pullsAtRest(model, typeModuli(firm()));
+    ASSERT_TRUE(groupVertices(model, pulls, kPatchSize).hasLevelBetween());
+    ImplicitPair pair(model, firm(), {1.0 / 240, 4, kPatchSize}, {});
+    for (int i = 0; i < 4; ++i) {
+        pair.solver.step(pair.state);
+        pair.gpu.step();
+        EXPECT_LT(pair.error(), 1e-6) << "step " << i;
+    }
+}
+
 /// Halves of a ball that meet the floor and, with contact, each other.
 struct FallingHalves {
     explicit FallingHalves(bool contact)

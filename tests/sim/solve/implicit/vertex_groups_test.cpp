@@ -1,5 +1,6 @@
 #include "sim/solve/implicit/vertex_groups.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,6 +24,20 @@ std::vector<int> countsOf(const std::vector<VertexGroup>& groups, std::size_t ve
 class VertexGroupsTest : public testing::Test {
   protected:
     BodyModel model = buildBodyModel(test::cutBall(-0.06, 12));
+    /// Far from the front the walls of the slit hold together around the ball alone.
+    bool hasBothWalls(const VertexGroup& group) const {
+        bool before = false;
+        bool behind = false;
+        for (const std::uint32_t v : group) {
+            const Vec3f& p = model.restPositions[v];
+            if (p.y() > 0) {
+                before = before || p.z() > 0.0031F;
+                behind = behind || p.z() < 0.0029F;
+            }
+        }
+        return before && behind;
+    }
+
     VertexGroups groups = groupVertices(model, pullsAtRest(model, {1e5, 1e5, 1e5}), 60);
 };
 
@@ -58,19 +73,27 @@ TEST_F(VertexGroupsTest, AggregatesAreWholePatches) {
     }
 }
 
-// Far from the front the walls of a slit hold together around the ball alone.
+TEST_F(VertexGroupsTest, ManyAggregatesFormRegionsOfWhatHangsTogether) {
+    EXPECT_FALSE(groups.hasLevelBetween());
+    groups = groupVertices(model, pullsAtRest(model, {1e5, 1e5, 1e5}), kPatchSize);
+    ASSERT_GT(groups.aggregates.size(), kMostAggregates);
+    EXPECT_TRUE(groups.hasLevelBetween());
+    EXPECT_LT(groups.regions.size(), kMostAggregates);
+    std::vector<int> counts(groups.aggregates.size(), 0);
+    for (const std::vector<std::uint32_t>& region : groups.regions) {
+        for (const std::uint32_t a : region) {
+            ++counts[a];
+        }
+    }
+    EXPECT_THAT(counts, testing::Each(1));
+    for (const std::vector<std::uint32_t>& region : groups.regions) {
+        EXPECT_FALSE(hasBothWalls(groups.verticesOf(region)));
+    }
+}
+
 TEST_F(VertexGroupsTest, NoAggregateHasBothWallsOfASlit) {
     for (const VertexGroup& aggregate : groups.aggregates) {
-        bool before = false;
-        bool behind = false;
-        for (const std::uint32_t v : aggregate) {
-            const Vec3f& p = model.restPositions[v];
-            if (p.y() > 0) {
-                before = before || p.z() > 0.0031F;
-                behind = behind || p.z() < 0.0029F;
-            }
-        }
-        EXPECT_FALSE(before && behind);
+        EXPECT_FALSE(hasBothWalls(aggregate));
     }
 }
 

@@ -35,7 +35,12 @@ Preconditioner::Preconditioner(const BodyModel& model, const VertexGroups& group
       masses_(masses),
       rest_(restPlaces(model)),
       patchTurns_(groups.patches.size(), Eigen::Matrix3d::Identity()),
-      aggregateTurns_(groups.aggregates.size(), Eigen::Matrix3d::Identity()) {}
+      aggregateTurns_(groups.aggregates.size(), Eigen::Matrix3d::Identity()),
+      regionTurns_(groups.regions.size(), Eigen::Matrix3d::Identity()) {
+    for (const std::vector<std::uint32_t>& region : groups.regions) {
+        regions_.push_back(groups.verticesOf(region));
+    }
+}
 
 void Preconditioner::turn(std::span<const Vec3> positions) {
     const auto turnAll = [&](const std::vector<VertexGroup>& groups,
@@ -46,12 +51,16 @@ void Preconditioner::turn(std::span<const Vec3> positions) {
     };
     turnAll(groups_.patches, patchTurns_);
     turnAll(groups_.aggregates, aggregateTurns_);
+    turnAll(regions_, regionTurns_);
 }
 
 Vectors Preconditioner::apply(std::span<const Vec3> residual) const {
     Vectors out(residual.size(), Vec3::Zero());
     addPatches(residual, out);
-    addAggregates(residual, out);
+    if (groups_.hasLevelBetween()) {
+        addAggregates(residual, out);
+    }
+    addRegions(residual, out);
     for (std::size_t v = 0; v < out.size(); ++v) {
         if (masses_[v] <= 0) {
             out[v].setZero();
@@ -75,30 +84,49 @@ void Preconditioner::addPatches(std::span<const Vec3> residual, Vectors& out) co
 }
 
 void Preconditioner::addAggregates(std::span<const Vec3> residual, Vectors& out) const {
+    for (std::size_t a = 0; a < groups_.aggregates.size(); ++a) {
+        const Moved aggregate{groups_.aggregates[a], inverse_.frames[a], aggregateTurns_[a]};
+        addMotion(aggregate, inverse_.own[a] * residualOf(aggregate, residual), out);
+    }
+}
+
+void Preconditioner::addRegions(std::span<const Vec3> residual, Vectors& out) const {
     constexpr int kModes = AggregateFrame::kModes;
+    const auto moved = [&](std::uint32_t r) {
+        return Moved{regions_[r], inverse_.regionFrames[r], regionTurns_[r]};
+    };
     for (const CoarsePiece& piece : inverse_.pieces) {
         const auto& [places, matrix] = piece.inverse;
-        Eigen::VectorXd coarse = Eigen::VectorXd::Zero(matrix.rows());
-        for (std::size_t a = 0; a < piece.aggregates.size(); ++a) {
-            const std::uint32_t g = piece.aggregates[a];
-            for (const std::uint32_t v : groups_.aggregates[g]) {
-                const Eigen::Vector4d shares = inverse_.frames[g].sharesAt(rest_[v]);
-                const Vec3 turned = aggregateTurns_[g].transpose() * residual[v];
-                for (int m = 0; m < 4 && masses_[v] > 0; ++m) {
-                    coarse.segment<3>(kModes * places[a] + 3 * m) += shares[m] * turned;
-                }
-            }
+        Eigen::VectorXd coarse(matrix.rows());
+        for (std::size_t k = 0; k < piece.regions.size(); ++k) {
+            coarse.segment<kModes>(kModes * places[k]) =
+                residualOf(moved(piece.regions[k]), residual);
         }
         coarse = (matrix * coarse).eval();
-        for (std::size_t a = 0; a < piece.aggregates.size(); ++a) {
-            const std::uint32_t g = piece.aggregates[a];
-            for (const std::uint32_t v : groups_.aggregates[g]) {
-                const Eigen::Vector4d shares = inverse_.frames[g].sharesAt(rest_[v]);
-                for (int m = 0; m < 4; ++m) {
-                    out[v] += aggregateTurns_[g] *
-                              (shares[m] * coarse.segment<3>(kModes * places[a] + 3 * m)).eval();
-                }
-            }
+        for (std::size_t k = 0; k < piece.regions.size(); ++k) {
+            addMotion(moved(piece.regions[k]), coarse.segment<kModes>(kModes * places[k]), out);
+        }
+    }
+}
+
+Preconditioner::Modes Preconditioner::residualOf(const Moved& group,
+                                                 std::span<const Vec3> residual) const {
+    Modes modes = Modes::Zero();
+    for (const std::uint32_t v : group.vertices) {
+        const Eigen::Vector4d shares = group.frame.sharesAt(rest_[v]);
+        const Vec3 turned = group.turn.transpose() * residual[v];
+        for (int m = 0; m < 4 && masses_[v] > 0; ++m) {
+            modes.segment<3>(3 * m) += shares[m] * turned;
+        }
+    }
+    return modes;
+}
+
+void Preconditioner::addMotion(const Moved& group, const Modes& modes, Vectors& out) const {
+    for (const std::uint32_t v : group.vertices) {
+        const Eigen::Vector4d shares = group.frame.sharesAt(rest_[v]);
+        for (int m = 0; m < 4; ++m) {
+            out[v] += group.turn * (shares[m] * modes.segment<3>(3 * m)).eval();
         }
     }
 }
