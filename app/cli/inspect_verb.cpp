@@ -141,7 +141,7 @@ std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
 
 /// In the editor, with the settings of a new session.
 MemoryNeed memoryNeedOf(const MeshReport& report) {
-    MemorySettings settings = memorySettings(withSolverFor(report.vertices, Params{}), false);
+    MemorySettings settings = memorySettings(Params{}, false);
     settings.undoBudget = kUndoBudget;
     settings.keyframeBudget = kKeyframeBudget;
     return memoryNeedOf(
@@ -151,7 +151,7 @@ MemoryNeed memoryNeedOf(const MeshReport& report) {
 
 /// Of a model as the editor opens it.
 RealTimeForecast forecastOf(const SurfaceMesh& mesh) {
-    Params params = withSolverFor(mesh.vertexCount(), ofNewScene({}));
+    Params params = ofNewScene({});
     applyMaterial(params, findMaterial(kMaterialOfNewModel, {}));
     params = suitedTo(meshBounds(mesh).diagonal(), params);
     const gpu::EglContext context;

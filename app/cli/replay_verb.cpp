@@ -234,9 +234,7 @@ void setParameters(Session& session, const std::vector<std::string>& settings) {
             throw UsageError("--set " + setting + ": expected NAME=VALUE");
         }
         try {
-            const std::string name = setting.substr(0, equals);
-            setParamFromText(session.params, name, setting.substr(equals + 1));
-            session.namesSolver = session.namesSolver || name == "solver";
+            setParamFromText(session.params, setting.substr(0, equals), setting.substr(equals + 1));
             requireModelsOfParams(session);
         } catch (const InputError& error) {
             throw UsageError(std::string("--set ") + error.what());

@@ -17,13 +17,6 @@ namespace kerf::app {
 
 namespace {
 
-/// As it runs with this model.
-Session withModel(const Session& session, const ModelMesh& model) {
-    Session running = withOrigin(session, model.origin);
-    running.params = startParams(session, model.mesh.vertexCount());
-    return running;
-}
-
 /// A host of SimulationDriver::applyActions.
 struct CommandsAlone {
     HeadlessSession& running;
@@ -36,16 +29,15 @@ struct CommandsAlone {
 }  // namespace
 
 void requireMemoryFor(const Session& session, const SurfaceMesh& mesh, std::size_t undoBudget) {
-    const BodySize size = BodySize::ofMesh(mesh);
-    MemorySettings settings =
-        memorySettings(startParams(session, mesh.vertexCount()), !session.boxes.empty());
+    MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = undoBudget;
-    requireMemory(session.model.name(), memoryNeedOf(size, settings), memoryMeansOfContext());
+    requireMemory(session.model.name(), memoryNeedOf(BodySize::ofMesh(mesh), settings),
+                  memoryMeansOfContext());
 }
 
 HeadlessSession::HeadlessSession(const Session& session, ModelMesh model, std::size_t undoBudget,
                                  render::Quality quality)
-    : session_(withModel(session, model)),
+    : session_(withOrigin(session, model.origin)),
       quality_(quality),
       looks_(std::move(model.looks)),
       simulation_(BodyUpload(PreparedBody(std::move(model.mesh), {}, model.placed)),

@@ -35,10 +35,6 @@ void requireDigest(const std::filesystem::path& file, const std::string& expecte
 
 }  // namespace
 
-Params startParams(const Session& session, std::size_t vertices) {
-    return session.namesSolver ? session.params : withSolverFor(vertices, session.params);
-}
-
 void place(SurfaceMesh& mesh, const Placement& placement) {
     const PlacementMap map(placement);
     for (int v = 0; v < mesh.vertexCount(); ++v) {

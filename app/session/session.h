@@ -129,7 +129,6 @@ struct Session {
     /// The built-in material with its values and look at the start; empty: none.
     std::string material;
     Params params;
-    bool namesSolver = false;      ///< or it follows from the model: see startParams()
     std::vector<StaticBox> boxes;  ///< at the start
     std::optional<Task> task;      ///< to practise; a session in which it was done is a try
     int steps = 0;
@@ -138,10 +137,6 @@ struct Session {
     render::ChosenColors colors;        ///< of the view, with the look, instead of the model's own
     std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
-
-/// The parameters with which its scene begins, of so many vertices: where it names no solver, with
-/// that which suits them (withSolverFor()).
-Params startParams(const Session& session, std::size_t vertices);
 
 /// Removes one of the further models from the scene, with its own parameters; those behind it move
 /// up.

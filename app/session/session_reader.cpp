@@ -399,7 +399,6 @@ class ObjectReader : public NoFields {
     void params(const Word& word, Session& session) {
         if (const auto node = find(word.name)) {
             readParams(*node, session.params);
-            session.namesSolver = node->value->contains("solver");
         }
     }
 

@@ -47,15 +47,6 @@ double longestImplicitStep(double diagonal, double modulus, double density, cons
     return careful * std::clamp(kOfWave * crossing, kShortest, kLongest);
 }
 
-Params withSolverFor(std::size_t vertices, Params params) {
-    const bool isSuited = vertices <= kMostImplicitVertices && params.bladeFeels == 0;
-    if (params.solver == SolverMode::implicit && !isSuited) {
-        params.solver = SolverMode::smallSteps;
-        params.trueModulus = 1;
-    }
-    return params;
-}
-
 Params suitedTo(double diagonal, Params params) {
     params.timeStep = timeStepFor(diagonal, params);
     params.depenetrationSpeed = speedFor(diagonal);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "sim/base/params.h"
 
 namespace kerf {
@@ -11,14 +9,6 @@ namespace kerf {
 /// and 1/60 s; of a smaller iterationError shorter by its root. From swings measured at 1/240 and
 /// 1/120 s, see docs/notes/implicit-steps.md. [s]
 double longestImplicitStep(double diagonal, double modulus, double density, const Params& params);
-
-/// A body of more vertices is solved by small steps unless somebody names another solver: a cut
-/// would wait for seconds for the dense inverse that implicit steps have.
-inline constexpr std::size_t kMostImplicitVertices = 10000;
-/// The parameters with the solver that suits a body of so many vertices, where nobody named one:
-/// small steps for a large one, or an edge that is felt, under which implicit steps may lose a
-/// piece. The material is the same with both.
-Params withSolverFor(std::size_t vertices, Params params);
 
 /// The parameters with a time step and a depenetration speed for a body of this diagonal [m], the
 /// rest unchanged: the longest step that material and size allow. A small body falls its own length

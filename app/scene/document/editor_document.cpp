@@ -74,7 +74,7 @@ Document openModel(const std::filesystem::path& file, const ReadOptions& options
     }
     session.params = ofNewScene(session.params);
     giveMaterial(session, model.looks);
-    session.params = suitedTo(placed.diagonal(), startParams(session, model.mesh.vertexCount()));
+    session.params = suitedTo(placed.diagonal(), session.params);
     Document document =
         finish(shortName(file), std::move(session), std::move(model), modelNote(report, guess));
     document.guess = guess;
@@ -89,7 +89,6 @@ Document openSession(const std::filesystem::path& file, const ReadOptions& optio
     }
     ModelMesh model = loadSessionModel(session, options);
     session = withOrigin(std::move(session), model.origin);
-    session.params = startParams(session, model.mesh.vertexCount());
     std::string note = joined(session.warnings, "; ");
     Document document =
         finish(shortName(file), std::move(session), std::move(model), std::move(note));

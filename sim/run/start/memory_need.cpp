@@ -159,8 +159,9 @@ double bytesOfInverses(double vertices) {
     const auto count = static_cast<std::size_t>(vertices);
     const double boxes = kUneven * vertices / double(ImplicitStep::of({}, count, 1).aggregateSize);
     const double aggregates = kUneven * std::exp2(std::ceil(std::log2(std::max(1.0, boxes))));
-    const double together = std::min<double>(aggregates, kMostAggregates);
-    const double alone = aggregates > kMostAggregates ? aggregates : 0;
+    const bool hasRegions = aggregates > kMostAggregates;
+    const double together = hasRegions ? 2.0 * kRegions : aggregates;
+    const double alone = hasRegions ? aggregates : 0;
     return 3 * sizeof(vec4) * kPatchSize * vertices + kCoarse * (together * together + alone);
 }
 

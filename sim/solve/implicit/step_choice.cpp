@@ -55,12 +55,14 @@ double longestStepAt(double speed, double diagonal) {
 int implicitIterations(const BodyModel& model, double way, double error) {
     constexpr double kStill = 0.002;  // of the diagonal
     constexpr double kSmallError = 0.01;
-    constexpr std::size_t kMany = 5000;  // vertices, see ImplicitStep::of()
+    constexpr double kMany = 5000;  // vertices, see ImplicitStep::of()
+    const double many = static_cast<double>(model.restPositions.size()) / kMany;
+    const double larger = std::max(1.0, std::sqrt(many));
     const int more = error < kSmallError ? 2 : 0;
     if (way > kStill) {
-        return more + (model.pieces.size() > 1 ? 8 : 6);
+        return more + static_cast<int>(std::lround((model.pieces.size() > 1 ? 8 : 6) * larger));
     }
-    return more + (model.restPositions.size() > kMany ? 6 : 4);
+    return more + static_cast<int>(many > 1 ? std::lround(6 * larger) : 4);
 }
 
 }  // namespace kerf

@@ -22,8 +22,8 @@ double leastDiagonal(const BodyModel& model);
 /// more than a tenth, and some gain energy. `diagonal`: leastDiagonal() [m]. [s]
 double longestStepAt(double speed, double diagonal);
 /// Iterations of a stage, where they are auto, of a body that meets something on `way` in a step,
-/// in leastDiagonal(): what strikes, or lies on other pieces and moves, needs more. `error`: see
-/// Params::iterationError.
+/// in leastDiagonal(): what strikes, or lies on other pieces and moves, needs more, and a large
+/// body by the root of its vertices. `error`: see Params::iterationError.
 int implicitIterations(const BodyModel& model, double way, double error);
 
 }  // namespace kerf

@@ -327,7 +327,6 @@ Items groupItems(const Items& of, const std::vector<VertexGroup>& groups) {
 }
 
 std::vector<std::vector<std::uint32_t>> regionsOf(const Items& aggregates, std::size_t pieceCount) {
-    constexpr std::size_t kRegions = 96;  // of the largest piece, about
     std::vector<std::size_t> counts(pieceCount, 0);
     std::vector<std::size_t> sizes(pieceCount, 0);
     for (std::size_t a = 0; a < aggregates.piece.size(); ++a) {

@@ -40,6 +40,7 @@ inline constexpr std::size_t kPatchSize = 12;    ///< vertices of a patch, as a 
 inline constexpr std::size_t kMostOfPatch = 16;  ///< where leftovers have joined it
 /// Of a piece, whose modes are inverted together: what that takes grows by the square.
 inline constexpr std::size_t kMostAggregates = 128;
+inline constexpr std::size_t kRegions = 96;  ///< of the largest piece, or up to twice as many
 /// Groups the vertices of a body by its rest shape. `pulls`: pullsAtRest(). `aggregateSize`:
 /// vertices of an aggregate, at most but for leftovers that joined it; with them twice as many,
 /// shared::kMostMembers at most.

@@ -21,7 +21,6 @@ class EditorPractice : public EditorTest {
         EditorTest::SetUp();
         Session session = sphereDocument().session;
         session.params.bladeFeels = true;
-        session.params.solver = SolverMode::smallSteps;  // as startParams() has it
         session.params.floor.reset();
         session.steps = 1;
         session.view = sphereDocument().camera;

@@ -98,7 +98,8 @@ TEST(StateHash, SeesEveryParameterThatChangesStates) {
                            : info.type == ParamType::vector ? ParamValue(Vec3(0, 0, info.high))
                                                             : ParamValue(info.high);
         if (other == now) {
-            other = info.low;
+            other = info.type == ParamType::choice ? ParamValue(std::string(info.choices.front()))
+                                                   : ParamValue(info.low);
         }
         Params changed = tearing;
         ASSERT_EQ(setParam(changed, info.name, other), "") << info.name;
