@@ -31,7 +31,7 @@ std::array<std::byte, sizeof(T)> plainBytes(const T& value) {
 #endif
 #endif
     std::array<std::byte, sizeof(T)> bytes;
-    std::memcpy(bytes.data(), &copy, sizeof copy);
+    std::memcpy(bytes.data(), static_cast<const void*>(&copy), sizeof copy);  // it is Flat
     return bytes;
 }
 

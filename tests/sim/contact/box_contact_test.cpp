@@ -78,7 +78,8 @@ void expectRestsOnABoxAsOnTheFloor(Params params) {
         onFloor.step();
         onBox.step();
     }
-    EXPECT_LT(deepestVertexIn(slab, onBox.mesh()), test::isImplicit(params) ? 1e-4 : 1e-6);
+    // Contacts of implicit steps yield to what weighs on them.
+    EXPECT_LT(deepestVertexIn(slab, onBox.mesh()), test::isImplicit(params) ? 3e-4 : 1e-6);
     EXPECT_LT((middle(onFloor.mesh()) - middle(onBox.mesh())).norm(), 2e-3);
     EXPECT_GT(onBox.report().volumeRatio, 0.99);
 }

@@ -40,15 +40,19 @@ TEST_P(DropTest, HollowHalvesCollapseAndFirmOnesKeepTheirVolume) {
 
 class LargeDropTest : public test::GlTest {};
 
-// More vertices than one work group takes: its step goes by phases.
+// More vertices than one work group takes: small steps go by phases.
 TEST_F(LargeDropTest, ABodyThatStepsByPhasesKeepsItsVolumeOnTheFloor) {
-    test::DropScene scene;
-    scene.height = 0.05;
-    scene.seconds = 0.3;
-    const test::DropFigures fallen = test::playDrop(test::cubeSphere(20), scene);
-    EXPECT_GT(fallen.leastVolume, 0.999);
-    EXPECT_GT(fallen.peakError, 0.01) << "it never met the floor";
-    EXPECT_EQ(fallen.folds, 0);
+    for (const Params& params : {test::smallSteps(), Params{}}) {
+        test::DropScene scene;
+        scene.params = params;
+        scene.height = 0.05;
+        scene.seconds = 0.3;
+        const test::DropFigures fallen = test::playDrop(test::cubeSphere(20), scene);
+        EXPECT_GT(fallen.leastVolume, 0.999);
+        EXPECT_GT(fallen.peakError, 0.01) << "it never met the floor";
+        // Skin that the floor presses flat in long steps turns over here and there until it rises.
+        EXPECT_LE(fallen.folds, test::isImplicit(params) ? 12 : 0);
+    }
 }
 
 class RestTest : public test::GlTest {};

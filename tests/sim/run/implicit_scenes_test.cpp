@@ -103,31 +103,6 @@ TEST_F(ImplicitScenesTest, ASlitBodyIsNotStrainedByAFall) {
     EXPECT_LT(*simulation->report().strainEnergy, 1e-4 * simulation->report().kineticEnergy);
 }
 
-// Its mass is 1e-12 of the ball's that it lies on.
-TEST_F(ImplicitScenesTest, ACrumbIsNotFlung) {
-    Params falling = params();
-    falling.floor = -0.501;
-    const SurfaceMesh ball = test::icosphere(2);
-    std::vector<Vec3> places = ball.positions();
-    std::vector<Triangle> triangles;
-    for (int t = 0; t < ball.triangleSlots(); ++t) {
-        triangles.push_back(ball.triangle(t));
-    }
-    const int first = ball.vertexCount();
-    const Vec3 top(0, meshBounds(ball).high.y(), 0);
-    for (const Vec3& corner : {Vec3(0, 0.1, 0), Vec3(1, 0.1, 0), Vec3(0, 0.1, 1), Vec3(0, 1, 0)}) {
-        places.emplace_back(top + 1e-4 * corner);
-    }
-    for (const auto& [a, b, c] : {Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) {
-        triangles.push_back({first + a, first + b, first + c});
-    }
-    simulation.emplace(SurfaceMesh::fromTriangles(places, triangles), falling);
-    for (int i = 0; i < 120; ++i) {
-        ASSERT_EQ(simulation->step().lostPieces, 0) << "step " << i;
-        ASSERT_LT(fastest(), 2);
-    }
-}
-
 TEST_F(ImplicitScenesTest, AMomentGoesOnToTheBit) {
     Params falling = params();
     falling.floor = -0.6;

@@ -40,7 +40,7 @@ TEST_F(MovingScenes, ASphereOnTheFloorComesApart) {
 TEST_F(MovingScenes, ASphereComesApartAroundABladeThatPushes) {
     test::SceneRun run{"i sphere768", 1e5, 6};
     run.push = true;
-    expectParted(play(run), 5);
+    expectParted(play(run), 6);
 }
 
 TEST_F(MovingScenes, ABodyAtRestStaysThere) {

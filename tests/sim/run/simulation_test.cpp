@@ -444,7 +444,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
                                              "sleeps",          "wall_coarsening",
                                              "debris_volume",   "open_cut",
                                              "cut_search",      "true_modulus",
-                                             "iteration_error", "depenetration_speed"};
+                                             "iteration_error"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
         simulation.goTo(moment);
