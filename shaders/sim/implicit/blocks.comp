@@ -1,5 +1,5 @@
-// The blocks beside the diagonal of (1 + 2 beta / h) K at X, each a sum of products of factors: three
-// texels, one a row, with the column in the w of the first.
+// The blocks beside the diagonal of (1 + 2 beta / h) K at X, each a sum of products of factors:
+// three texels, one a row, with the column in the w of the first.
 // Numbers: the first block that is bound, and how many. One thread per block.
 #include "sim/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"

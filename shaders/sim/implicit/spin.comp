@@ -27,7 +27,9 @@ vec4 sumOf(uint root, uint c) {
 
 bool isHeld(uint root) {
     bool held = false;
-    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) held = held || pieceAt(p).force_unit < 0.0;
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        held = held || pieceAt(p).force_unit < 0.0;
+    }
     return held;
 }
 
