@@ -7,6 +7,8 @@
 #include "sim/run/start/kernel_warm_up.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gpu_solver.h"
+#include "sim/solve/implicit/vertex_groups.h"
+#include "sim/solve/implicit_stepper.h"
 
 namespace kerf {
 namespace {
@@ -79,7 +81,9 @@ void beginStepOf(const Case& wanted) {
     motion.folded = wanted.folded;
     solver.collisions().expect(boundsOf(state.positions), approachingVelocities(), motion);
     solver.step();
-    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, {}, {});
+    ImplicitStep small;
+    small.aggregateSize = kPatchSize;  // so many that large meshes have regions
+    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, small, {});
     solver.step();
     solver.stepBySubsteps();
     solver.collisions().setBlade(std::nullopt);
