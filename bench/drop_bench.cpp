@@ -1,6 +1,6 @@
 // How bodies keep volume and shape where they fall: the paper's five models, whole and cut in half,
-// dropped from half a metre with their time steps and iterations. Not part of scripts/bench, as it
-// measures no times.
+// dropped from half a metre with their time steps, with pbd with their iterations too. Not part of
+// scripts/bench, as it measures no times.
 //
 //   kerf_drop_bench [--only TEXT] [--solver pbd] [--ispc S] [--modulus E] [--seconds T]
 //       [--iterations N] [--bending B] [--contact 0]
@@ -44,32 +44,26 @@ struct DropModel {
     std::string name;
     double timeStep;  ///< [s]
     int paperIterations;
-    int iterations;  ///< of `small_steps`
     double modulus;  ///< Young's [Pa]
     SurfaceMesh mesh;
 };
 
 /// The paper's models with its time steps and iterations, and one more resolution of the sphere.
 /// Half of the octopus's head stands on half of its neck, which buckles below 3.7e5 Pa
-/// (docs/physics.md): it takes a stiffer material, and iterations enough for that.
+/// (docs/physics.md): it takes a stiffer material.
 std::vector<DropModel> dropModels() {
     std::vector<DropModel> models;
     for (const app::PaperExperiment& paper : app::paperExperiments()) {
-        DropModel model{paper.name,
-                        paper.timeStep,
-                        paper.iterations,
-                        paper.iterations,
-                        1e5,
+        DropModel model{paper.name, paper.timeStep, paper.iterations, 1e5,
                         app::loadModel(app::builtinModelFile(paper.name))};
         if (model.name == "banana") {
             model.modulus = 5e5;
         } else if (model.name == "octopus") {
             model.modulus = 6e5;
-            model.iterations = 60;
         }
         models.push_back(std::move(model));
     }
-    models.push_back({"sphere12288", 0.005, 20, 20, 1e5, cubeSphere(32)});
+    models.push_back({"sphere12288", 0.005, 20, 1e5, cubeSphere(32)});
     return models;
 }
 
@@ -91,8 +85,8 @@ void play(const DropModel& model, bool cut, const Options& options) {
     params.contact = number(options, "--contact", 1) != 0 ? 1 : 0;
     const bool pbd = options.count("--solver") > 0 && options.at("--solver") == "pbd";
     params.iterations = static_cast<int>(
-        number(options, "--iterations", pbd ? model.paperIterations : model.iterations));
-    params.solver = pbd ? SolverMode::pbd : SolverMode::smallSteps;
+        number(options, "--iterations", pbd ? model.paperIterations : kAutoIterations));
+    params.solver = pbd ? SolverMode::pbd : SolverMode::implicit;
     std::fputs(dropTableRow(name, playDrop(model.mesh, scene)).c_str(), stdout);
     std::fflush(stdout);
 }

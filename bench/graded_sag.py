@@ -19,9 +19,8 @@ LOOKS, LOOK = 9, 40  # so many steps each: it hangs still then
 def hang(kind, cells, steps, ratio):
     points, triangles = bodies.box(SIZE, (cells, 3 * cells, cells))
     sim = bodies.simulate(points, triangles, params={
-        "time_step": 0.005, "iterations": 20, "youngs_modulus": 1e5, "true_modulus": 1,
-        "density": 1000, "air_drag": 20, "friction": 0, "floor": None, "gravity": [0, 0, 0],
-        "wall_coarsening": ratio})
+        "time_step": 0.005, "youngs_modulus": 1e5, "density": 1000, "air_drag": 20, "friction": 0,
+        "floor": None, "gravity": [0, 0, 0], "wall_coarsening": ratio})
     sim.pin(low=np.array([-1, SIZE[1] / 2 - 1e-4, -1]), high=np.array([1, 1, 1]))
     if kind == "slit":
         a, b, way = [-.12, .0311, .08], [.12, .0293, .08], [0, 0, -.084]

@@ -1,14 +1,12 @@
 // Million constraint projections per second: a whole step of ours on the GPU beside the links of
 // Bullet's soft body on one core, of which only the projections are timed. Edges, bends and ISPCs
 // are counted; prediction and floor take their time too. In plain PBD, as in Bullet, they come once
-// a step and its 20 iterations are sweeps over the constraints; with small steps each of 20
-// substeps predicts, keeps the volume and moves on too.
+// a step and its 20 iterations are sweeps over the constraints.
 
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 
 #include "bench/bullet_soft_body.h"
 #include "bench/timing.h"
@@ -17,6 +15,7 @@
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/solve/gpu_solver.h"
+#include "tests/support/plain_pbd.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -25,10 +24,9 @@ namespace {
 constexpr int kIterations = 20;
 constexpr int kRepeats = 9;
 
-Params benchParams(SolverMode solver) {
-    Params params;
+Params benchParams() {
+    Params params = test::plainPbd();
     params.iterations = kIterations;
-    params.solver = solver;
     return params;
 }
 
@@ -40,11 +38,11 @@ double perSecond(std::size_t constraints, double milliseconds) {
     return 1e-3 * static_cast<double>(constraints) * kIterations / milliseconds;
 }
 
-double ourSpeed(const BodyModel& model, SolverMode mode) {
+double ourSpeed(const BodyModel& model) {
     GpuSolver solver;
     solver.setModel(model, {model.restPositions,
                             std::vector<Vec3f>(model.restPositions.size(), Vec3f::Zero())});
-    solver.setUniforms(solverUniforms(benchParams(mode), model));
+    solver.setUniforms(solverUniforms(benchParams(), model));
     return perSecond(constraintsOf(model), medianMilliseconds(kRepeats, [&] {
                          solver.step();
                          gpu::finish();
@@ -53,7 +51,7 @@ double ourSpeed(const BodyModel& model, SolverMode mode) {
 
 double theirSpeed(const BodyModel& model) {
     BulletSoftBody body(model, kIterations);
-    const double step = benchParams(SolverMode::pbd).timeStep;
+    const double step = benchParams().timeStep;
     std::vector<double> times;
     for (int i = 0; i < kRepeats; ++i) {
         body.predict(step);
@@ -68,19 +66,16 @@ void bench(int subdivisions) {
     const BodyModel model =
         buildBodyModel(SurfaceMesh::fromTriangles(sphere.positions, sphere.triangles));
     const double theirs = theirSpeed(model);
-    for (const auto& [mode, name] :
-         {std::pair(SolverMode::smallSteps, "small_steps"), std::pair(SolverMode::pbd, "pbd")}) {
-        const double ours = ourSpeed(model, mode);
-        const nlohmann::ordered_json line = {
-            {"name", "projections/" + std::to_string(model.triangles.size()) + "/" + name},
-            {"ours", ours},
-            {"theirs", theirs},
-            {"peer", "Bullet's soft body, links alone, one core"},
-            {"ratio", ours / theirs},
-            {"unit", "million projections/s"}};
-        std::puts(line.dump().c_str());
-        std::fflush(stdout);
-    }
+    const double ours = ourSpeed(model);
+    const nlohmann::ordered_json line = {
+        {"name", "projections/" + std::to_string(model.triangles.size())},
+        {"ours", ours},
+        {"theirs", theirs},
+        {"peer", "Bullet's soft body, links alone, one core"},
+        {"ratio", ours / theirs},
+        {"unit", "million projections/s"}};
+    std::puts(line.dump().c_str());
+    std::fflush(stdout);
 }
 
 }  // namespace

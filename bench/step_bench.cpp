@@ -1,6 +1,6 @@
-// Milliseconds of one time step of the builtin models at the default parameters: the GPU solver
-// without contact beside the reference solver (double precision, one thread), with contact, and in
-// a dispatch for each phase, as large bodies take it anyway (their ratio is 1 but for noise).
+// Milliseconds of one time step of the builtin models with plain PBD: the GPU solver without
+// contact beside the reference solver (double precision, one thread), with contact, and in a
+// dispatch for each phase instead of one group.
 
 #include <cstdio>
 #include <exception>
@@ -13,6 +13,7 @@
 #include "gpu/program.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/gpu_solver.h"
+#include "tests/support/plain_pbd.h"
 #include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
@@ -56,9 +57,9 @@ double referenceStep(const BodyModel& model, const shared::SolverUniforms& unifo
 
 void benchModel(const std::string& name) {
     const BodyModel model = buildBodyModel(app::loadModel(app::builtinModelFile(name)));
-    const shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+    const shared::SolverUniforms uniforms = solverUniforms(test::plainPbd(), model);
     const double ours = gpuStep(model, uniforms, {});
-    Params touching;
+    Params touching = test::plainPbd();
     touching.contact = 1;
     const double withContact = gpuStep(model, uniforms, contactSettings(touching));
     const double theirs = referenceStep(model, uniforms);

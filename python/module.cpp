@@ -45,6 +45,7 @@ py::list paperExperiments() {
         py::dict row;
         row["name"] = experiment.name;
         row["label"] = experiment.label;
+        row["iterations"] = experiment.iterations;
         row["triangles"] = experiment.triangles;
         row["mean_volume"] = experiment.meanVolume;
         row["mean_fps"] = experiment.meanFps;
@@ -72,7 +73,8 @@ PYBIND11_MODULE(_native, module) {
                "The names of the materials that come with Kerf.");
     module.def("paper_experiments", paperExperiments,
                "The paper's experiments in its order: `name` of model and session, `label`, "
-               "`triangles`, `mean_volume` in percent and `mean_fps`, 0 where it has no figure.");
+               "`iterations`, `triangles`, `mean_volume` in percent and `mean_fps`, 0 where it has "
+               "no figure.");
     module.def("parameters", parameters,
                "All parameters: `name`, `unit`, `meaning`, `low`, `high`, `choices`.");
 }

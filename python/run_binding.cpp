@@ -207,8 +207,6 @@ void addRun(py::module_& module) {
              [](RunHandle& h) { return h.on([](auto& run) { return run.cutReport(); }); })
         .def("messages",
              [](RunHandle& h) { return h.on([](auto& run) { return run.messages(); }); })
-        .def("too_few_iterations",
-             [](RunHandle& h) { return h.on([](auto& run) { return run.tooFewIterations(); }); })
         .def("tear_sentence",
              [](RunHandle& h) { return h.on([](auto& run) { return run.tearSentence(); }); })
         .def("picture", pictureOf)

@@ -127,7 +127,6 @@ void ScriptedRun::take(const app::CheckEvent& check) {
 const app::MetricsRow& ScriptedRun::step() {
     const Stopwatch watch;
     running_->driver().applyActions(*schedule_, *this);
-    iterations_.add(stepCount(), simulation().bodyModel(), simulation().params());
     const StepReport& report = running_->step();
     row_ = {report, 0, watch.milliseconds(), app::namesToughness(session_, simulation().params()),
             app::secondsOfStep(simulation())};

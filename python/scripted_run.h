@@ -10,7 +10,6 @@
 
 #include "app/scene/timeline/session_journal.h"
 #include "app/session/headless_session.h"
-#include "app/session/iteration_watch.h"
 #include "app/session/metrics.h"
 #include "gpu/context.h"
 
@@ -106,8 +105,6 @@ class ScriptedRun {
     std::string cutReport() const;
     /// Sentences about problems in steps, from the start.
     const std::vector<std::string>& messages() const { return messages_; }
-    /// IterationWatch::sentence() of all steps so far.
-    std::string tooFewIterations() const { return iterations_.sentence(); }
     /// Why the body tore in the last step or did not: see kerf::tearSentence().
     std::string tearSentence() const;
 
@@ -145,7 +142,6 @@ class ScriptedRun {
     app::SessionJournal journal_;
     app::MetricsRow row_;
     std::vector<std::string> messages_;
-    app::IterationWatch iterations_;
     // What was asked for last, and of which revision it is.
     SharedArray<double> positions_;
     int positionsRevision_ = -1;

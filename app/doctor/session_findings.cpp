@@ -20,7 +20,7 @@ constexpr int kStepsBetween = 10;  // of those that are compared
 
 // llvmpipe and zink agree to 2e-6 of the diagonal; GPUs round otherwise.
 constexpr ShortSession kSessions[] = {
-    {"fall", "Free fall, 1 substep a step and then 20", 1e-4},
+    {"fall", "Free fall, 1 iteration a stage and then 8", 1e-4},
     {"bend", "A bent body", 1e-4},
     {"pull", "A larger body, pulled out of shape", 1e-3},
     {"plain-pbd", "A pulled body by plain PBD", 1e-3},

@@ -117,7 +117,7 @@ constexpr MetricsColumn kColumns[] = {
     {"frame_ms", measured<&MetricsRow::frameMs>,
      "Wall-clock time of the step with its events [ms]."},
     {"contacts", reported<&StepReport::contacts>,
-     "Contacts of the body with itself in the last substep."},
+     "Contacts of the body with itself in the last implicit step, or sweep of pbd."},
     {"one_to_four", divided<SubdivisionPattern::oneToFour>,
      "Touched triangles that were divided by the paper's pattern 1:4."},
     {"one_to_three_a", divided<SubdivisionPattern::oneToThreeA>,

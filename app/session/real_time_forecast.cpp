@@ -1,6 +1,5 @@
 #include "app/session/real_time_forecast.h"
 
-#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -82,14 +81,8 @@ RealTimeForecast realTimeForecast(const SurfaceMesh& mesh, const Params& params)
         return measure(mesh, params);
     }
     RealTimeForecast forecast = measure(ballIn(meshBounds(mesh), kBallSide), params);
-    const int ofBall = forecast.iterations;
     const double more = timesAsLong(mesh, params);
-    if (params.iterations == kAutoIterations && params.solver == SolverMode::smallSteps) {
-        // Bends ask for them by the square of their size.
-        forecast.iterations =
-            static_cast<int>(std::min(findParam("iterations")->high, ofBall * more));
-    }
-    forecast.factor *= ofBall / (more * forecast.iterations);
+    forecast.factor /= more;
     return forecast;
 }
 

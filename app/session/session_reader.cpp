@@ -238,12 +238,31 @@ void read(const Node& node, std::optional<Value>& value, const auto&... limit) {
     read(node, value.emplace(), limit...);
 }
 
-void readParams(const Node& node, Params& params) {
+/// Sessions of before may name a solver, and a parameter of it, that are no longer there.
+bool isFormerParam(std::string_view name) {
+    return name == "true_modulus";
+}
+
+void warnAboutFormerSolver(const Node& value, std::vector<std::string>& warnings) {
+    if (value.value->is_string() && *value.value == kFormerSolver) {
+        warnings.push_back(value.path + ": \"" + std::string(kFormerSolver) +
+                           "\" is no longer there, \"implicit\" takes its place.");
+    }
+}
+
+void readParams(const Node& node, Params& params, std::vector<std::string>& warnings) {
     if (!node.value->is_object()) {
         fail(node.path, "expected an object in braces.");
     }
     for (const auto& item : node.value->items()) {
         const std::string path = node.path + "." + shortened(item.key());
+        if (isFormerParam(item.key())) {
+            warnings.push_back(path +
+                               ": no longer there, ignored; bodies are always as stiff as "
+                               "youngs_modulus says.");
+            continue;
+        }
+        warnAboutFormerSolver({&item.value(), path}, warnings);
         requireKnownParam(item.key(), path);
         applyParam(params, item.key(), {&item.value(), path});
     }
@@ -361,6 +380,7 @@ class ObjectReader : public NoFields {
         const Node valueNode = require(valueWord.name);
         name = readString(nameNode);
         requireKnownParam(name, nameNode.path);
+        warnAboutFormerSolver(valueNode, *warnings_);
         Params scratch;
         applyParam(scratch, name, valueNode);
         value = getParam(scratch, name);
@@ -398,7 +418,7 @@ class ObjectReader : public NoFields {
 
     void params(const Word& word, Session& session) {
         if (const auto node = find(word.name)) {
-            readParams(*node, session.params);
+            readParams(*node, session.params, *warnings_);
         }
     }
 

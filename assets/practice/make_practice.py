@@ -22,10 +22,9 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 #: A phantom: toughness over modulus is 0.2 mm, which the model of the blade takes well. Those of
 #: skin (1.3 m) and liver (30 mm) are beyond it (docs/notes/blade-force.md).
-PARAMS = {"time_step": 0.02, "solver": "small_steps", "iterations": 50, "gravity": [0, 0, 0],
-          "floor": None, "youngs_modulus": 2000, "density": 1000, "toughness": 0.4,
-          "blade_feels": 1, "blade_bluntness": 0.2, "blade_width": 0.025,
-          "wall_coarsening": 1, "debris_volume": 0}
+PARAMS = {"time_step": 0.02, "gravity": [0, 0, 0], "floor": None, "youngs_modulus": 2000,
+          "density": 1000, "toughness": 0.4, "blade_feels": 1, "blade_bluntness": 0.2,
+          "blade_width": 0.025, "wall_coarsening": 1, "debris_volume": 0}
 SETTLES = 20  # steps after the last lift
 
 

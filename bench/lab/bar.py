@@ -9,7 +9,7 @@ import kerf
 import numpy as np
 
 from . import bodies
-from .workshop import progress, publish, remove, table
+from .workshop import progress, publish, remove, table, value_text
 
 STRAIN = 0.01
 DENSITY = 1000  # [kg/m^3]
@@ -24,10 +24,11 @@ MOST = {row["name"]: row["high"] for row in kerf.parameters()}  # of each parame
 
 MODULI = (1e4, 1e5, 1e6)
 CELLS = (2, 3, 4, 6)
-ITERATIONS = (5, 10, 20, 40, 60)
-TIME_STEPS = (0.0025, 0.005, 0.01)
-# Of the bar that comes down. Later ways in a substep are too short for floats.
-ORDER_ITERATIONS, ORDER_STEPS = (10, 20, 40), (0.005, 0.0025)
+ITERATIONS = (5, 10, "auto")
+TIME_STEPS = (0.0025, 0.005, 0.02)
+# Of the bar that comes down, which needs no shorter steps than these: each is one implicit step.
+ORDER_ITERATIONS, ORDER_STEPS = (5, 20), (0.005, 0.0025, 0.00125)
+EXACT_ITERATIONS, EXACT_STEP = 60, 0.0005
 ORDER_LOOKS, ORDER_LOOK = 8, 0.02  # [s]
 
 
@@ -65,13 +66,12 @@ class Setting(typing.NamedTuple):
     kind: str = "hanging bar"
     cells: int = 4  #: squares across the specimen
     modulus: float = 1e5  #: the parameter `youngs_modulus` [Pa]
-    iterations: int = 20  #: substeps in a time step
+    iterations: typing.Union[int, str] = "auto"  #: the parameter
     time_step: float = 0.005  #: [s]
-    true_modulus: bool = True  #: the parameter `true_modulus`
 
     def __str__(self):
-        return (f"{self.kind}, E = {self.modulus:.0e} Pa, {self.cells} cells, {self.iterations} "
-                f"iterations of {self.time_step:g} s, {name_of(self.true_modulus)}")
+        return (f"{self.kind}, E = {self.modulus:.0e} Pa, {self.cells} cells, steps of "
+                f"{self.time_step:g} s, {self.iterations} iterations")
 
 
 class Run(typing.NamedTuple):
@@ -82,7 +82,6 @@ class Run(typing.NamedTuple):
     modulus: float  #: of the solid that would move as much [Pa]
     volume_ratio: float  #: at rest under load, against the unloaded specimen
     settled: bool  #: False where it still moved when time was up
-    too_few: bool  #: the program says that iterations are too few
 
     @property
     def ratio(self):
@@ -94,14 +93,6 @@ class Accuracy(typing.NamedTuple):
     iterations: int
     time_step: float  #: [s]
     error: float  #: the largest, as a share of how far it comes down
-
-    @property
-    def substep(self):
-        return self.time_step / self.iterations
-
-
-def name_of(true_modulus):
-    return "true modulus" if true_modulus else "plain ISPCs"
 
 
 def ball(diameter, cells):
@@ -132,10 +123,9 @@ class Specimen:
         self.strength = self.gravity_for(setting.modulus)
         gravity[0 if loading.aside else 1] = self.strength * (1 if loading.aside else -1)
         self.sim = bodies.simulate(self.points, self.triangles, params={
-            "solver": "small_steps", "time_step": setting.time_step,
-            "iterations": setting.iterations,
-            "youngs_modulus": setting.modulus, "true_modulus": int(setting.true_modulus),
-            "density": DENSITY, "air_drag": self.drag_for(setting.modulus), "friction": 0,
+            "time_step": setting.time_step, "iterations": setting.iterations,
+            "youngs_modulus": setting.modulus, "density": DENSITY,
+            "air_drag": self.drag_for(setting.modulus), "friction": 0,
             "floor": -self.length / 2 if loading.support == "floor" else None,
             "gravity": gravity})
         if loading.support != "floor":
@@ -225,31 +215,33 @@ def measure(setting):
     settled = specimen.settle()
     way = specimen.way_of_end()
     return Run(setting, len(specimen.triangles), way / specimen.length, specimen.modulus_for(way),
-               specimen.sim.report.volume_ratio, settled, bool(specimen.sim.too_few_iterations))
+               specimen.sim.report.volume_ratio, settled)
 
 
 def measure_accuracy(iterations=ORDER_ITERATIONS, time_steps=ORDER_STEPS):
-    """Compares a bar that sags with one with substeps a quarter as long as the shortest."""
+    """Compares a bar that sags with one in the shortest steps, with the most iterations."""
     def motion(count, step):
         bar = Specimen(Setting(cells=2, iterations=count, time_step=step))
         return bar.motion(ORDER_LOOKS, ORDER_LOOK)
 
-    exact = motion(max(iterations), min(time_steps) / 4)
+    exact = motion(EXACT_ITERATIONS, EXACT_STEP)
     return [Accuracy(n, step, abs(motion(n, step) - exact).max() / exact[-1])
             for n in iterations for step in time_steps]
 
 
 def order_of(runs):
-    """The order of convergence in the length of a substep: the slope in logarithms."""
-    return np.polyfit(np.log([r.substep for r in runs]), np.log([r.error for r in runs]), 1)[0]
+    """The order of convergence in the length of a step, of the most iterations: the slope in
+    logarithms."""
+    most = max(r.iterations for r in runs)
+    steps, errors = zip(*((r.time_step, r.error) for r in runs if r.iterations == most))
+    return np.polyfit(np.log(steps), np.log(errors), 1)[0]
 
 
 def settings(whole=False):
     """One of resolution, iterations and time step changes at a time; `whole`: all combinations."""
     usual = Setting()
-    every = itertools.product((True, False), KINDS, MODULI, CELLS, ITERATIONS, TIME_STEPS)
-    made = [Setting(kind, cells, modulus, iterations, step, true_modulus)
-            for true_modulus, kind, modulus, cells, iterations, step in every]
+    made = [Setting(kind, cells, modulus, iterations, step) for kind, modulus, cells, iterations,
+            step in itertools.product(KINDS, MODULI, CELLS, ITERATIONS, TIME_STEPS)]
     return [s for s in made if whole or (s.cells != usual.cells) +
             (s.iterations != usual.iterations) + (s.time_step != usual.time_step) <= 1]
 
@@ -257,46 +249,52 @@ def settings(whole=False):
 # --- Report ---------------------------------------------------------------------------------------
 
 
-def count_runs(runs, true_modulus, too_few):
+def count_runs(runs):
     """How many runs there are, and how many within 10 and 25 % of the modulus."""
-    errors = [abs(r.ratio - 1) for r in runs
-              if r.setting.true_modulus == true_modulus and r.too_few == too_few]
+    errors = [abs(r.ratio - 1) for r in runs]
     return [len(errors), *(sum(e <= most for e in errors) for most in (0.10, 0.25))]
+
+
+def count_table(runs):
+    """Those of all iterations alike, and spheres by themselves."""
+    def is_ball(r):
+        return KINDS[r.setting.kind].theory == "pressed"
+
+    groups = {"spheres": list(filter(is_ball, runs))}
+    for n in ITERATIONS:
+        groups[f"others, {n} iterations"] = [r for r in runs if not is_ball(r)
+                                             and r.setting.iterations == n]
+    return table(["specimens", "runs", "within 10 %", "within 25 %"],
+                 [[name, *count_runs(own)] for name, own in groups.items()])
 
 
 def still_moving(runs):
     return [str(r.setting) for r in runs if not r.settled]
 
 
-def modulus_tables(runs, true_modulus):
+def modulus_tables(runs):
     by_setting = {r.setting: r for r in runs}
 
     def cell(setting):
-        """"1.62", with a star where the program says that iterations are too few."""
         r = by_setting.get(setting)
-        return "-" if r is None else (f"{r.ratio:.2f}" + ("*" if r.too_few else "")
-                                      + ("" if r.settled else " (still moving)"))
+        return "-" if r is None else f"{r.ratio:.2f}" + ("" if r.settled else " (still moving)")
 
-    text = f"\n## With {name_of(true_modulus)}\n"
+    text = ""
     for title, unit, key, columns in (
-            ("By resolution (squares across the specimen), 20 iterations of 5 ms", "across",
-             "cells", CELLS),
-            ("By iterations of 5 ms, 4 squares across", "iterations", "iterations", ITERATIONS),
-            ("By time step, 20 iterations, 4 squares across", "s", "time_step", TIME_STEPS)):
+            ("By resolution (squares across the specimen)", "across", "cells", CELLS),
+            ("By iterations", "iterations", "iterations", ITERATIONS),
+            ("By time step", "s", "time_step", TIME_STEPS)):
         rows = [[kind, f"{modulus:.0e}",
-                 *(cell(Setting(kind=kind, modulus=modulus, true_modulus=true_modulus,
-                                **{key: column})) for column in columns)]
+                 *(cell(Setting(kind=kind, modulus=modulus, **{key: column}))
+                   for column in columns)]
                 for kind in KINDS for modulus in MODULI]
-        text += f"\n### {title}\n\n" + table(
-            ["specimen", "E, Pa", *(f"{column:g} {unit}" for column in columns)], rows).rstrip("\n")
-        text += "\n"
+        text += f"\n## {title}\n\n" + table(
+            ["specimen", "E, Pa", *(f"{value_text(column)} {unit}" for column in columns)],
+            rows).rstrip("\n") + "\n"
     return text
 
 
 def report_of(runs, accuracy=()):
-    counts = [[name_of(true_modulus), "too few, as the program says" if too_few else "enough",
-               *count_runs(runs, true_modulus, too_few)]
-              for true_modulus in (True, False) for too_few in (False, True)]
     return (
         "# Effective Young's modulus\n\n"
         "A bar that hangs from its pinned top, the same bar and one five times as wide bent by a "
@@ -306,23 +304,21 @@ def report_of(runs, accuracy=()):
         "aside, by 1 %. A sphere is pressed on a floor so that Hertz's formula lets its middle "
         "down by 2 % of its diameter. The figures are E_eff / E: the modulus of the incompressible "
         "solid that would move as much as ours, over the parameter `youngs_modulus`. 1 is true to "
-        "the parameter, more is too stiff. Beside a star the program says that iterations are too "
-        "few.\n\n## How many hold\n\n"
-        + table(["material", "iterations", "runs", "within 10 %", "within 25 %"],
-                counts).rstrip("\n") + "\n"
-        + modulus_tables(runs, True) + modulus_tables(runs, False)
+        "the parameter, more is too stiff. Specimens are four squares across, steps 5 ms and "
+        "iterations auto, where a table does not say otherwise.\n\n## How many hold\n\n"
+        + count_table(runs).rstrip("\n") + "\n" + modulus_tables(runs)
         + (accuracy_section(accuracy) if accuracy else ""))
 
 
 def accuracy_section(accuracy):
     return (
-        "\n## Accuracy by iterations\n\n"
-        "The hanging bar of 1e5 Pa, two squares across, with a true modulus. The largest error of "
-        "where its end is while it comes down, in per cent of that way.\n\n"
-        + table(["iterations", "time step, s", "substep, ms", "error, %"],
-                [[a.iterations, f"{a.time_step:g}", f"{1000 * a.substep:.3g}",
-                  f"{100 * a.error:.2g}"] for a in accuracy])
-        + f"The error falls as the substep to the power of {order_of(accuracy):.2f}.\n")
+        "\n## Accuracy by steps and iterations\n\n"
+        "The hanging bar of 1e5 Pa, two squares across. The largest error of where its end is "
+        "while it comes down, in per cent of that way.\n\n"
+        + table(["iterations", "time step, s", "error, %"],
+                [[a.iterations, f"{a.time_step:g}", f"{100 * a.error:.2g}"] for a in accuracy])
+        + "With the most iterations the error falls as the step to the power of "
+          f"{order_of(accuracy):.2f}.\n")
 
 
 def summary_of(runs, accuracy=()):
@@ -330,9 +326,8 @@ def summary_of(runs, accuracy=()):
         "tests": [{
             "specimen": r.setting.kind, "cells": r.setting.cells, "triangles": r.triangles,
             "youngs_modulus": r.setting.modulus, "iterations": r.setting.iterations,
-            "time_step": r.setting.time_step, "true_modulus": int(r.setting.true_modulus),
-            "strain": r.strain, "effective_modulus": r.modulus, "ratio": r.ratio,
-            "too_few_iterations": r.too_few, "volume_ratio": r.volume_ratio, "settled": r.settled,
+            "time_step": r.setting.time_step, "strain": r.strain, "effective_modulus": r.modulus,
+            "ratio": r.ratio, "volume_ratio": r.volume_ratio, "settled": r.settled,
         } for r in runs],
         "still_moving": still_moving(runs),
         "accuracy": [a._asdict() for a in accuracy],

@@ -18,8 +18,7 @@ MOST_MISSING = 0.05
 FILES = ("summary.json", "report.md", "forces.csv", "forces.png")
 
 #: Without what is not measured: gravity, damping.
-PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 2, "true_modulus": 1, "iterations": 60,
-          "damping": 0, "blade_feels": 1}
+PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 2, "damping": 0, "blade_feels": 1}
 #: Label, material, bluntness of the blade.
 WANTED = [("gelatin, sharp blade", "gelatin", 0), ("gelatin, blunter blade", "gelatin", 0.5),
           ("cheese", "cheese", 0.5), ("tofu", "tofu", 0.5)]

@@ -16,7 +16,6 @@ from .workshop import (NOT_GIVEN, percent, picture, progress, publish, remove, s
 #: The most by which Kerf may differ: sag, opening and volume as a share of those of the elements,
 #: the shape as a share of the diagonal of the unloaded body.
 BAR, SHAPE_BAR = 0.15, 0.05
-SETTINGS = {"true": ("true modulus", 1), "plain": ("plain ISPCs", 0)}
 WINDOW = 40  # steps between two looks
 SETTLED = 1e-4  # change in a window, of how far the body has moved in all
 MOST_SECONDS = 20  # of the load; then it has not settled
@@ -48,7 +47,6 @@ class KerfRun:
     settled: bool  #: False where it still moved when time was up
     steps: int  #: of the session
     state_hash: str  #: behind them
-    too_few: str  #: the sentence on too few iterations; empty where there are enough
 
 
 @dataclasses.dataclass
@@ -57,7 +55,6 @@ class Result:
     name: str
     body: str
     cut: str
-    setting: str  #: the label
     run: KerfRun
     kerf: Figures
     elements: Figures
@@ -65,7 +62,6 @@ class Result:
     largest: float  #: distance of a vertex of either surface from the other one (Hausdorff) [m]
     mean: float  #: of all vertices of both [m]
     diagonal: float  #: of the unloaded body [m]
-    files: str  #: how its picture and session begin
 
     @property
     def sag_deviation(self):
@@ -92,7 +88,7 @@ class Result:
         return all(self.within())
 
     def title(self):
-        return f"{self.body}, cut: {self.cut}, {self.setting}"
+        return f"{self.body}, cut: {self.cut}"
 
 
 def deviation(ours, theirs):
@@ -192,14 +188,13 @@ def shape_deviation(a, b):
 # --- Runs -----------------------------------------------------------------------------------------
 
 
-def run_kerf(case, true_modulus, folder, session_file):
+def run_kerf(case, folder):
     """Runs the session of a case until the body rests; leaves model and session for replays."""
     model = f"{case.name}.ply"
     points, triangles = case.model
     bodies.write_ply(folder / model, np.float32(points), triangles)  # as Kerf itself writes it
     session = {"format": "kerf-session", "version": 1, "model": {"path": model},
-               "params": {**case.params, "true_modulus": true_modulus}, "steps": MOST_STEPS,
-               "events": case.events}
+               "params": case.params, "steps": MOST_STEPS, "events": case.events}
     sim = kerf.Simulation.from_session(
         {**session, "model": {"path": os.path.abspath(folder / model)}}, undo_memory=0)
     sim.step(case.loaded + 1)
@@ -207,9 +202,8 @@ def run_kerf(case, true_modulus, folder, session_file):
     away = np.linalg.norm(sim.mesh.rest_positions[used] - case.pinned, axis=1)
     vertex = used[away.argmin()]
     settled = settle(sim, vertex, case.loaded * TIME_STEP + MOST_SECONDS)
-    write_json(folder / session_file, {**session, "steps": sim.step_count})
-    return KerfRun(piece_surface(sim, vertex), settled, sim.step_count, sim.state_hash,
-                   sim.too_few_iterations)
+    write_json(folder / f"{case.name}.kerf.json", {**session, "steps": sim.step_count})
+    return KerfRun(piece_surface(sim, vertex), settled, sim.step_count, sim.state_hash)
 
 
 def settle(sim, vertex, seconds):
@@ -229,24 +223,20 @@ def settle(sim, vertex, seconds):
     return False
 
 
-def run_case(case, folder, settings=SETTINGS, finest=2):
-    """Runs a case with each of the settings, and its elements once."""
+def run_case(case, folder, finest=2):
+    """Runs a case, and its elements."""
     progress(f"fem: {case.name}, elements")
     elements, coarse = elements_surface(case, finest), elements_surface(case, 1)
-    results = []
-    for name, (label, true_modulus) in settings.items():
-        progress(f"fem: {case.name}, {label}")
-        files = f"{case.name}-{name}"
-        run = run_kerf(case, true_modulus, folder, f"{files}.kerf.json")
-        points = case.model[0]
-        results.append(Result(
-            case.name, case.body, case.cut, label, run, figures_of(case, run.surface),
-            figures_of(case, elements), figures_of(case, coarse),
-            *shape_deviation(run.surface, elements),
-            np.linalg.norm(points.max(axis=0) - points.min(axis=0)), files))
-        figure = fem_pictures.figure_of(results[-1].title(), run.surface, elements)
-        save_figure(figure, folder / f"{files}.png")
-    return results
+    progress(f"fem: {case.name}")
+    run, points = run_kerf(case, folder), case.model[0]
+    result = Result(
+        case.name, case.body, case.cut, run, figures_of(case, run.surface),
+        figures_of(case, elements), figures_of(case, coarse),
+        *shape_deviation(run.surface, elements),
+        np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
+    save_figure(fem_pictures.figure_of(result.title(), run.surface, elements),
+                folder / f"{case.name}.png")
+    return result
 
 
 # --- Report ---------------------------------------------------------------------------------------
@@ -264,10 +254,10 @@ def marked(share):
 
 def main_table(results):
     return table(
-        ["body", "cut", "Kerf's setting", "sag, mm: Kerf", "elements", "%", "opening, mm: Kerf",
-         "elements", "%", "volume, %: Kerf", "elements", "%", "shape, % of the diagonal: largest",
-         "mean", "within the bars"],
-        [[r.body, r.cut, r.setting + ("" if r.run.settled else " (still moving)"),
+        ["body", "cut", "sag, mm: Kerf", "elements", "%", "opening, mm: Kerf", "elements", "%",
+         "volume, %: Kerf", "elements", "%", "shape, % of the diagonal: largest", "mean",
+         "within the bars"],
+        [[r.body, r.cut + ("" if r.run.settled else " (still moving)"),
           millimetres(r.kerf.sag), millimetres(r.elements.sag), marked(r.sag_deviation),
           millimetres(r.kerf.opening), millimetres(r.elements.opening), marked(r.opening_deviation),
           percent(r.kerf.volume_ratio), percent(r.elements.volume_ratio),
@@ -277,35 +267,27 @@ def main_table(results):
 
 
 def count_table(results):
-    """How many cases are within the bars, for each setting."""
-    rows = []
-    for setting in dict.fromkeys(r.setting for r in results):
-        own = [r for r in results if r.setting == setting]
-        measured = ([r for r in own if r.sag_deviation is not None],
-                    [r for r in own if r.opening_deviation is not None], own, own)
-        counts = [f"{sum(r.within()[i] for r in some)} of {len(some)}"
-                  for i, some in enumerate(measured)]
-        rows.append([setting, *counts, f"{sum(r.holds() for r in own)} of {len(own)}"])
-    return table(["Kerf's setting", "sag within 15 %", "opening within 15 %", "volume within 15 %",
-                  "shape within 5 %", "all of these"], rows)
+    """How many cases are within the bars."""
+    measured = ([r for r in results if r.sag_deviation is not None],
+                [r for r in results if r.opening_deviation is not None], results, results)
+    counts = [f"{sum(r.within()[i] for r in some)} of {len(some)}"
+              for i, some in enumerate(measured)]
+    return table(["sag within 15 %", "opening within 15 %", "volume within 15 %",
+                  "shape within 5 %", "all of these"],
+                 [[*counts, f"{sum(r.holds() for r in results)} of {len(results)}"]])
 
 
 def element_table(results):
-    """The accuracy of the elements themselves, once for each case."""
-    once = {r.name: [r.body, r.cut, marked(deviation(r.coarse.sag, r.elements.sag)),
-                     marked(deviation(r.coarse.opening, r.elements.opening))] for r in results}
-    return table(["body", "cut", "sag, %", "opening, %"], once.values())
+    """The accuracy of the elements themselves."""
+    return table(["body", "cut", "sag, %", "opening, %"],
+                 [[r.body, r.cut, marked(deviation(r.coarse.sag, r.elements.sag)),
+                   marked(deviation(r.coarse.opening, r.elements.opening))] for r in results])
 
 
 def remarks(results):
-    sentences = []
-    for r in results:
-        if not r.run.settled:
-            sentences.append(f"{r.title()}: it still moved when time was up, so what stands there "
-                             "is not final.")
-        if r.run.too_few:
-            sentences.append(f"{r.title()}: {r.run.too_few}")
-    return section("Remarks", sentences)
+    return section("Remarks", [
+        f"{r.title()}: it still moved when time was up, so what stands there is not final."
+        for r in results if not r.run.settled])
 
 
 def report_of(results):
@@ -324,17 +306,17 @@ def report_of(results):
           "What elements of twice the size give, against those above. The rest of their error is "
           "smaller than that.\n\n"
         + element_table(results) + "## Pictures\n\n"
-        + "".join(picture(r.title(), f"{r.files}.png") for r in results))
+        + "".join(picture(r.title(), f"{r.name}.png") for r in results))
 
 
 def summary_of(results):
     return {"cases": [{
-        "case": r.name, "body": r.body, "cut": r.cut, "setting": r.setting,
+        "case": r.name, "body": r.body, "cut": r.cut,
         "settled": r.run.settled, "steps": r.run.steps, "state_hash": r.run.state_hash,
         "kerf": dataclasses.asdict(r.kerf), "elements": dataclasses.asdict(r.elements),
         "coarse_elements": dataclasses.asdict(r.coarse),
         "shape": {"largest": r.largest, "mean": r.mean, "diagonal": r.diagonal},
-        "within_bars": r.holds(), "picture": f"{r.files}.png", "session": f"{r.files}.kerf.json",
+        "within_bars": r.holds(), "picture": f"{r.name}.png", "session": f"{r.name}.kerf.json",
     } for r in results]}
 
 
@@ -342,6 +324,6 @@ def run(arguments):
     """Prints the report. A value beyond a bar is no failure: returns ""."""
     folder = arguments.out / "fem"
     remove(folder, "summary.json", "report.md")
-    results = [result for case in all_cases() for result in run_case(case, folder)]
+    results = [run_case(case, folder) for case in all_cases()]
     publish(arguments, folder, report_of(results), summary_of(results))
     return ""

@@ -3,7 +3,6 @@
 import copy
 import dataclasses
 import json
-import typing
 
 import kerf
 import numpy as np
@@ -23,8 +22,6 @@ SAID = {
 }
 PAPER = {row["name"]: {**row, **SAID[row["name"]]} for row in kerf.paper_experiments()}
 
-#: What the editor gives a new scene.
-OF_NEW_SCENE = {"true_modulus": 1, "iterations": "auto"}
 AS_PUBLISHED = {"solver": "pbd", "paper_contact": 1, "open_cut": 1}
 WAYS = next(p["choices"] for p in kerf.parameters() if p["name"] == "cut_search")
 CUTTING_WIDTH, FALL_WIDTH, PICTURE_HEIGHT = 360, 480, 360  # of pictures in strips [pixels]
@@ -68,8 +65,6 @@ class Result:
     searches: dict  #: rows of a stroke by its way of finding triangles
     cutting: list
     falling: list
-    #: As a new scene; none with the paper's solver, which has no modulus.
-    auto: typing.Optional["AutoRun"] = None
 
     @property
     def paper(self):
@@ -86,19 +81,6 @@ class Result:
     def rates(self):
         """Mean frame rates of the strokes [1/s]."""
         return [fps(stroke) for stroke in self.strokes]
-
-
-@dataclasses.dataclass
-class AutoRun:
-    """The same, as a new scene."""
-    summary: dict
-    rows: np.ndarray
-
-    @property
-    def iterations(self):
-        """"5 to 9", of the steps."""
-        least, most = (int(f(self.rows["iterations"])) for f in (np.min, np.max))
-        return str(most) if least == most else f"{least} to {most}"
 
 
 @dataclasses.dataclass
@@ -120,7 +102,7 @@ def fps(rows):
 def paper_session(name, published):
     session = json.loads((SESSIONS / f"{name}.kerf.json").read_text())
     if published:
-        session["params"].update(AS_PUBLISHED)
+        session["params"].update(AS_PUBLISHED, iterations=PAPER[name]["iterations"])
     return session
 
 
@@ -203,15 +185,7 @@ def run_experiment(name, out, published, runs):
                 else timed({"cut_search": way}, f"search/{way}", f"search {way}") for way in WAYS}
     if published:
         cutting[HOLLOW_PLACE:HOLLOW_PLACE] = picture_hollow(plain, folder)
-    auto = None if published else run_as_new_scene(plain, folder)
-    return Result(name, session, params, summary, rows, strokes, searches, cutting, falling, auto)
-
-
-def run_as_new_scene(session, folder):
-    """The whole session without pictures, with a true modulus and auto iterations."""
-    plain = shortened(session, session["steps"], ("screenshot", "check"))
-    plain["params"] = {**plain["params"], **OF_NEW_SCENE}
-    return AutoRun(*replay(plain, folder / "auto", f"{folder.name}, auto iterations"))
+    return Result(name, session, params, summary, rows, strokes, searches, cutting, falling)
 
 
 def picture_hollow(session, folder):

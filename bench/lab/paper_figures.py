@@ -8,7 +8,7 @@ import numpy as np
 from . import drawing
 from .drawing import BLUE, GRAY, GREEN, ORANGE, VERMILLION
 from .paper import FIGURE_2_STEP, PAPER
-from .workshop import save_figure
+from .workshop import save_figure, value_text
 
 FIGURE_2_FILE = "figures/figure-2.png"
 FIGURE_9_FILE = "figures/figure-9.png"
@@ -55,7 +55,8 @@ def volume_label(name):
 
 
 def settings_of(r):
-    return f"time step {r.params['time_step']:g} s, {r.params['iterations']:g} iterations"
+    return (f"time step {r.params['time_step']:g} s, {value_text(r.params['iterations'])} "
+            "iterations")
 
 
 def later_files(names):

@@ -10,7 +10,8 @@ import kerf
 
 from . import paper_figures as figures
 from .paper import NEGLIGIBLE, fps
-from .workshop import NOT_GIVEN, ROOT, bullets, caption, percent, picture, section, table
+from .workshop import (NOT_GIVEN, ROOT, bullets, caption, percent, picture, section, table,
+                       value_text)
 
 # What counts as far from the paper's figure.
 FAR_RATE = 2  # ratio of frame rates, either way
@@ -31,7 +32,7 @@ def report(results, figure_2, published):
         deformation(results),
         performance(results),
         search(results),
-        settings(results),
+        settings(results, published),
     ])
 
 
@@ -52,17 +53,19 @@ def spread(values):
 
 def head(results, published):
     method_sentence = (
-        "Solver, contact between pieces and course of the cut are the paper's as well (`solver` "
-        "pbd, `paper_contact`, `open_cut`): the body is open while the blade is in it. What that "
-        "leaves open is seen in the pictures of the cut where two hands draw the lips apart, for "
-        "the picture alone. Stiffness factors, which the paper does not give, are our sessions'."
+        "Solver, iterations, contact between pieces and course of the cut are the paper's as well "
+        "(`solver` pbd, `paper_contact`, `open_cut`): the body is open while the blade is in it. "
+        "What that leaves open is seen in the pictures of the cut where two hands draw the lips "
+        "apart, for the picture alone. Stiffness factors, which the paper does not give, are our "
+        "sessions'."
         if published else
-        "Solver, contact and cut are Kerf's own; with `--published` they are the paper's.")
+        "Solver, iterations, contact and cut are Kerf's own; with `--published` they are the "
+        "paper's.")
     return (
         "# The paper's experiments, remade\n\n"
         "The blade comes down through each body at rest, then gravity acts and the pieces fall on "
-        "the floor (the paper's sections 3.1 and 3.2). Time steps and iterations are the paper's, "
-        f"the models are our own of the same kinds and names. {method_sentence}\n\n"
+        "the floor (the paper's sections 3.1 and 3.2). Time steps are the paper's, the models are "
+        f"our own of the same kinds and names. {method_sentence}\n\n"
         "Tables and figures have the paper's numbers. A dash stands where its text, all that is "
         f"known of its tables, gives no figure. Renderer: {results[0].summary['renderer']}.\n\n")
 
@@ -102,8 +105,10 @@ def difference_paragraphs(results, published):
         "**Solver.** The paper's is \"Gauss-Seidel-like\". Kerf solves constraints of one kind at "
         "once (Jacobi), which is softer at equal iterations but gives the same bits for any "
         "number of threads."
-        + ("" if published else
-           " Its iterations are substeps of one sweep each, not sweeps of one step."),
+        if published else
+        "**Solver.** The paper's sweeps solve one constraint after the other. Kerf takes implicit "
+        "steps of a material as stiff as `youngs_modulus` says, with as many iterations of "
+        "conjugate gradients as each step needs.",
         "**Models.** They are our own, of the same kinds and names: the paper's octopus and "
         "banana are not published, nor are their counts.",
     ]
@@ -180,9 +185,10 @@ def method(results, figure_2, published):
             "GPU buffers of the solver, read from `shaders/shared/bindings.h`. Buffers that no "
             f"kernel needs together share a binding. {kernels} kernels run with {threads} threads "
             "in a group. A kernel runs as many groups as its entries need; over the vertices at "
-            f"the end these are at least: {groups}. A small body is solved by one group in one "
-            "dispatch. The paper has 10 buffers, for N vertices, M distance and bending "
-            "constraints, L ISPCs and the cubes, and 8 groups of 1024 threads in all kernels.")))
+            f"the end these are at least: {groups}. With `pbd` one group makes all sweeps of a "
+            "small body that meets nothing but the floor. The paper has 10 buffers, for N "
+            "vertices, M distance and bending constraints, L ISPCs and the cubes, and 8 groups of "
+            "1024 threads in all kernels.")))
 
 
 def figure_two(without, with_ispcs, published):
@@ -263,7 +269,7 @@ def previous_fps(paper):
 
 def performance(results):
     return ("## Performance (the paper's sections 3.2 and 3.3)\n\n" + figure_nine(results)
-            + rates_table(results) + auto_table(results) + table_three(results))
+            + rates_table(results) + table_three(results))
 
 
 def figure_nine(results):
@@ -287,25 +293,6 @@ def rates_table(results):
 
     return per_model(["while the blade cuts: mean", "smallest", "largest", "whole run",
                       "slowest frame, ms", "paper"], results, cells)
-
-
-def auto_table(results):
-    """Beside the paper's iterations those that Kerf chooses."""
-    def of(summary):
-        volume = summary["volume_ratio"]
-        return [f"{summary['fps']['mean']:.1f}", *(percent(volume[k]) for k in ("min", "final"))]
-
-    def cells(r):
-        return [value_text(r.params["iterations"]), *of(r.summary), r.auto.iterations,
-                *of(r.auto.summary)]
-
-    own = [r for r in results if r.auto]
-    return (per_model(["paper's iterations", "frames/s", "least volume, %", "final", "auto",
-                       "frames/s", "least volume, %", "final"], own, cells)
-            + caption("Auto iterations", (
-                "The whole run with the paper's iterations and, as in a new scene of the editor, "
-                "with `true_modulus` and `iterations` \"auto\", least to most of a step."))
-            if own else "")
 
 
 def table_three(results):
@@ -388,7 +375,7 @@ def share_sentence(results):
 # --- Settings -------------------------------------------------------------------------------------
 
 
-def settings(results):
+def settings(results, published):
     def row(name, cell):
         return [name, *(cell(r) for r in results)]
 
@@ -405,17 +392,6 @@ def settings(results):
              row("closed after every step",
                  lambda r: "yes" if r.summary["closed_every_step"] else "no")]
     return ("## Settings\n\nAll parameters at the start of each run, by their names in a session. "
-            "Time steps and iterations are the paper's; it gives no stiffness, modulus, density or "
-            "friction, so these are our own.\n\n"
+            f"Time steps {'and iterations ' if published else ''}are the paper's; it gives no "
+            "stiffness, modulus, density or friction, so these are our own.\n\n"
             + table(["setting", *(r.label for r in results)], rows))
-
-
-def value_text(value):
-    """A value as a session has it."""
-    if value is None:
-        return "none"
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (int, float)):
-        return f"{value:g}"
-    return "[" + ", ".join(f"{x:g}" for x in value) + "]"

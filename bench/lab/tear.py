@@ -15,8 +15,8 @@ MOST_ERROR = 0.15
 MOST_MISSING = 0.05
 
 #: Without what is not measured. Without a strength no second tear begins elsewhere.
-PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "true_modulus": 1,
-          "wall_coarsening": 1, "tensile_strength": 1e9}
+PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "wall_coarsening": 1,
+          "tensile_strength": 1e9}
 STEP = 4  # squares that a wave in a bar passes in a time step
 ITERATIONS = 24  # in such a step
 SHORTEST, LONGEST = 0.0005, 0.02  # of time steps [s]

@@ -74,6 +74,17 @@ def table(head, rows):
     return "".join(f"| {' | '.join(map(str, cells))} |\n" for cells in lines) + "\n"
 
 
+def value_text(value):
+    """A value of a parameter as a session has it."""
+    if value is None:
+        return "none"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, (int, float)):
+        return f"{value:g}"
+    return "[" + ", ".join(f"{x:g}" for x in value) + "]"
+
+
 def bullets(sentences):
     return "".join(f"- {sentence}\n" for sentence in sentences) + ("\n" if sentences else "")
 

@@ -127,14 +127,6 @@ class Simulation:
         return self._run.messages()
 
     @property
-    def too_few_iterations(self) -> str:
-        """A sentence where steps so far had too few iterations for the stiffness; else "".
-
-        The body is softer than its modulus then; summary.json has the same remark.
-        """
-        return self._run.too_few_iterations()
-
-    @property
     def tear_sentence(self) -> str:
         """Why the body tore in the last step or did not, with `tearing`; else "".
 

@@ -8,7 +8,7 @@ SHARED_BEGIN
 SHARED_CONST uint kUniformsBinding = 0u;      // one: SolverUniforms, what all kernels share
 SHARED_CONST uint kPositionsBinding = 1u;     // per vertex: base position X [m], inverse unit mass
 SHARED_CONST uint kVelocitiesBinding = 2u;    // per vertex: velocity [m/s]
-SHARED_CONST uint kDisplacementBinding = 3u;  // per vertex: d = P - X of this substep [m]
+SHARED_CONST uint kDisplacementBinding = 3u;  // per vertex: d = P - X of this step [m]
 SHARED_CONST uint kLinksBinding = 4u;  // per vertex: VertexLinks, numbers of constraints, piece
 SHARED_CONST uint kConstraintsBinding = 5u;  // per constraint of one type: its record
 SHARED_CONST uint kRangesBinding = 6u;       // per vertex: where its entries begin, how many
@@ -18,12 +18,10 @@ SHARED_CONST uint kPlacesBinding = 9u;       // per place on a page: vertex, kNo
 SHARED_CONST uint kGradientsBinding = 10u;   // per vertex: gradient of volume dV/dp [m^2]
 SHARED_CONST uint kPiecesBinding = 11u;      // per piece: PieceRecord
 SHARED_CONST uint kBlocksBinding = 12u;      // per block of pages: BlockRecord
-SHARED_CONST uint kBlockSumsBinding = 13u;   // per block: VolumeSum or BlockMeasure
+SHARED_CONST uint kBlockSumsBinding = 13u;   // per block: its volume [m^3] or BlockMeasure
 SHARED_CONST uint kPagesBinding = 14u;       // per page: its number, block after block
 SHARED_CONST uint kAreasBinding = 15u;       // per vertex: rest area [m^2]
-SHARED_CONST uint kImpulsesBinding = 8u;     // per piece: VolumeImpulse
 SHARED_CONST uint kPreviousBinding = 8u;     // per vertex: d before a sweep over the edges [m]
-SHARED_CONST uint kEndedFoldsBinding = 9u;   // per vertex: its fold, forgotten with the substep
 SHARED_CONST uint kPullsBinding = 5u;        // per pulled vertex: PullRecord
 SHARED_CONST uint kSavedBinding = 5u;        // per vertex: position to go back to [m]
 SHARED_CONST uint kMarksBinding = 6u;        // per piece: not 0 where it goes back

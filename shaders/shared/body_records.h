@@ -106,23 +106,13 @@ struct PullRecord {
     uint leads;
 };
 
-// Of one piece, in a substep.
-struct VolumeImpulse {
-    float impulse;  // by which volume_correct multiplies w dV/dp [1/m]
-    uint finished;  // blocks that have their sum; 0 between substeps
-};
-
-// Of one block, in a substep.
-struct VolumeSum {
-    float volume;       // share of the volume [m^3]: a third of the sum of (p - origin) . dV/dp
-    float denominator;  // sum of w |dV/dp|^2
-};
-
 SHARED_CONST float kMostStretch = 1e20f;
 SHARED_CONST float kLostStretch = 1e30f;
 // Of one block, after a step.
 struct BlockMeasure {
-    vec4 low_volume;  // xyz: smallest coordinates [m]; w: volume as above [m^3]
+    // xyz: smallest coordinates [m]; w: share of the volume [m^3]: a third of the sum of
+    // (p - origin) . dV/dp
+    vec4 low_volume;
     // xyz: largest coordinates [m]; w: how far an edge is stretched most, as a share of its length;
     // kLostStretch where a vertex is lost
     vec4 high_stretch;

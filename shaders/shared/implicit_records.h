@@ -126,6 +126,10 @@ struct ImplicitUniforms {
     uint piece_count;
     uint holds_volume;  // 0: no piece is held
     uint region_count;  // 0: each aggregate is one
+    float firmest;      // of a constraint, over the sum of w |grad C|^2: see kMostFirmness [1/s^2]
+    float unused_a;
+    float unused_b;
+    float unused_c;
 };
 
 // A block of the matrix, and what adds up to it.
@@ -139,6 +143,10 @@ struct ImplicitBlock {
 // A share of a block names the factors of a constraint by half of the number of the first, and two
 // slots of the constraint, that of the row above that of the column.
 SHARED_CONST uint kSlotBits = 4u;
+
+// No constraint resists its vertices more than so many times what their inertia does in a stage:
+// floats, and edges shorter than floats tell apart, hold no more.
+SHARED_CONST float kMostFirmness = 1e5f;
 
 // A crushed triangle turns with the least motion: beyond this multiple of its steepness at rest a
 // bend is softer, so that it is no stiffer against motion.

@@ -32,8 +32,7 @@ struct UnfoldGoal {
 // neighbours.
 SHARED_CONST uint kUnfoldRestBinding = 4u;   // texels of rest positions [m]
 SHARED_CONST uint kUnfoldBendsBinding = 5u;  // texels of BendRecord
-// Float per vertex: the largest fold of its bends; behind them as many, of a small body: the sums
-// over the goals that they are in.
+// Float per vertex: the largest fold of its bends.
 SHARED_CONST uint kUnfoldFoldsBinding = 8u;
 SHARED_CONST uint kUnfoldGoalsBinding = 10u;  // UnfoldGoal per vertex
 

@@ -1,13 +1,13 @@
 // All types of constraints with pulls: solveNAME(records, index) sets the pulls of one, and
 // energyOfNAME(records, index) is its energy at X [J]. The includer declares `uniforms`,
 // positionOf(v), displacementOf(v) and setCorrection(index, pull).
-#include "sim/folds.glsl"
-#include "sim/pull_direction.glsl"
 
-// C^2 / (2 alpha) [J]; what is rigid holds none. `square`: C^2, or what stands for it.
-float energyOf(float square, float geometry, uint type) {
-    float alpha = geometry * uniforms.compliance[type] * uniforms.substep * uniforms.substep;
-    return alpha > 0.0 ? 0.5 * square / alpha : 0.0;
+// C^2 E / (2 geometry) [J]; what is rigid holds none. `square`: C^2, or what stands for it;
+// `moved`: the sum of |grad C|^2 over unit mass, by which kMostFirmness bounds it.
+float energyOf(float square, float geometry, uint type, float moved) {
+    float stiffness = geometry > 0.0 ? uniforms.modulus[type] / geometry : 0.0;
+    return 0.5 * square *
+        min(stiffness, uniforms.firmest / max(uniforms.inverse_density * moved, 1e-30));
 }
 
 #include "sim/constraints/*.glsl"

@@ -1,6 +1,6 @@
-// Ends a substep on the floor: v = d / h exp(-c h), X += d. Vertices without inverse mass keep
-// their velocity. Reads d, which stays as it was. Reads and writes X and velocities, with UNFOLDS
-// folds. One thread per vertex. A storage barrier follows.
+// Ends a step on the floor: v = d / h exp(-c h), X += d. Vertices without inverse mass keep their
+// velocity. Reads d, which stays as it was. Reads and writes X and velocities. One thread per
+// vertex. A storage barrier follows.
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
@@ -17,8 +17,7 @@ void main() {
     if (v >= uniforms.vertex_count) return;
     vec4 x = fetch(before, v);
     vec3 d = fetch(displacement, v).xyz;
-    if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x, foldAt(v));
-    endFold(v);
+    if ((uniforms.active_parts & kFloorPart) != 0u) d = onFloor(d, x);
     if (x.w > 0.0) {
         velocities[v] = vec4(endVelocity(d), 0.0);
     }

@@ -15,5 +15,5 @@ layout(std430, binding = kDisplacementBinding) writeonly buffer Displacement {
 void main() {
     uint v = gl_GlobalInvocationID.x;
     if (v >= uniforms.vertex_count) return;
-    displacement[v] = vec4(onFloor(fetch(before, v).xyz, fetch(positions, v), foldAt(v)), 0.0);
+    displacement[v] = vec4(onFloor(fetch(before, v).xyz, fetch(positions, v)), 0.0);
 }

@@ -1,6 +1,5 @@
 // Adds to each vertex what the constraints of one type pull it with: TYPE is its number, RANGES and
 // ENTRIES declare its lists, SUM sums them up.
-// With ONTO_FLOOR it lifts the vertex onto the floor besides, as floor.comp does.
 // Reads X, corrections, links, lists. Reads and writes d.
 // One thread per vertex. A storage barrier follows.
 #include "constraints.h"
@@ -23,9 +22,6 @@ uvec4 entryOfList(uint type, uint index) { return fetch(entries, index); }
 
 #include "sim/gather.glsl"
 #include "sim/mass_split.glsl"
-#ifdef ONTO_FLOOR
-#include "sim/floor.glsl"
-#endif
 
 void main() {
     uint v = gl_GlobalInvocationID.x;
@@ -33,8 +29,5 @@ void main() {
     vec3 sum = SUM(TYPE, v);
     vec4 x = fetch(positions, v);
     vec3 d = withSum(fetch(before, v).xyz, x.w, sum);
-#ifdef ONTO_FLOOR
-    d = onFloor(d, x, foldAt(v));
-#endif
     displacement[v] = vec4(d, splitFrom(TYPE + 1u, x.w, fetch(links, v)));
 }

@@ -13,13 +13,14 @@ KERF_PULLING(DECLARE)
 float largestStretch = 0.0;  // of the edges that this thread has summed up
 
 float edgeEnergy(uint v) {
-    vec3 own = fetch(positions, v).xyz;
+    vec4 own = fetch(positions, v);
     uvec2 range = fetch(edgeRanges, v).xy;
     float sum = 0.0;
     for (uint k = range.x; k < range.y; ++k) {
         Spoke spoke = fetchSpoke(spokes, k);
-        float error = distance(own, fetch(positions, spoke.other).xyz) - spoke.rest_length;
-        sum += energyOf(error * error, spoke.geometry, kStretch);
+        vec4 far = fetch(positions, spoke.other);
+        float error = distance(own.xyz, far.xyz) - spoke.rest_length;
+        sum += energyOf(error * error, spoke.geometry, kStretch, own.w + far.w);
         float stretch = min(error / max(spoke.rest_length, uniforms.gravity.w), kMostStretch);
         if (stretch > largestStretch) largestStretch = stretch;  // no comparison holds for NaN
     }
@@ -30,16 +31,20 @@ float edgeEnergy(uint v) {
 float largestFold = 0.0;  // of the bends that this thread has summed up
 
 float energyOfBend(BendRecord bend) {
-    vec3 from = fetch(positions, bend.v0).xyz;
-    Wings wings = wingsOf(fetch(positions, bend.v1).xyz - from,
-                          fetch(positions, bend.v2).xyz - from,
-                          fetch(positions, bend.v3).xyz - from);
+    vec4 x0 = fetch(positions, bend.v0);
+    vec4 x1 = fetch(positions, bend.v1);
+    vec4 x2 = fetch(positions, bend.v2);
+    vec4 x3 = fetch(positions, bend.v3);
+    Wings wings = wingsOf((x1 - x0).xyz, (x2 - x0).xyz, (x3 - x0).xyz);
     largestFold = max(largestFold, foldOf(wings, bend));
     if (degenerate(wings)) return 0.0;
     vec2 turn = errorVector(wings, bend);
     float error = abs(inverseTangent(turn.y, turn.x));
     float elastic = min(error, kMaxBendError);
-    return energyOf(elastic * (2.0 * error - elastic), bend.geometry, kBend);
+    // Of the apexes alone, which turn it most.
+    float e2 = dot(wings.edge, wings.edge);
+    float moved = e2 * (x2.w / dot(wings.nA, wings.nA) + x3.w / dot(wings.nB, wings.nB));
+    return energyOf(elastic * (2.0 * error - elastic), bend.geometry, kBend, moved);
 }
 
 uint countIf(uint part, uint count) {

@@ -1,9 +1,9 @@
-// Predicts the displacement of the substep, d = h (v + h g), and solves the edges against it: one
-// mass-splitting Jacobi sweep of XPBD, damped in proportion to stiffness (gamma = beta / h).
+// Predicts the displacement of the step, d = h (v + h g), and solves the edges against it: one
+// mass-splitting Jacobi sweep of plain PBD.
 // Reads X, velocities, links and the spokes of each vertex. Writes d.
 // One thread per vertex: it works each incident edge out anew, in the fixed order of the incidence,
 // and predicts its neighbours from their velocities, so that no second buffer is needed.
-// With SWEEP_AGAIN it starts from a copy of d instead: the later sweeps of plain PBD.
+// With SWEEP_AGAIN it starts from a copy of d instead: the later sweeps.
 // A storage barrier follows.
 #include "sim/fetch.glsl"
 #include "sim/uniforms.glsl"

@@ -17,7 +17,7 @@ using Member =
                  SolverMode Params::*, CutSearch Params::*>;
 
 // In the order of the enumerators.
-constexpr std::array<std::string_view, 3> kSolverModes{"small_steps", "pbd", "implicit"};
+constexpr std::array<std::string_view, 2> kSolverModes{"implicit", "pbd"};
 constexpr std::array<std::string_view, 3> kCutSearches{"tree", "adjacency", "all"};
 
 struct Row {
@@ -46,8 +46,7 @@ const std::array kRows = {
         &Params::timeStep},
     Row{orAuto({"iterations", "Iterations", "",
                 "Of conjugate gradients, in each of the two stages of an implicit step: more is "
-                "more exact and slower. With pbd sweeps, with small_steps substeps. auto: as many "
-                "as each step needs.",
+                "more exact and slower. With pbd sweeps. auto: as many as each step needs.",
                 ParamType::integer, 1, 60, false}),
         &Params::iterations},
     Row{newer({"iteration_error", "Iteration error", "",
@@ -60,12 +59,6 @@ const std::array kRows = {
          "itself, 1 as firm as the solver gets.",
          ParamType::real, 0, 1, false},
         &Params::ispcStiffness},
-    Row{newer({"true_modulus", "True modulus", "",
-               "1: the body is as stiff as Young's modulus says, by three turned ISPCs a vertex "
-               "that share the load with the skin; 0: the paper's ISPC along the normal. Always 1 "
-               "with implicit, not used by pbd.",
-               ParamType::integer, 0, 1, false}),
-        &Params::trueModulus},
     Row{{"gravity", "Gravity", "m/s^2", "Acceleration of free fall along x, y (up) and z.",
          ParamType::vector, -100, 100, false},
         &Params::gravity},
@@ -213,9 +206,8 @@ const std::array kRows = {
         &Params::cutSearch},
     Row{{"solver", "Solver", "",
          "implicit: a few large steps of a material in pascals, which its firmness does not "
-         "shorten; small_steps: the same by many small ones; pbd: the paper's sweeps and stiffness "
-         "factors, which lose volume.",
-         ParamType::choice, 0, 2, false, kSolverModes},
+         "shorten; pbd: the paper's sweeps and stiffness factors, which lose volume.",
+         ParamType::choice, 0, 1, false, kSolverModes},
         &Params::solver},
 };
 
@@ -318,6 +310,10 @@ struct Setter {
     template <class Choice>
     std::string operator()(Choice Params::*member) const {
         const std::string* name = std::get_if<std::string>(&value);
+        if (info.name == "solver" && name && *name == kFormerSolver) {
+            params.*member = Choice{};
+            return "";
+        }
         const auto choice = name ? std::ranges::find(info.choices, *name) : info.choices.end();
         if (choice == info.choices.end()) {
             return quoted(info.name) + " must be one of " + joined(info.choices, ", ");

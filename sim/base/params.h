@@ -14,9 +14,8 @@ namespace kerf {
 
 /// How the constraints are solved.
 enum class SolverMode {
-    smallSteps,  ///< XPBD, one sweep per substep (Macklin et al. 2019): stiffness in pascals
-    pbd,         ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
-    implicit,    ///< large implicit steps: see ImplicitStepper
+    implicit,  ///< large implicit steps of a material in pascals: see ImplicitStepper
+    pbd,       ///< plain position-based dynamics, as in the paper: sweeps and stiffness factors
 };
 
 /// The parameters of a single model of a scene; those without a value are those of all models.
@@ -36,8 +35,10 @@ inline constexpr int kMostModels = 64;
 
 /// Params::iterations: the simulation chooses them before each step; "auto" in text.
 inline constexpr int kAutoIterations = 0;
-/// As many iterations of other solvers than implicit, where they are auto and nothing says more.
+/// As many sweeps of pbd, where iterations are auto.
 inline constexpr int kUsualSweeps = 20;
+/// A solver that sessions of before may name: setParam() takes it for SolverMode::implicit.
+inline constexpr std::string_view kFormerSolver = "small_steps";
 
 /// How the blade acts on the body.
 struct BladeParams {
@@ -61,12 +62,11 @@ struct TearParams {
 struct SceneParams : BladeParams, TearParams {
     SolverMode solver = SolverMode::implicit;
     double timeStep = 0.005;  ///< [s]
-    /// Of a stage of an implicit step, or substeps of one sweep each, or sweeps of pbd;
-    /// kAutoIterations: as many as each step needs.
+    /// Of a stage of an implicit step, or sweeps of pbd; kAutoIterations: as many as each step
+    /// needs.
     int iterations = kAutoIterations;
     double iterationError = 0.02;       ///< that auto iterations are to keep to, as a share
     double ispcStiffness = 0.5;         ///< 0 (none) to 1 (firm)
-    int trueModulus = 0;                ///< 1: as stiff as youngsModulus says; 0: plain ISPCs
     Vec3 gravity = {0, -9.81, 0};       ///< [m/s^2]
     std::optional<double> floor = 0.0;  ///< height [m]; none without a value
     double youngsModulus = 1e5;         ///< [Pa]

@@ -7,20 +7,20 @@
 namespace kerf {
 namespace {
 
-constexpr double kEarthGravity = 9.81;   // [m/s^2]
-constexpr double kMostFall = 0.03;       // of the diagonal, in the first step of a free fall
-constexpr double kMostOfSmall = 0.0005;  // the same with small_steps
-constexpr double kFastestWay = 4;        // diagonals a second
-constexpr double kSlowestSpeed = 0.1;    // diagonals a second
+constexpr double kEarthGravity = 9.81;  // [m/s^2]
+constexpr double kMostFall = 0.03;      // of the diagonal, in the first step of a free fall
+constexpr double kMostOfPbd = 0.0005;   // the same with pbd
+constexpr double kFastestWay = 4;       // diagonals a second
+constexpr double kSlowestSpeed = 0.1;   // diagonals a second
 constexpr auto kTimeSteps = {0.016, 0.008, 0.005, 0.004, 0.002, 0.001, 0.0005};
 constexpr auto kSpeeds = {10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01};
 
 double timeStepFor(double diagonal, const Params& params) {
-    const bool isSmall = params.solver != SolverMode::implicit;
-    const double fall = (isSmall ? kMostOfSmall : kMostFall) * diagonal;
+    const bool isPbd = params.solver == SolverMode::pbd;
+    const double fall = (isPbd ? kMostOfPbd : kMostFall) * diagonal;
     const double material =
-        isSmall ? Params{}.timeStep
-                : longestImplicitStep(diagonal, params.youngsModulus, params.density, params);
+        isPbd ? Params{}.timeStep
+              : longestImplicitStep(diagonal, params.youngsModulus, params.density, params);
     const double most = std::min(material, std::sqrt(fall / kEarthGravity));
     const auto* const found =
         std::ranges::find_if(kTimeSteps, [&](double step) { return step <= most; });

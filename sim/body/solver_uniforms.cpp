@@ -1,20 +1,16 @@
 #include "sim/body/solver_uniforms.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "shaders/shared/implicit_records.h"
 
 namespace kerf {
 
 namespace {
 
 using shared::uint;
-
-// An absent part gets compliance 0; its bit in active_parts is off.
-float complianceOverSquare(double modulus, double h) {
-    return modulus > 0 ? static_cast<float>(1 / (modulus * h * h)) : 0.0f;
-}
 
 /// Of a type of constraints; one without a parameter is off.
 double stiffnessOf(uint type, const Params& params) {
@@ -43,29 +39,17 @@ uint activeParts(const Params& params) {
     parts |= holdsVolume(params) ? shared::kVolumePart : 0u;
     parts |= unfolds(params) ? shared::kUnfoldPart : 0u;
     parts |= params.floor.has_value() ? shared::kFloorPart : 0u;
-    // Plain PBD sweeps many times over a long step, towards where the gradients have turned.
-    parts |= params.solver != SolverMode::pbd ? shared::kPullAsBeforePart : 0u;
-    parts |= hasTrueModulus(params) ? shared::kTrueModulusPart : 0u;
     return parts;
 }
 
-}  // namespace
-
-bool hasTrueModulus(const Params& params) {
-    return params.solver == SolverMode::implicit ||
-           (params.solver == SolverMode::smallSteps && params.trueModulus != 0);
-}
-
-namespace {
-
 /// See modulusFactor().
-double modulusShare(uint type, const Params& params) {
+double modulusShare(uint type) {
     // Skin and ISPCs that each carried the whole load would make a body twice as stiff. These come
     // from docs/notes/effective-modulus.md: the pair with which bars, slabs and blocks at rest are
     // nearest to a solid.
     constexpr double kSkin = 0.35;
     constexpr double kInside = 1.75;
-    if (!hasTrueModulus(params) || type == shared::kBend) {
+    if (type == shared::kBend) {
         return 1;
     }
     return type == shared::kStretch ? kSkin : kInside;
@@ -76,19 +60,11 @@ double modulusShare(uint type, const Params& params) {
 double modulusFactor(uint type, const Params& params) {
     const double stiffness = stiffnessOf(type, params);
     const double factor = type == shared::kIspc ? ispcModulusFactor(stiffness) : stiffness;
-    return factor * modulusShare(type, params);
-}
-
-double sweepRoom(uint type) {
-    // If one type alone moved a vertex, the stiffest mode that mass splitting allows would be
-    // stable at 1 (Jury's criterion). All of them do, so each has a share, and the shares make 1.
-    // Edges need most, and a solid lacks its bends least.
-    constexpr std::array<double, kConstraintTypes> kShares{0.80, 0.04, 0.16};
-    return 1 / kShares[type];
+    return factor * modulusShare(type);
 }
 
 IspcRays ispcRays(const Params& params) {
-    return hasTrueModulus(params) ? IspcRays::turned : IspcRays::alongNormal;
+    return params.solver == SolverMode::pbd ? IspcRays::alongNormal : IspcRays::turned;
 }
 
 bool holdsVolume(const Params& params) {
@@ -117,9 +93,18 @@ double catchUpSpeed(const Params& params) {
     return std::max(kLeast, kOfWave * std::sqrt(params.youngsModulus / params.density));
 }
 
+double stageOf(double step) {
+    return (1 - std::sqrt(0.5)) * step;
+}
+
+double firmestIn(double step) {
+    const double stage = stageOf(step);
+    return shared::kMostFirmness / (stage * stage);
+}
+
 namespace {
 
-/// What both modes share, for a substep h [s].
+/// What both modes share, for a step h [s].
 shared::SolverUniforms commonUniforms(const Params& params, double h) {
     shared::SolverUniforms u{};
     u.gravity = {static_cast<float>(params.gravity.x()), static_cast<float>(params.gravity.y()),
@@ -135,19 +120,14 @@ shared::SolverUniforms commonUniforms(const Params& params, double h) {
     return u;
 }
 
-/// Of `substeps` of a sweep each, or as many implicit steps.
-shared::SolverUniforms materialUniforms(const Params& params, int substeps) {
-    const double h = params.timeStep / substeps;
-    shared::SolverUniforms u = commonUniforms(params, h);
-    u.substeps = static_cast<uint>(substeps);
-    u.sweeps = 1;
-    u.damping_ratio = static_cast<float>(params.damping / h);
+shared::SolverUniforms implicitUniforms(const Params& params) {
+    shared::SolverUniforms u = commonUniforms(params, params.timeStep / params.implicitSteps);
+    u.substeps = static_cast<uint>(params.implicitSteps);
     for (uint type = 0; type < kConstraintTypes; ++type) {
         const double modulus = params.youngsModulus * modulusFactor(type, params);
-        u.compliance[type] = complianceOverSquare(modulus, h);
-        u.share[type] = 1;
-        u.sweep_room[type] = static_cast<float>(sweepRoom(type));
+        u.modulus[type] = std::isfinite(modulus) ? static_cast<float>(modulus) : 0.0F;
     }
+    u.firmest = static_cast<float>(firmestIn(params.timeStep));
     return u;
 }
 
@@ -167,19 +147,12 @@ shared::SolverUniforms pbdUniforms(const Params& params) {
 
 int numberOfIterations(const Params& params) {
     constexpr int kOfImplicitStage = 8;
-    const int usual = params.solver == SolverMode::implicit ? kOfImplicitStage : kUsualSweeps;
+    const int usual = params.solver == SolverMode::pbd ? kUsualSweeps : kOfImplicitStage;
     return params.iterations == kAutoIterations ? usual : params.iterations;
 }
 
 shared::SolverUniforms solverUniforms(const Params& params) {
-    switch (params.solver) {
-        case SolverMode::pbd:
-            return pbdUniforms(params);
-        case SolverMode::implicit:
-            return materialUniforms(params, params.implicitSteps);
-        default:
-            return materialUniforms(params, numberOfIterations(params));
-    }
+    return params.solver == SolverMode::pbd ? pbdUniforms(params) : implicitUniforms(params);
 }
 
 void setCounts(shared::SolverUniforms& uniforms, const BodyModel& model) {

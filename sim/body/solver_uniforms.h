@@ -8,23 +8,16 @@
 namespace kerf {
 
 /// Young's modulus of the ISPCs as a multiple of the body's: (s / (1 - s))^2 for a stiffness s.
-/// 0 at s = 0 (no ISPCs), 1 at 0.5 (the material itself), unbounded at 1 (rigid constraints, as
-/// firm as one solver iteration per substep gets). Rises strictly.
+/// 0 at s = 0 (no ISPCs), 1 at 0.5 (the material itself), unbounded at 1 (rigid constraints).
+/// Rises strictly.
 double ispcModulusFactor(double stiffness);
 
-/// Whether the body is as stiff as its modulus says: `true_modulus`, without plain PBD.
-bool hasTrueModulus(const Params& params);
-
 /// Young's modulus of a type of constraints (shared::kStretch, ...) as a multiple of the body's: by
-/// its stiffness, times its share of the load. That is 1, but with a true modulus less for edges
-/// and more for turned ISPCs.
+/// its stiffness, times its share of the load, with which the body is as stiff as its modulus says.
+/// Plain PBD has none.
 double modulusFactor(shared::uint type, const Params& params);
 
-/// With a true modulus: the least compliance over h^2 of a constraint of this type, as a multiple
-/// of 3/4 + gamma/2 of what a Jacobi sweep would add. Then all types together are stable.
-double sweepRoom(shared::uint type);
-
-/// How ISPCs are cast: turned with a true modulus, else along the normal as in the paper.
+/// How ISPCs are cast: turned, or with plain PBD along the normal as in the paper.
 IspcRays ispcRays(const Params& params);
 
 /// k' = 1 - (1 - k)^(1/n): the share of a correction that each of `sweeps` = n sweeps of plain PBD
@@ -45,11 +38,16 @@ bool keepsShape(const Params& params);
 /// left behind.
 double catchUpSpeed(const Params& params);
 
+/// Length of a stage of an implicit step (SDIRK2) [s].
+double stageOf(double step);
+/// How firm constraints may be in implicit steps of this length [s], over the sum of
+/// |grad C|^2 / mass: see shared::kMostFirmness. [1/s^2]
+double firmestIn(double step);
+
 /// Iterations as a number: auto ones are those of the defaults where there is no body to choose
 /// for.
 int numberOfIterations(const Params& params);
-/// The parameters as the solver reads them; counts are 0. SolverMode::smallSteps: `iterations`
-/// substeps of one sweep, with compliances. SolverMode::pbd: one substep of `iterations` sweeps,
+/// The parameters as the solver reads them; counts are 0. SolverMode::pbd: `iterations` sweeps,
 /// with stiffness factors and without a volume constraint.
 shared::SolverUniforms solverUniforms(const Params& params);
 

@@ -33,7 +33,7 @@ constexpr double kFarthest = 2;          // h: no candidate beyond
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
-/// A kernel of what a substep spends its time in.
+/// A kernel of what a sweep spends its time in.
 gpu::Program compileAnswer(const std::string& name, const gpu::Defines& defines = {}) {
     return gpu::fetchingKernel("sim/contact/" + name + ".comp", gpu::kernelWay(), defines);
 }
@@ -54,7 +54,7 @@ ContactSettings contactSettings(const Params& params) {
     settings.enabled = params.contact != 0 && params.paperContact == 0;
     settings.paper = params.paperContact != 0;
     settings.thickness = params.contactThickness;
-    settings.sweeps = static_cast<int>(solver.sweeps);
+    settings.sweeps = std::max(1, static_cast<int>(solver.sweeps));
     settings.liftSpeed = params.depenetrationSpeed / settings.sweeps;
     settings.friction = params.friction;
     settings.substeps = static_cast<int>(solver.substeps);
@@ -101,22 +101,6 @@ ContactSolver::ContactSolver() {
     kernels_.apply = compileAnswer("apply", {{"APPLIES", "1"}});
     state_.resize(sizeof(shared::ContactState));
     searchedPositions_.resize(sizeof(shared::vec4));
-}
-
-void ContactSolver::setFolds(const gpu::Buffer* folds) {
-    folds_ = folds;
-    if (folds_ != nullptr && enabled() && !detectBesideFolds_) {
-        detectBesideFolds_ = compileAnswer("detect", {{"UNFOLDS", "1"}});
-    }
-}
-
-const gpu::Program& ContactSolver::detect() const {
-    if (folds_ == nullptr) {
-        return kernels_.detect;
-    }
-    folds_->bindTexels(shared::kFoldsUnit, gpu::TexelFormat::uint32);
-    body_.links->bindStorage(shared::kContactLinksBinding);
-    return *detectBesideFolds_;
 }
 
 void ContactSolver::setBody(const ContactBody& body, double edgeLength) {
@@ -236,8 +220,8 @@ void ContactSolver::respond(gpu::KernelWay way) {
         buffer->bindStorage(binding);
         bindFetched(*buffer, binding, TexelFormat::float32x4, way);
     }
-    runIndirect(detect(), offsetof(shared::ContactState, point_groups));
-    // Two sweeps over the contacts of a substep, as in ReferenceContact.
+    runIndirect(kernels_.detect, offsetof(shared::ContactState, point_groups));
+    // Two sweeps over the contacts, as in ReferenceContact.
     runIndirect(kernels_.respond, offsetof(shared::ContactState, point_groups));
     runIndirect(kernels_.respondAgain, offsetof(shared::ContactState, point_groups));
     runIndirect(kernels_.apply, offsetof(shared::ContactState, vertex_groups));

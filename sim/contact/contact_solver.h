@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -75,8 +74,7 @@ struct RelativeMotion {
     bool folded = false;        ///< some edge is folded, so the coming step unfolds (Unfolding)
 };
 
-/// The bindings at which a kernel has what it works the answers of contact out in
-/// (shaders/sim/contact/answers.glsl).
+/// The bindings at which a kernel has what it works the answers of contact out in.
 struct AnswerBindings {
     std::uint32_t uniforms, records, sums, state;
 };
@@ -118,7 +116,7 @@ class ContactSolver {
 
     /// The fold of the skin at each vertex, a float each, if the coming step unfolds; else null.
     /// Folded skin does not collide with what was beside it at rest, nor with its own piece.
-    void setFolds(const gpu::Buffer* folds);
+    void setFolds(const gpu::Buffer* folds) { folds_ = folds; }
     const gpu::Buffer* folds() const { return folds_; }
 
     /// Begins a time step, before its first substep.
@@ -133,14 +131,11 @@ class ContactSolver {
     /// `way`: that of the kernels.
     void respond(gpu::KernelWay way);
 
-    /// Binds what respond() works with for a kernel that does the same in one group; contact must
-    /// be on, and a step begun.
+    /// Binds what respond() works with; contact must be on, and a step begun.
     void bindAnswers(const AnswerBindings& to, gpu::KernelWay way) const;
 
     /// Searches for candidates now, between substeps.
     void search();
-    /// Finds out whether the search that has just been made found any; waits for the GPU.
-    void countCandidates() { foundNone_ = readState().points == 0; }
     /// X at the last search; of any size if there was none.
     const gpu::Buffer& searchedPositions() const { return searchedPositions_; }
     /// The state of contact for a snapshot, and its restoring, which continues bit for bit. Call
@@ -162,7 +157,6 @@ class ContactSolver {
     struct Kernels {
         gpu::Program candidates, detect, respond, respondAgain, apply;
     };
-    const gpu::Program& detect() const;
     void takeBody();
     void uploadUniforms();
     void findFromSearched();
@@ -171,7 +165,6 @@ class ContactSolver {
 
     Kernels kernels_;
     ContactTree tree_;
-    std::optional<gpu::Program> detectBesideFolds_;  ///< compiled when first needed
     const gpu::Buffer* folds_ = nullptr;
     ContactBody body_;
     ContactSettings settings_;

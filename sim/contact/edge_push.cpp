@@ -32,9 +32,8 @@ shared::EdgeUniforms uniformsOf(const PressingEdge& edge, const ContactSettings&
 
 void EdgePush::setEdge(const std::optional<PressingEdge>& edge) {
     edge_ = edge;
-    if (edge_ && !kernels_) {
-        kernels_.emplace(Kernels{gpu::Program::compute("sim/edge/weights.comp"),
-                                 gpu::Program::compute("sim/edge/push.comp")});
+    if (edge_ && !weigh_) {
+        weigh_ = gpu::Program::compute("sim/edge/weights.comp");
     }
 }
 
@@ -47,16 +46,7 @@ void EdgePush::beginStep() {
     weights_.resize(body_.vertexCount * sizeof(float));
     state_.resize(sizeof(shared::EdgeState));
     bind();
-    kernels_->weights.dispatchGroups(1);
-}
-
-void EdgePush::respond(int substep) {
-    if (!edge_) {
-        return;
-    }
-    bind();
-    kernels_->push.setNumbers({static_cast<std::uint32_t>(substep)});
-    kernels_->push.dispatchGroups(1);
+    weigh_->dispatchGroups(1);
 }
 
 void EdgePush::bindPressing() const {

@@ -48,8 +48,6 @@ class EdgePush {
     void beginStep();
     /// Whether it presses in this step.
     bool mayTouch() const { return edge_.has_value(); }
-    /// Changes d.
-    void respond(int substep);
     /// Binds what kernels of implicit steps have of the edge (implicit_records.h).
     void bindPressing() const;
     /// Requests the load of the last time step, if it pressed.
@@ -60,13 +58,10 @@ class EdgePush {
     const EdgeLoad& load() const { return load_; }
 
   private:
-    struct Kernels {
-        gpu::Program weights, push;
-    };
     void bind() const;
 
     std::optional<PressingEdge> edge_;
-    std::optional<Kernels> kernels_;
+    std::optional<gpu::Program> weigh_;
     ContactBody body_;
     ContactSettings settings_;
     gpu::Buffer uniforms_, weights_, state_;

@@ -100,10 +100,10 @@ void ObstacleContact::beginLoad() {
 }
 
 /// After obstacles have changed d.
-void ObstacleContact::addLoad(int substep) {
+void ObstacleContact::addLoad() {
     before_.bindStorage(shared::kBladeBeforeBinding);
     loads_.bindStorage(shared::kBladeLoadsBinding);
-    kernels_->load->setNumbers({static_cast<uint>(substep)});
+    kernels_->load->setNumbers({0});
     kernels_->load->dispatch(body_.vertexCount);
 }
 
@@ -157,7 +157,7 @@ void ObstacleContact::beginSubstep() {
     }
 }
 
-void ObstacleContact::respond(int substep) {
+void ObstacleContact::respond() {
     if (!mayTouch()) {
         return;
     }
@@ -166,8 +166,8 @@ void ObstacleContact::respond(int substep) {
     if (measuresLoad_) {
         before_.copyFrom(*body_.displacement);
     }
-    kernels_->triangles.setNumbers({static_cast<uint>(substep)});
-    kernels_->vertices.setNumbers({static_cast<uint>(substep)});
+    kernels_->triangles.setNumbers({0});
+    kernels_->vertices.setNumbers({0});
     kernels_->triangles.dispatch(body_.triangleCount);
     kernels_->respond.dispatch(body_.triangleCount);
     kernels_->apply.dispatch(body_.vertexCount);
@@ -177,7 +177,7 @@ void ObstacleContact::respond(int substep) {
     }
     kernels_->vertices.dispatch(body_.vertexCount);
     if (measuresLoad_) {
-        addLoad(substep);
+        addLoad();
     }
     if (keepsSides_) {
         kernels_->planes->dispatch(body_.triangleCount);
@@ -199,18 +199,6 @@ void ObstacleContact::keepSides(const gpu::Buffer& velocities, double h) {
     kernels_->planesOfStep->dispatch(body_.triangleCount);
     kernels_->sidesOfStep->setNumbers({std::bit_cast<uint>(static_cast<float>(h)), 0, 0, 0});
     kernels_->sidesOfStep->dispatch(body_.vertexCount);
-}
-
-std::optional<uint> ObstacleContact::plainBoxes() const {
-    const bool plain = !mayTouch() || (kind_.movesPiecesOut && !keepsSides_);
-    return plain ? std::optional(reached_) : std::nullopt;
-}
-
-void ObstacleContact::bindAnswers(const Bindings& to, gpu::KernelWay way) const {
-    uniforms_.bindStorage(to.uniforms);
-    touches_.bindStorage(to.touches);
-    bindFetched(records_, to.boxes, gpu::TexelFormat::float32x4, way);
-    bindFetched(pieceBounds_, to.pieceBounds, gpu::TexelFormat::uint32, way);
 }
 
 void ObstacleContact::bindMeetings(gpu::KernelWay way) const {

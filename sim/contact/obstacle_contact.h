@@ -30,12 +30,6 @@ struct BodyReach {
 /// that the body cannot reach in a time step cost nothing.
 class ObstacleContact {
   public:
-    /// The bindings and units at which a kernel has what it works contact with boxes out in
-    /// (shaders/sim/boxes), besides the shares and sums of contact.
-    struct Bindings {
-        std::uint32_t uniforms, touches, boxes, pieceBounds;
-    };
-
     explicit ObstacleContact(ObstacleKind kind) : kind_(std::move(kind)) {}
 
     /// All obstacles of the kind; null for none. The first compiles the kernels: throws
@@ -61,23 +55,18 @@ class ObstacleContact {
     void beginStep(const BodyReach& reach);
     /// Whether an obstacle is in reach in this step.
     bool mayTouch() const { return reached_ > 0; }
-    /// How many are in reach, if their contact in a substep is that of the kernels of all boxes;
-    /// else none: thin ones keep triangles on their sides, a blade moves.
-    std::optional<std::uint32_t> plainBoxes() const;
-    /// Binds what respond() works with for a kernel that does the same in one group.
-    void bindAnswers(const Bindings& to, gpu::KernelWay way) const;
-
     /// Binds what kernels of implicit steps have of obstacles (implicit_records.h).
     void bindMeetings(gpu::KernelWay way) const;
     /// Binds the loads of vertices, if they are measured in this step, and returns whether they
     /// are.
     bool bindLoads() const;
 
-    /// Begins a substep, before anything moves X: triangles stay on their present side of thin
-    /// obstacles.
+    /// Begins a step that is not divided, before anything moves X: triangles stay on their present
+    /// side of thin obstacles.
     void beginSubstep();
-    /// Limits d where it enters an obstacle, and moves X out of obstacles inside the body.
-    void respond(int substep);
+    /// In a sweep of plain PBD: limits d where it enters an obstacle, and moves X out of obstacles
+    /// inside the body.
+    void respond();
     /// After an implicit step of X that lasted `h` [s]: keeps triangles on their side of thin
     /// obstacles, where `velocities` change too.
     void keepSides(const gpu::Buffer& velocities, double h);
@@ -91,7 +80,7 @@ class ObstacleContact {
     void makeRoom();
     void boundPieces();
     void beginLoad();
-    void addLoad(int substep);
+    void addLoad();
     void bind() const;
 
     ObstacleKind kind_;

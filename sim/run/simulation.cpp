@@ -218,7 +218,6 @@ void Simulation::State::moveBody() {
     body.solver.collisions().feelBlade(body.feelsBlade || stroke.feels());
     body.solver.unfoldFirmly(!body.cutter->inStroke());
     prefetchCut();
-    body.solver.stepper().waitForSearches(!bladeLooks());  // it waits for the blade already
     body.solver.step();
     front.release();
 }

@@ -56,11 +56,10 @@ bool Collisions::mayTouch() const {
     return contacts_.mayTouch() || edge_.mayTouch() || blade_.mayTouch() || boxes_.mayTouch();
 }
 
-void Collisions::respond(std::uint32_t substep) {
-    edge_.respond(static_cast<int>(substep));
+void Collisions::respond() {
     contacts_.respond(body_.way);
-    blade_.respond(static_cast<int>(substep));
-    boxes_.respond(static_cast<int>(substep));
+    blade_.respond();
+    boxes_.respond();
 }
 
 /// It moves X past what candidates were found from.

@@ -73,26 +73,15 @@ class Collisions {
     void beginStep(const gpu::Buffer* folds);
     /// Whether there may be contacts before the next search.
     bool mayTouch() const;
-    /// Whether the group that solves a small body can work out all contact: that of the body with
-    /// itself, which is on, and with boxes.
-    bool answersInOneGroup() const {
-        return contacts_.enabled() && boxes_.plainBoxes() && !edge_.mayTouch() &&
-               !blade_.mayTouch();
-    }
     bool searchesBefore(std::uint32_t substep) const {
         return contacts_.searchesBefore(static_cast<int>(substep));
     }
     /// Searches for contact candidates.
     void search() { contacts_.search(); }
-    /// Finds out whether it found any, where the one before did not; waits for the GPU then.
-    void countCandidates() {
-        if (!motion_.hasCandidates) {
-            contacts_.countCandidates();
-        }
-    }
     /// Begins a substep, before anything moves X.
     void beginSubstep() { boxes_.beginSubstep(); }
-    void respond(std::uint32_t substep);
+    /// Answers in a sweep of plain PBD.
+    void respond();
     /// See ObstacleContact::keepSides().
     void keepSides(const gpu::Buffer& velocities, double h) { boxes_.keepSides(velocities, h); }
     /// Whether pieces respond to each other as in the paper: once a time step, after the last

@@ -36,10 +36,9 @@ class SavedPieces {
     gpu::Buffer marks_;  ///< per piece
 };
 
-/// The soft body on the GPU: the phases of ReferenceSolver in floats, in the same order, with
-/// results that do not depend on the number of threads. Base positions X, the displacement d of a
-/// substep and velocities v are kept apart: absolute positions in floats lose momentum. Inside a
-/// substep a vertex is at X + d.
+/// The soft body on the GPU, with results that do not depend on the number of threads. Positions X,
+/// the displacement d of a step of plain PBD and velocities v are kept apart: absolute positions in
+/// floats lose momentum. Inside such a step a vertex is at X + d.
 ///
 /// It loads a body and updates it after cuts; moving, holding, measuring and collisions are
 /// separate parts.
@@ -69,7 +68,7 @@ class GpuSolver {
     void setState(const BodyState& state);
     /// All positions and velocities; waits for the GPU.
     BodyState readState() const { return body_.state.read(body_.uniforms.vertex_count); }
-    /// d of the running substep, shape [vertexCount] [m].
+    /// d of the running step of plain PBD, shape [vertexCount] [m].
     std::vector<Vec3f> readDisplacements() const;
 
     /// Takes the parameters of `uniforms` (see solverUniforms); its counts are ignored.
@@ -90,17 +89,16 @@ class GpuSolver {
     /// pinned vertices if any of them has changed. Throws gpu::ShaderError, gpu::OutOfMemory.
     void stepImplicitly(const BodyModel& model, const Params& params, const ImplicitStep& step,
                         std::vector<std::uint32_t> pinned);
-    /// Makes the coming time steps of substeps again, the default.
-    void stepBySubsteps() { stepper_.stepImplicitly(nullptr); }
+    /// Makes the coming time steps of sweeps again, the default.
+    void stepBySweeps() { stepper_.stepImplicitly(nullptr); }
     /// The state of contact for a snapshot, and its restoring after body and settings.
     ContactMemory contactMemory() const;
     void remember(const ContactMemory& memory);
-    /// One time step: uniforms.substeps substeps of uniforms.sweeps sweeps, or as many implicit
-    /// steps.
+    /// One time step: uniforms.substeps implicit steps, or uniforms.sweeps sweeps.
     void step();
-    /// The phases of a substep, the first with fresh masses.
+    /// The phases of a step of plain PBD, the first with fresh masses.
     void predictAndStretch();
-    SubstepPhases& phases() { return stepper_.phases(); }
+    SweepPhases& phases() { return stepper_.phases(); }
     /// Measures the body between steps; waits for the GPU. The next step relies on its box and
     /// speeds.
     BodyMeasure measure();

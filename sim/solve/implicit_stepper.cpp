@@ -124,9 +124,11 @@ ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
 
 void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
                               const ImplicitStep& step, std::span<const uint> pinned) {
-    const std::vector<ConstraintPull> pulls = pullsAtRest(model, typeModuli(params));
-    const VertexGroups groups = groupVertices(model, pulls, step.aggregateSize);
     const std::vector<double> masses = massesWithout(model, params.density, pinned);
+    const double firmest = firmestIn(step.prepared);
+    const std::vector<ConstraintPull> pulls =
+        boundedPullsAtRest(model, typeModuli(params), masses, firmest);
+    const VertexGroups groups = groupVertices(model, pulls, step.aggregateSize);
     const RestInverse inverse =
         invertAtRest(model, pulls, groups, masses, stageScale(step.prepared, params.damping));
     std::vector<std::vector<uint>> pages;
@@ -140,6 +142,7 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
                           model.pieces.size());
+    uniforms_.firmest = static_cast<float>(firmest);
     uniforms_.vertex_count = size32(model.restPositions.size());
     uniforms_.block_count = own_.matrix.blockCount;
     uniforms_.patch_count = own_.inverse.patchCount;
@@ -403,7 +406,6 @@ void ImplicitStepper::bindContacts() const {
 void ImplicitStepper::linearise() {
     body_.bind();
     body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
-    body_.pieces.impulses.bindStorage(shared::kImpulsesBinding);
     body_.runOverBlocks(make_.volume);
 
     uniformBuffer_.bindStorage(shared::kImplicitBinding);

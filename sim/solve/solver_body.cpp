@@ -6,7 +6,6 @@
 
 #include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/unfold_records.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
 
@@ -21,9 +20,6 @@ void SolverState::makeRoom(const BodyModel& model) {
     forEachType(model, [&](auto row, const auto& constraints) {
         pulls = std::max(pulls, decltype(row)::Gathers::kPulls * constraints.size());
     });
-    // Small bodies keep the goals of what unfolds there, too.
-    pulls = std::max(
-        pulls, sizeof(shared::UnfoldGoal) / sizeof(shared::vec4) * model.restPositions.size());
     corrections.resize(pulls * sizeof(shared::vec4));
 }
 
@@ -140,11 +136,6 @@ void SolverBody::uploadUniforms() {
     uniforms.runaway_speed =
         static_cast<float>(runawaySpeed(model.diagonal, Vec3(g.x, g.y, g.z).norm()));
     uniformBuffer.assign(std::span<const shared::SolverUniforms>(&uniforms, 1));
-}
-
-bool SolverBody::plainPbd() const {
-    return !active(shared::kPullAsBeforePart) && uniforms.damping_ratio == 0 &&
-           std::ranges::count(uniforms.compliance, 0.0f) == kConstraintTypes;
 }
 
 void SolverBody::bind() const {

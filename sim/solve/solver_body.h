@@ -63,8 +63,6 @@ struct SolverBody {
     void setPulls(const std::vector<shared::PullRecord>& records);
 
     bool active(shared::uint part) const { return (uniforms.active_parts & part) != 0; }
-    /// Without damping or compliance, for which kernels are compiled that give the same bits.
-    bool plainPbd() const;
     /// Binds what most kernels read.
     void bind() const;
     /// Binds a buffer that kernels fetch: as texels and, for that way, as an image.

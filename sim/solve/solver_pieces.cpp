@@ -15,8 +15,6 @@ using shared::uint;
 
 static_assert(sizeof(shared::PieceRecord) == 28);
 static_assert(sizeof(shared::BlockRecord) == 12);
-static_assert(sizeof(shared::VolumeSum) == 8);
-static_assert(sizeof(shared::VolumeImpulse) == 8);
 static_assert(sizeof(shared::BlockMeasure) == 96);
 
 // One thread adds up the blocks of a piece, so there are few of them; and a thread goes through the
@@ -180,8 +178,7 @@ void SolverPieces::addRecord(const PieceModel& piece, std::size_t number,
 }
 
 void SolverPieces::makeRoomForSums() {
-    blockSums.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(shared::VolumeSum));
-    impulses.resize(std::max<std::size_t>(pieces_.size(), 1) * sizeof(shared::VolumeImpulse));
+    blockSums.resize(std::max<std::size_t>(blocks_.size(), 1) * sizeof(float));
     blockMeasures.resize((blocks_.size() + 1) * sizeof(shared::BlockMeasure));
 }
 

@@ -88,8 +88,8 @@ class SolverPieces {
     const std::vector<shared::BlockRecord>& blocks() const { return blocks_; }
 
     gpu::Buffer pieceBuffer, blockBuffer, pageBuffer, placeBuffer;
-    gpu::Buffer blockSums, impulses;  ///< room for what is summed
-    gpu::Buffer blockMeasures;        ///< the same; read by the CPU after each step
+    gpu::Buffer blockSums;      ///< room for what is summed
+    gpu::Buffer blockMeasures;  ///< the same; read by the CPU after each step
 
   private:
     void addRecord(const PieceModel& piece, std::size_t number, std::vector<std::uint32_t>& table);

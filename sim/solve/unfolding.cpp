@@ -15,15 +15,13 @@ Unfolding::Unfolding(const SolverBody& body)
       unfold_(body.compile("unfold/unfold")) {}
 
 void Unfolding::resize(std::size_t vertices) {
-    folds_.resize(2 * vertices * sizeof(float));
+    folds_.resize(vertices * sizeof(float));
     goals_.resize(vertices * sizeof(shared::UnfoldGoal));
 }
 
-void Unfolding::run(SolverBody& body, bool afterEnd) {
+void Unfolding::run(SolverBody& body) {
     bind(body);
-    if (!afterEnd) {
-        body.run(forgetFolds_, body.uniforms.vertex_count);
-    }
+    body.run(forgetFolds_, body.uniforms.vertex_count);
     body.run(findFolds_, body.uniforms.count[shared::kBend]);
     body.run(findGoals_, body.uniforms.vertex_count);
     body.run(unfold_, body.uniforms.vertex_count);

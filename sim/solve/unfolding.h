@@ -9,7 +9,7 @@
 namespace kerf {
 
 /// Unfolds a folded surface, on the GPU: elastic forces leave triangles inverted, since their edges
-/// have the right lengths again. Between two substeps the vertices around each edge that is bent by
+/// have the right lengths again. Between two steps the vertices around each edge that is bent by
 /// more than 60 degrees from rest are pulled to their rest shape, by an overdamped spring that
 /// changes no momentum, and that is damped more, so that it holds against loads, while no blade
 /// cuts. Without folds no bit changes.
@@ -19,10 +19,9 @@ class Unfolding {
     explicit Unfolding(const SolverBody& body);
     /// Sets the number of vertices. Throws gpu::OutOfMemory.
     void resize(std::size_t vertices);
-    /// Changes velocities. `afterEnd`: the substep before has forgotten its folds (finish.glsl).
-    void run(SolverBody& body, bool afterEnd);
-    /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each. Behind them
-    /// is room for what small bodies need besides.
+    /// Changes velocities.
+    void run(SolverBody& body);
+    /// The fold of the skin at each vertex, 0 to 1, after the last run: a float each.
     const gpu::Buffer& folds() const { return folds_; }
 
   private:

@@ -301,14 +301,14 @@ class Errors(TestCase):
             kerf.Simulation.from_session({**text, "colour": "red"})
         self.assertIn("colour: unknown key, ignored.", logs.output[0])
 
-    def test_too_few_iterations_are_told_as_by_a_replay(self):
-        stiff = {"solver": "small_steps", "iterations": 1, "youngs_modulus": 1e7}
-        sim = kerf.Simulation.from_session(SPHERE, params=stiff)
-        self.assertEqual(sim.too_few_iterations, "")
-        sim.step(3)
-        self.assertIn("1 iteration is too few", sim.too_few_iterations)
-        self.assertIn(sim.too_few_iterations,
-                      kerf.replay(SPHERE, params=stiff, until=3)["remarks"])
+    def test_a_solver_that_is_no_longer_there_is_told_and_replaced(self):
+        text = json.loads(SPHERE.read_text())
+        former = {**text, "params": {"solver": "small_steps", "true_modulus": 1}}
+        with self.assertLogs("kerf", logging.WARNING) as logs:
+            sim = kerf.Simulation.from_session(former)
+        self.assertIn("params.solver: \"small_steps\" is no longer there", "".join(logs.output))
+        self.assertIn("params.true_modulus: ", "".join(logs.output))
+        self.assertEqual(sim.params["solver"], "implicit")
 
     def test_the_papers_experiments_are_sessions(self):
         names = [paper["name"] for paper in kerf.paper_experiments()]

@@ -17,7 +17,6 @@ namespace {
 struct Case {
     SurfaceMesh mesh;
     Params params;
-    bool inOneGroup = true;
     bool folded = false;
 };
 
@@ -70,7 +69,7 @@ void beginStepOf(const Case& wanted) {
     solver.setModel(buildBodyModel(wanted.mesh), state);
     solver.setUniforms(solverUniforms(wanted.params));
     solver.collisions().setSettings(contactSettings(wanted.params));
-    solver.stepper().allowOneGroup(wanted.inOneGroup);
+    solver.step();  // meets nothing
     solver.collisions().setBoxes({plate()});
     solver.collisions().setBlade(standingBlade());
     solver.collisions().feelBlade(true);
@@ -85,7 +84,7 @@ void beginStepOf(const Case& wanted) {
     small.aggregateSize = kPatchSize;  // so many that large meshes have regions
     solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, small, {});
     solver.step();
-    solver.stepBySubsteps();
+    solver.stepBySweeps();
     solver.collisions().setBlade(std::nullopt);
     solver.collisions().setEdge(std::nullopt);
     for (const std::vector<StaticBox>& boxes : {std::vector{block()}, {}}) {
@@ -97,24 +96,14 @@ void beginStepOf(const Case& wanted) {
     }
 }
 
-/// Too large for the group of small bodies.
-SurfaceMesh largeBoxes() {
-    const TriangleSoup box = boxSurface(Vec3::Ones(), {20, 20, 20});
-    return SurfaceMesh::fromTriangles(box.positions, box.triangles);
-}
-
 }  // namespace
 
 void linkEveryKernel() {
     const gpu::FirstDispatches none(0);
-    for (const SolverMode mode : {SolverMode::smallSteps, SolverMode::pbd}) {
-        for (const bool inOneGroup : {true, false}) {
-            for (const bool folded : {true, false}) {
-                beginStepOf({touchingBoxes(), paramsOf(mode, false), inOneGroup, folded});
-            }
-        }
-        beginStepOf({largeBoxes(), paramsOf(mode, false)});
+    for (const bool folded : {true, false}) {
+        beginStepOf({touchingBoxes(), paramsOf(SolverMode::implicit, false), folded});
     }
+    beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, false)});
     beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, true)});
 }
 

@@ -120,7 +120,7 @@ const std::vector<BrokenSession>& brokenSessions() {
         {"BoxesNoList", sessionWith(R"("boxes": {})"), "boxes: expected a list"},
         {"BoxWithoutSize", sessionWithEvent(R"({"step": 1, "type": "add_box", "center": [0, 0, 0]})"), "events[0].size: this key is missing"},
         {"WhichBox", sessionWithEvent(R"({"step": 1, "type": "remove_box"})"), "events[0].box: this key is missing"},
-        {"NoSuchSolver", sessionWith(R"("params": {"solver": "fem"})"), "params.solver: \"solver\" must be one of small_steps, pbd, implicit."},
+        {"NoSuchSolver", sessionWith(R"("params": {"solver": "fem"})"), "params.solver: \"solver\" must be one of implicit, pbd."},
         {"TwoKeys", R"({"a": 1, "a": 2})", "top level: the key 'a' stands there twice"},
         {"TwoKeysInside", R"({"e": [{}, {"s": {"a": 1, "a": 2}}]})", "e[1].s: the key 'a' stands there twice"},
         {"TwoKeysDeepInside", nested(R"({"a": 1, "a": 2})", std::string(20, 'k'), 30), "...kkk"},

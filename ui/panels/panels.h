@@ -49,8 +49,8 @@ void drawParameters(const ParametersState& parameters, std::vector<Action>& acti
 /// value if it has none.
 void drawOwnParameters(int model, const ParametersState& parameters, std::vector<Action>& actions);
 
-/// A remark about a parameter at present, such as too few iterations for the modulus, or what a
-/// step is made of with the implicit solver; "" for none.
+/// A remark about a parameter at present, such as what a step is made of with the implicit solver;
+/// "" for none.
 std::string remarkOn(const ParamInfo& info, const ParametersState& parameters);
 
 /// What the last step was made of: "20 iterations", or with the implicit solver "2 implicit steps

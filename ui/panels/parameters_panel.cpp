@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/base/text.h"
-#include "sim/solve/sweep_strength.h"
 #include "ui/base/item_rects.h"
 #include "ui/base/unit_text.h"
 #include "ui/base/widgets.h"
@@ -348,23 +347,9 @@ void drawOwnParameters(int model, const ParametersState& parameters, std::vector
 }
 
 std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
-    if (info.name != "iterations" || parameters.sweeps == nullptr) {
-        return "";
-    }
-    if (parameters.now.solver == SolverMode::implicit) {
-        return partsOfStep(parameters);
-    }
-    if (!parameters.sweeps->isTooLittle(parameters.now)) {
-        return "";
-    }
-    if (parameters.now.iterations == kAutoIterations) {
-        return fmt::format("The maximum leaves an error of about {:.0f} %.",
-                           100 * parameters.sweeps->leastError(parameters.now));
-    }
-    const std::optional<int> enough = parameters.sweeps->enoughIterations(parameters.now);
-    return fmt::format("Too few for this stiffness: about {:.0f} % too soft.{}",
-                       100 * (1 - parameters.sweeps->carried(parameters.now)),
-                       enough ? fmt::format(" Use at least {}.", *enough) : "");
+    const bool isShown = info.name == "iterations" && parameters.implicitSteps > 0 &&
+                         parameters.now.solver == SolverMode::implicit;
+    return isShown ? partsOfStep(parameters) : "";
 }
 
 std::string partsOfStep(const ParametersState& parameters) {

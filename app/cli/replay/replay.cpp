@@ -13,7 +13,6 @@
 #include "app/files/io/folder_lock.h"
 #include "app/files/io/output_folder.h"
 #include "app/session/headless_session.h"
-#include "app/session/iteration_watch.h"
 #include "app/session/scene_view.h"
 #include "app/session/session.h"
 #include "app/session/task_run.h"
@@ -144,7 +143,6 @@ class TimeOutside {
 
 /// What follows a run step by step.
 struct RunWatches {
-    IterationWatch iterations;
     VolumeWatch volumes;
     ForceTrace forces;
 };
@@ -191,7 +189,6 @@ class Replay {
             writeSequence();
             checkLength();
         }
-        remark(watches_.iterations.sentence());
         remark(watches_.volumes.sentence());
         writeResults();
     }
@@ -290,7 +287,6 @@ class Replay {
         if (stopped_) {
             return;
         }
-        watches_.iterations.add(step_, simulation().bodyModel(), simulation().params());
         const StepReport& report = running_.step();
         if (film_) {
             film_->pass(simulation().params().timeStep, simulation().timeRuns());

@@ -17,8 +17,7 @@ void KernelPreparation::advance(const EditorScene& scene, double elapsedSeconds)
         return;
     }
     if (std::exchange(isNew_, false)) {
-        const auto vertices = static_cast<std::size_t>(scene.simulation().report().vertices);
-        warmUp_ = std::make_unique<KernelWarmUp>(scene.simulation().params(), vertices);
+        warmUp_ = std::make_unique<KernelWarmUp>(scene.simulation().params());
     } else if (!warmUp_->advance()) {
         left_ = false;  // What it has compiled stays as long as it does.
     }

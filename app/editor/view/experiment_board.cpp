@@ -13,12 +13,12 @@ const PaperExperiment* experimentOf(const EditorScene* scene) {
     if (scene == nullptr) {
         return nullptr;
     }
-    // Another session with the same model is no experiment, nor is one of that name with a true
-    // modulus, as on the start page.
+    // Another session with the same model is no experiment, nor is one of that name that sleeps at
+    // rest, as on the start page.
     const Document& document = scene->document();
     const PaperExperiment* experiment = findPaperExperiment(document.session.model.builtin);
     const bool same = experiment != nullptr && document.name == experiment->name;
-    return same && document.session.params.trueModulus == 0 ? experiment : nullptr;
+    return same && document.session.params.sleeps == 0 ? experiment : nullptr;
 }
 
 }  // namespace

@@ -137,9 +137,6 @@ render::SceneView SceneReadout::view() {
 void SceneReadout::describe(ui::PanelModel& model) {
     const Simulation& simulation = body_.simulation;
     pieces_.follow(simulation, timeline_.playing);
-    if (simulation.isWhole()) {
-        sweeps_.follow(simulation.bodyModel(), simulation.params());
-    }
     const StepReport& report = simulation.report();
     model.name = body_.document.name;
     describeModels(model);
@@ -151,7 +148,6 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.body.hooks = hooksOf(simulation.hands()).size();
     model.body.size = body_.rest.bounds().diagonal();
     model.body.bounds = simulation.bounds();
-    model.parameters.sweeps = &sweeps_;
     model.parameters.iterations = report.iterations;
     model.parameters.implicitSteps = report.implicitSteps;
     model.transport.playing = timeline_.playing;

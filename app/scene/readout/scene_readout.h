@@ -13,7 +13,6 @@
 #include "app/session/task_run.h"
 #include "app/session/volume_watch.h"
 #include "render/renderer.h"
-#include "sim/solve/sweep_strength.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::app {
@@ -87,7 +86,6 @@ class SceneReadout {
 
     SceneBody& body_;
     const SceneTimeline& timeline_;
-    SweepStrength sweeps_;
     SurfaceLook look_;
     SkinFollower skin_{body_.document.looks};
     ThicknessMap thickness_;

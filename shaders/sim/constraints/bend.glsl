@@ -7,6 +7,7 @@
 //            v3
 //
 // Its energy is in strain_energy.glsl, with how far it is folded.
+// It pulls along its gradient at X + d.
 #include "sim/bend_angle.glsl"
 
 // What the triangle on either side pulls with, along its normal, and where along the edge from v0
@@ -16,12 +17,11 @@ struct BendPull {
 };
 
 // Below this a bend has no answer but noise. Where all but one of its vertices are held and lie on
-// a line, as at the front of a slit, the last one hardly changes the angle: a rigid bend would
-// throw it as far as rounding of the angle over that gradient says. Compliance bounds it.
+// a line, as at the front of a slit, the last one hardly changes the angle: the bend would throw it
+// as far as rounding of the angle over that gradient says.
 float leastWeight(vec4 w, vec3 a, vec3 b) {
     float most = uniforms.inverse_density * max(max(w.x, w.y), max(w.z, w.w));
-    bool rigid = uniforms.compliance[kBend] <= 0.0;
-    return rigid ? kLeastBendShare * most * (dot(a, a) + dot(b, b)) : 0.0;
+    return kLeastBendShare * most * (dot(a, a) + dot(b, b));
 }
 
 BendPull bendPull(BendRecord bend) {
@@ -33,42 +33,25 @@ BendPull bendPull(BendRecord bend) {
     vec4 d1 = displacementOf(bend.v1);
     vec4 d2 = displacementOf(bend.v2);
     vec4 d3 = displacementOf(bend.v3);
-    vec3 edgeStep = d1.xyz - d0.xyz;
-    vec3 leftStep = d2.xyz - d0.xyz;
-    vec3 rightStep = d3.xyz - d0.xyz;
-    Wings before = wingsOf(x1 - x0, x2 - x0, x3 - x0);
-    Wings now = wingsOf(before.edge + edgeStep, before.left + leftStep, before.right + rightStep);
+    Wings now = wingsOf(x1 - x0 + (d1.xyz - d0.xyz), x2 - x0 + (d2.xyz - d0.xyz),
+                        x3 - x0 + (d3.xyz - d0.xyz));
     bool slivers = degenerate(now);
     vec2 turn = errorVector(now, bend);
     float error = boundedInverseTangent(turn.y, turn.x);
-
-    bool little = pullsAsBefore() && turnedLittle(before.edge, now.edge) &&
-        turnedLittle(before.nA, now.nA) &&
-                  turnedLittle(before.nB, now.nB);
-    Wings pulled = now;
-    if (little && !degenerate(before)) {
-        pulled = before;
-    }
-    float e2 = dot(pulled.edge, pulled.edge);
+    float e2 = dot(now.edge, now.edge);
     float reach = sqrt(e2);
-    vec3 a = pulled.nA * (reach / dot(pulled.nA, pulled.nA));
-    vec3 b = pulled.nB * (reach / dot(pulled.nB, pulled.nB));
-    float sA = dot(pulled.left, pulled.edge) / e2;
-    float sB = dot(pulled.right, pulled.edge) / e2;
+    vec3 a = now.nA * (reach / dot(now.nA, now.nA));
+    vec3 b = now.nB * (reach / dot(now.nB, now.nB));
+    float sA = dot(now.left, now.edge) / e2;
+    float sB = dot(now.right, now.edge) / e2;
     vec3 g0 = (1.0 - sA) * a + (1.0 - sB) * b;
     vec3 g1 = sA * a + sB * b;
 
     vec4 inverseMasses = vec4(d0.w, d1.w, d2.w, d3.w);
     float weight = uniforms.inverse_density *
         dot(inverseMasses, vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b)));
-    float fold = foldAt(uvec4(bend.v0, bend.v1, bend.v2, bend.v3));
-    float compliance = bend.geometry * uniforms.compliance[kBend];
-    float gamma = dampingOf(weight, compliance, fold, kBend);
-    float denominator = dampedWeight(weight, compliance, gamma, kBend);
-    float rate = dot(a, sA * edgeStep - leftStep) + dot(b, sB * edgeStep - rightStep);
-    float answered = dampedError(error, rate, gamma, fold, max(length(a), length(b)));
     bool answers = weight > leastWeight(inverseMasses, a, b);
-    float impulse = answers ? uniforms.share[kBend] * -answered / denominator : 0.0;
+    float impulse = answers ? uniforms.share[kBend] * -error / weight : 0.0;
     return BendPull(slivers ? vec4(0.0) : vec4(a * impulse, sA),
                     slivers ? vec4(0.0) : vec4(b * impulse, sB));
 }

@@ -24,14 +24,9 @@ vec3 ispcPull(IspcConstraint ispc) {
     float reach = length(r);
 
     float weight = uniforms.inverse_density * dot(vec4(dv.w, d0.w, d1.w, d2.w), vec4(1.0, b * b));
-    float fold = foldAt(uvec4(ispc.vertex, ispc.t0, ispc.t1, ispc.t2));
-    float compliance = ispc.geometry * uniforms.compliance[kIspc];
-    float gamma = dampingOf(weight, compliance, fold, kIspc);
-    float denominator = dampedWeight(weight, compliance, gamma, kIspc);
-    vec3 direction = reach > 1e-12 ? pullDirection(base, r) : vec3(0.0);
-    float answered = dampedError(reach - ispc.rest_length, dot(direction, step), gamma, fold, 1.0);
-    float impulse = weight > 0.0 ? uniforms.share[kIspc] * -answered / denominator : 0.0;
-    return direction * impulse;
+    bool answers = weight > 0.0 && reach > 1e-12;
+    float impulse = uniforms.share[kIspc] * (ispc.rest_length - reach) / weight;
+    return answers ? r * (inversesqrt(dot(r, r)) * impulse) : vec3(0.0);
 }
 
 void solveIspc(IspcConstraint ispc, uint index) {
@@ -39,9 +34,13 @@ void solveIspc(IspcConstraint ispc, uint index) {
 }
 
 float energyOfIspc(IspcConstraint ispc) {
-    vec3 x = positionOf(ispc.vertex).xyz;
-    vec3 span = (1.0 - ispc.b1 - ispc.b2) * (x - positionOf(ispc.t0).xyz) +
-        ispc.b1 * (x - positionOf(ispc.t1).xyz) + ispc.b2 * (x - positionOf(ispc.t2).xyz);
+    vec3 b = vec3(1.0 - ispc.b1 - ispc.b2, ispc.b1, ispc.b2);
+    vec4 x = positionOf(ispc.vertex);
+    vec4 x0 = positionOf(ispc.t0);
+    vec4 x1 = positionOf(ispc.t1);
+    vec4 x2 = positionOf(ispc.t2);
+    vec3 span = b.x * (x - x0).xyz + b.y * (x - x1).xyz + b.z * (x - x2).xyz;
     float error = length(span) - ispc.rest_length;
-    return energyOf(error * error, ispc.geometry, kIspc);
+    float moved = x.w + dot(b * b, vec3(x0.w, x1.w, x2.w));
+    return energyOf(error * error, ispc.geometry, kIspc, moved);
 }

@@ -4,10 +4,9 @@
 //
 // The includer declares `contact` (ContactUniforms), `state`, `records`, `sums`, the share of each
 // vertex by takeShare(v, share), shareTaken(v) and clearShare(v), positionOf(v), displacementOf(v),
-// setPosition(v, x), setDisplacement(v, d), with UNFOLDS pieceOf(v).
+// setPosition(v, x), setDisplacement(v, d).
 #include "contact_bindings.h"
 #include "crossing.glsl"
-#include "passes_fold.glsl"
 #include "sim/contact_answer.glsl"
 #include "sim/fetch.glsl"
 #include "sim/fixed_sums.glsl"
@@ -52,8 +51,7 @@ void detectPoint(uint index) {
     ContactAnswer answer = answerTo(normal, before, slip, rule);
     float approach = dot(answer.impulse, normal);
     bool touches = (approach > 0.0 || answer.push > 0.0) &&
-        lateralDistance(near) <= kLateralSlack * contact.h && gap >= -contact.margin &&
-        !passesFold(v, near);
+        lateralDistance(near) <= kLateralSlack * contact.h && gap >= -contact.margin;
     if (approach > 0.0) {
         float lever = clamp(before, -contact.thickness, contact.thickness);
         vec3 aside = (-lever / approach) * (answer.impulse - approach * normal);

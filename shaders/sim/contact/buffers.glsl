@@ -32,10 +32,6 @@ layout(std430, binding = kContactStateBinding) buffer State {
     ContactState state;
     uint shares[];  // what contacts take of each vertex
 };
-#ifdef UNFOLDS
-layout(std430, binding = kContactLinksBinding) readonly buffer Links { VertexLinks links[]; };
-uint pieceOf(uint v) { return links[v].piece; }
-#endif
 
 void takeShare(uint v, uint share) { atomicAdd(shares[v], share); }
 uint shareTaken(uint v) { return shares[v]; }

@@ -1,7 +1,6 @@
 // Which contacts there are in this substep: of points, and of the edges at them behind those. Reads
-// X, d, triangles, normals, candidates, edge pairs, with UNFOLDS folds and links. Writes records,
-// what contacts take of each vertex, and their number. One thread per listed point. A storage
-// barrier follows, then respond.
+// X, d, triangles, normals, candidates, edge pairs. Writes records, what contacts take of each
+// vertex, and their number. One thread per listed point. A storage barrier follows, then respond.
 #include "buffers.glsl"
 #include "answers.glsl"
 

@@ -3,8 +3,11 @@
 
 void setFactors(uint index, uint first) {
     BendRecord bend = fetchBend(records, index);
-    vec3 x0 = placeOf(bend.v0);
-    Wings wings = wingsOf(placeOf(bend.v1) - x0, placeOf(bend.v2) - x0, placeOf(bend.v3) - x0);
+    vec4 x0 = fetch(positions, bend.v0);
+    vec4 x1 = fetch(positions, bend.v1);
+    vec4 x2 = fetch(positions, bend.v2);
+    vec4 x3 = fetch(positions, bend.v3);
+    Wings wings = wingsOf(x1.xyz - x0.xyz, x2.xyz - x0.xyz, x3.xyz - x0.xyz);
     bool slivers = degenerate(wings);
     float e2 = slivers ? 1.0 : dot(wings.edge, wings.edge);
     float reach = sqrt(e2);
@@ -14,7 +17,8 @@ void setFactors(uint index, uint first) {
     float sB = dot(wings.right, wings.edge) / e2;
     vec3 g0 = (1.0 - sA) * a + (1.0 - sB) * b;
     vec3 g1 = sA * a + sB * b;
-    float steepest = max(max(dot(g0, g0), dot(g1, g1)), max(dot(a, a), dot(b, b)));
+    vec4 squares = vec4(dot(g0, g0), dot(g1, g1), dot(a, a), dot(b, b));
+    float steepest = max(max(squares.x, squares.y), max(squares.z, squares.w));
 
     vec2 turn = errorVector(wings, bend);
     float error = inverseTangent(turn.y, turn.x);
@@ -23,6 +27,7 @@ void setFactors(uint index, uint first) {
     float value = clamp(error, -kMaxBendError, kMaxBendError);
     float stiffness = implicit.modulus[kBend] / bend.geometry *
         min(1.0, kMostSteepness * bend.steepness / max(steepest, 1e-30));
+    stiffness = boundedFirmness(stiffness, dot(squares, vec4(x0.w, x1.w, x2.w, x3.w)));
     float root = slivers ? 0.0 : sqrt(stiffness * (secant + implicit.damping));
     uint at = first + 4u * index;
     storeFactor(at, vec4(root * g0, 0.0));

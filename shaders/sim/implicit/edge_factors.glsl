@@ -6,8 +6,11 @@ void setFactors(uint place, uint first) {
     Spoke spoke = fetchSpoke(records, place);
     uint own = fetch(owners, place).x;
     bool used = own != kNoVertex;
-    vec3 span = placeOf(used ? own : 0u) - placeOf(used ? spoke.other : 0u);
-    float stiffness = used ? implicit.modulus[kStretch] / spoke.geometry : 0.0;
+    vec4 from = fetch(positions, used ? own : 0u);
+    vec4 to = fetch(positions, used ? spoke.other : 0u);
+    vec3 span = from.xyz - to.xyz;
+    float stiffness =
+        used ? boundedFirmness(implicit.modulus[kStretch] / spoke.geometry, from.w + to.w) : 0.0;
     Spring spring = springOf(span, spoke.rest_length, stiffness);
     uint at = first + 2u * place;
     setFactor(at, spring, 1.0);

@@ -13,8 +13,6 @@ RECORD_QUADS(kConstraintsBinding) records;
 layout(std430, binding = kMadeFactorsBinding) writeonly buffer Factors { vec4 factors[]; };
 layout(std430, binding = kMadePullsBinding) writeonly buffer Pulls { float pulls[]; };
 
-vec3 placeOf(uint v) { return fetch(positions, v).xyz; }
-
 void storeFactor(uint at, vec4 factor) {
     if (at - numbers.z < numbers.w) factors[at - numbers.z] = factor;
 }

@@ -1,5 +1,5 @@
 // What hands, forces and bonds do to their vertices, as rows of contact that hold whatever they
-// bear: a hand by a critically damped spring, which has the target of the stage; see sim/pull.glsl.
+// bear: a hand by a critically damped spring, which has the target of the stage; see sim/pull.comp.
 // A force joins the others.
 // Numbers: the first row, how many pulls, when the stage ends [s, as bits], 1 where the step
 // begins. One thread per pull; no two name one vertex. A storage barrier follows.
@@ -7,6 +7,7 @@
 #include "sim/implicit/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
+STATE_TEXELS(kVelocitiesBinding) velocities;
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kPullsBinding) readonly buffer Pulls { PullRecord pulls[]; };
 layout(std430, binding = kParentsBinding) coherent buffer Parents { uint parents[]; };
@@ -43,11 +44,13 @@ void pullByHand(PullRecord pull, vec4 x, uint piece) {
     vertices[row] = uvec4(pull.vertex);
 }
 
+// Its force is that at the opening which it will have: where it falls, that of now would be too much.
 void pullByBond(PullRecord pull, vec4 x, uint piece) {
     uint other = pull.leads - kFirstBond;
     if (links[other].piece == kNoPiece) return;
     vec3 gap = x.xyz - fetch(positions, other).xyz;
-    float widest = max(pull.motion_z, length(gap));
+    vec3 way = stageEnd * (fetch(velocities, pull.vertex).xyz - fetch(velocities, other).xyz);
+    float widest = max(pull.motion_z, length(gap + way));
     float stiffness = pull.motion_x * max(1.0 / widest - 1.0 / pull.motion_y, 0.0);
     setRow(gap, stiffness, piece, float(links[other].piece));
     vertices[row] = uvec4(pull.vertex, other, pull.vertex, pull.vertex);

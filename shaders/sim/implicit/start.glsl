@@ -1,12 +1,12 @@
 // Where a stage begins: the volume that is missing, then as far along the motion as is best, with
 // its change of volume taken out.
 layout(std430, binding = kPiecesBinding) readonly buffer Records { PieceRecord records[]; };
-layout(std430, binding = kBlockSumsBinding) readonly buffer Volumes { VolumeSum volumes[]; };
+layout(std430, binding = kBlockSumsBinding) readonly buffer Volumes { float volumes[]; };
 
 float missingVolume(PieceRecord record) {
     float volume = 0.0;
     for (uint k = 0u; k < record.block_count; ++k) {
-        volume += volumes[record.first_block + k].volume;
+        volume += volumes[record.first_block + k];
     }
     return record.target_volume - volume;
 }

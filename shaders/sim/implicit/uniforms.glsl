@@ -11,6 +11,11 @@ layout(std430, binding = kImplicitBinding) readonly buffer Implicit {
 };
 ImplicitUniforms implicit = storedImplicit;
 
+// What a constraint may be as firm as, of which this is the sum of |grad C|^2 over unit mass.
+float boundedFirmness(float stiffness, float moved) {
+    return min(stiffness, implicit.firmest / max(implicit.inverse_density * moved, 1e-30));
+}
+
 float massOf(float inverseUnitMass) {
     return 1.0 / (implicit.inverse_density * inverseUnitMass);
 }

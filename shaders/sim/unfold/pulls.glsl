@@ -35,7 +35,6 @@ void unfold(uint v, uvec2 range) {
     vec3 velocity = velocityOf(v).xyz;
     vec3 rest = fetch(restPositions, v).xyz;
     vec3 change = vec3(0.0);
-    bool trueModulus = (uniforms.active_parts & kTrueModulusPart) != 0u;
     uint count = foldSum > 0.0 && x.w > 0.0 ? memberCount(range) : 0u;
     for (uint i = 0u; i < count; ++i) {
         uint j = memberOf(v, range, i);
@@ -44,11 +43,9 @@ void unfold(uint v, uvec2 range) {
             // Its share of the mass, and as much of the pull.
             UnfoldGoal goal = goalAt(j);
             change += fold / foldSum * fold * pullOf(goal, x.xyz, rest, velocity);
-            if (trueModulus) {
-                // In all as the fold and not as its square: where a load folds what is as soft as
-                // its modulus says, it would swing between folded and not.
-                change += fold / foldSum * (1.0 - fold) * slowingOf(goal, x.xyz, velocity);
-            }
+            // In all as the fold and not as its square: where a load folds what is as soft as its
+            // modulus says, it would swing between folded and not.
+            change += fold / foldSum * (1.0 - fold) * slowingOf(goal, x.xyz, velocity);
         }
     }
     if (count > 0u) {

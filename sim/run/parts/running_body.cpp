@@ -158,24 +158,15 @@ void RunningBody::apply(const Params& params) {
     settings.search = params.cutSearch;
 }
 
-/// At which something may be met in the coming step [m/s]: 0 where nothing is near.
-double RunningBody::speedOfMeeting(const Params& params, const Surroundings& around) const {
-    const BodyMeasure& measure = memory.measure;
-    const bool meets = measure.contacts > 0 || model().pieces.size() > 1 || around.boxes ||
-                       mayMeetFloor(measure, params);
-    return meets ? measure.fastest : 0;
-}
-
-int RunningBody::iterationsFor(const Params& params, const Surroundings& around, int steps) {
+int RunningBody::iterationsFor(const Params& params, const Surroundings& around, int steps) const {
     if (params.iterations != kAutoIterations) {
         return params.iterations;
     }
-    if (params.solver == SolverMode::implicit) {
-        const double way = relativeSpeed(params, around) * params.timeStep / steps;
-        return implicitIterations(model(), way / leastDiagonal(model()), params.iterationError);
+    if (params.solver == SolverMode::pbd) {
+        return kUsualSweeps;
     }
-    memory.sweeps.follow(model(), params);
-    return memory.sweeps.iterationsFor(params, speedOfMeeting(params, around));
+    const double way = relativeSpeed(params, around) * params.timeStep / steps;
+    return implicitIterations(model(), way / leastDiagonal(model()), params.iterationError);
 }
 
 int RunningBody::implicitStepsFor(const Params& params, const Surroundings& around) const {
@@ -321,7 +312,7 @@ void RunningBody::prepareStep(const Params& params) {
     }
     const std::vector<shared::PullRecord> pushes = forces(params.density, verticesOf(pulls));
     pulls.insert(pulls.end(), pushes.begin(), pushes.end());
-    if (!memory.cohesion.empty()) {
+    if (!memory.cohesion.empty() && params.solver == SolverMode::implicit) {
         const std::vector<shared::PullRecord> bonds = memory.cohesion.pulls(verticesOf(pulls));
         pulls.insert(pulls.end(), bonds.begin(), bonds.end());
     }
@@ -342,7 +333,7 @@ void RunningBody::chooseSteps(const Params& params) {
         step.unfolds = memory.crumpled;
         solver.stepImplicitly(model(), params, step, memory.pins.vertices());
     } else {
-        solver.stepBySubsteps();
+        solver.stepBySweeps();
     }
 }
 

@@ -42,9 +42,8 @@ struct RunningBody {
     void measureAtRest();
     void apply(const Params& params);
     /// The iterations of the coming step: those of the parameters, or, where they are auto, as many
-    /// as it needs (SweepStrength::iterationsFor(), implicitIterations()). `steps`:
-    /// implicitStepsFor() them.
-    int iterationsFor(const Params& params, const Surroundings& around, int steps);
+    /// as it needs (implicitIterations()). `steps`: implicitStepsFor() them.
+    int iterationsFor(const Params& params, const Surroundings& around, int steps) const;
     /// Of how many implicit steps the coming time step is made, by how fast the body meets
     /// something.
     int implicitStepsFor(const Params& params, const Surroundings& around) const;
@@ -140,7 +139,6 @@ struct RunningBody {
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
-    double speedOfMeeting(const Params& params, const Surroundings& around) const;
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     std::vector<shared::PullRecord> forces(double density,
                                            const std::vector<std::uint32_t>& pulled) const;

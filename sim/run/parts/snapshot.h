@@ -16,7 +16,6 @@
 #include "sim/run/start/prepared_body.h"
 #include "sim/solve/body_measure.h"
 #include "sim/solve/implicit/energy_guard.h"
-#include "sim/solve/sweep_strength.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {
@@ -44,9 +43,8 @@ struct BodyMemory {
     ShapeRecovery recovery;
     CohesiveZone cohesion;  ///< of tears
     TearStroke tear;
-    BodyMeasure measure;   ///< after the last step
-    SweepStrength sweeps;  ///< with auto iterations: of what its constraints were made of
-    EnergyGuard guard;     ///< of implicit steps
+    BodyMeasure measure;  ///< after the last step
+    EnergyGuard guard;    ///< of implicit steps
     SubdivisionCounts subdivisions{};
     std::vector<StrokeRecord> strokes;  ///< since the body was whole; see Simulation::strokes()
     /// Parameters keep no shape, or were changed while it was folded: inverted parts may stay so.
@@ -69,9 +67,8 @@ struct BodyMemory {
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(volumeTargets, hands, pins, recovery, cohesion, tear, measure, sweeps, guard,
-           subdivisions, strokes, mayHaveCollapsed, crumpled, stillFor, foldedSteps, mendings,
-           closed);
+        io(volumeTargets, hands, pins, recovery, cohesion, tear, measure, guard, subdivisions,
+           strokes, mayHaveCollapsed, crumpled, stillFor, foldedSteps, mendings, closed);
     }
 };
 

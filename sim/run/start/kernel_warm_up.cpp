@@ -1,7 +1,6 @@
 #include "sim/run/start/kernel_warm_up.h"
 
 #include "gpu/program.h"
-#include "shaders/shared/small_body_bindings.h"
 #include "sim/base/boxes.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
@@ -44,7 +43,7 @@ Bounds approachingVelocities() {
     return boxOf({Vec3(0, -kSpeed, 0), Vec3(0, kSpeed, 0)});
 }
 
-KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {
+KernelWarmUp::KernelWarmUp(Params params) {
     params.gravity = Vec3(0, -9.81, 0);
     params.floor = 0;
     const SurfaceMesh mesh = touchingBoxes();
@@ -53,7 +52,6 @@ KernelWarmUp::KernelWarmUp(Params params, std::size_t vertices) {
     solver_.setModel(model, start_);
     solver_.setUniforms(solverUniforms(params));
     solver_.collisions().setSettings(contactSettings(params));
-    solver_.stepper().allowOneGroup(vertices <= shared::kSmallBodyVertices);
     if (params.solver == SolverMode::implicit) {
         solver_.stepImplicitly(model, params, {}, {});
     }

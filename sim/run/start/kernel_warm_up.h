@@ -22,8 +22,8 @@ Bounds approachingVelocities();
 /// where programs are shared (gpu::ProgramShelf), during its lifetime.
 class KernelWarmUp {
   public:
-    /// For bodies of this size with these parameters. Throws gpu::ShaderError, gpu::OutOfMemory.
-    KernelWarmUp(Params params, std::size_t vertices);
+    /// For bodies with these parameters. Throws gpu::ShaderError, gpu::OutOfMemory.
+    explicit KernelWarmUp(Params params);
 
     /// Runs one more of the kernels for the first time. Returns false once all have run.
     bool advance();

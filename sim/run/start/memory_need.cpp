@@ -171,7 +171,7 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
     std::vector<PerElement> buffers(6, {sizeof(vec4), 0});  // X, v, d, and those that were before
     buffers.push_back(2 * sizeof(vec4) * kEdges);           // the pulls of bends
     buffers.push_back({sizeof(shared::UnfoldGoal), 0});
-    buffers.push_back({2 * sizeof(float), 0});  // folds
+    buffers.push_back({sizeof(float), 0});  // folds
     if (settings.contact) {
         buffers.push_back({4 * sizeof(vec4), 0});  // normals, and what was searched from
         buffers.push_back({shared::kCandidatesPerPoint * sizeof(shared::ContactCandidate), 0});

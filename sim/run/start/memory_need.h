@@ -30,7 +30,7 @@ struct BodySize {
 /// The settings that affect memory.
 struct MemorySettings {
     bool contact = true;               ///< parts of the body collide
-    int ispcsPerVertex = 1;            ///< three with a true modulus
+    int ispcsPerVertex = 1;            ///< three with the implicit solver
     bool obstacles = false;            ///< boxes, or a blade that pushes
     bool implicit = false;             ///< steps are those of SolverMode::implicit
     std::uint64_t undoBudget = 0;      ///< of the undo history [bytes]

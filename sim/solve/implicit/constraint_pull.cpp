@@ -97,6 +97,17 @@ ConstraintPull pullOf(const BendConstraint& bend, double modulus, std::span<cons
     return pull;
 }
 
+void boundFirmness(ConstraintPull& pull, std::span<const double> masses, double firmest) {
+    double moved = 0;
+    for (int k = 0; k < pull.count; ++k) {
+        const double mass = masses[pull.vertices[k]];
+        moved += mass > 0 ? pull.gradients[k].squaredNorm() / mass : 0;
+    }
+    const double share = std::min(1.0, firmest / std::max(moved * pull.stiffness, 1e-300));
+    pull.stiffness *= share;
+    pull.across *= share;
+}
+
 std::vector<double> bendSteepness(const BodyModel& model) {
     return mapped(model.bends, [&](const BendConstraint& bend) {
         return steepnessAtRest(bend, model.restPositions);
@@ -110,6 +121,15 @@ std::vector<ConstraintPull> pullsAtRest(const BodyModel& model, const TypeModuli
     const std::vector<double> steepest(model.bends.size(), std::numeric_limits<double>::infinity());
     forEachPull(model, moduli, steepest, restPlaces(model),
                 [&](const ConstraintPull& pull) { pulls.push_back(pull); });
+    return pulls;
+}
+
+std::vector<ConstraintPull> boundedPullsAtRest(const BodyModel& model, const TypeModuli& moduli,
+                                               std::span<const double> masses, double firmest) {
+    std::vector<ConstraintPull> pulls = pullsAtRest(model, moduli);
+    for (ConstraintPull& pull : pulls) {
+        boundFirmness(pull, masses, firmest);
+    }
     return pulls;
 }
 

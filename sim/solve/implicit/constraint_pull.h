@@ -41,6 +41,10 @@ double steepnessAtRest(const BendConstraint& bend, std::span<const Vec3f> rest);
 ConstraintPull pullOf(const BendConstraint& bend, double modulus, std::span<const Vec3> positions,
                       double steepness);
 
+/// Makes a constraint no firmer than `firmest` over the sum of |grad C|^2 / mass of its vertices,
+/// of which those of mass 0 do not move: see shared::kMostFirmness. [1/s^2]
+void boundFirmness(ConstraintPull& pull, std::span<const double> masses, double firmest);
+
 /// Calls f(pull) for each constraint of a body that has a modulus. `steepness`: of its bends, by
 /// steepnessAtRest().
 template <class F>
@@ -66,6 +70,9 @@ void forEachPull(const BodyModel& model, const TypeModuli& moduli,
 std::vector<double> bendSteepness(const BodyModel& model);
 /// What all constraints of a body that have a modulus do at rest, in the order of forEachPull().
 std::vector<ConstraintPull> pullsAtRest(const BodyModel& model, const TypeModuli& moduli);
+/// The same, each by boundFirmness().
+std::vector<ConstraintPull> boundedPullsAtRest(const BodyModel& model, const TypeModuli& moduli,
+                                               std::span<const double> masses, double firmest);
 /// Rest positions of all vertices [m].
 std::vector<Vec3> restPlaces(const BodyModel& model);
 

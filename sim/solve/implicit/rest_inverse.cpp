@@ -293,7 +293,7 @@ Eigen::Vector4d AggregateFrame::sharesAt(const Vec3& p) const {
 }
 
 StageScale stageScale(double step, double damping) {
-    const double s = (1 - std::sqrt(0.5)) * step;
+    const double s = stageOf(step);
     return {s, 1 / (s * s), 1 + 2 * damping / step};
 }
 

@@ -193,7 +193,7 @@ TEST_F(CompareVerb, JsonIsOneObjectWithTheKeysOfTheContract) {
 /// A sphere that has just met the floor, in a small picture.
 std::string droppedSphere(double ispcStiffness) {
     return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-      "params": {"solver": "small_steps", "iterations": 8, "floor": -0.6, "ispc_stiffness": )" +
+      "params": {"floor": -0.6, "ispc_stiffness": )" +
            std::to_string(ispcStiffness) + R"(}, "steps": 50, "events": [
         {"step": 50, "type": "screenshot", "file": "end.png", "width": 320, "height": 180}]})";
 }

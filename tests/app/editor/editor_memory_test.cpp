@@ -50,7 +50,7 @@ TEST_F(EditorMemoryTest, ASessionOfSeveralModelsIsCountedAsAWhole) {
     test::writeText(folder / "two.kerf.json", R"({"format": "kerf-session", "version": 1,
         "model": {"builtin": "sphere80"}, "more_models": [
             {"builtin": "sphere80", "placement": {"translate": [3, 0, 0]}}],
-        "params": {"true_modulus": 1}, "steps": 1, "events": []})");  // as the scene of one
+        "steps": 1, "events": []})");
     openAtStart(folder / "two.kerf.json");
     EXPECT_TRUE(panels().toast.isError) << panels().toast.text;
     EXPECT_EQ(editor->title(), "Kerf - sphere80 - 1 piece");

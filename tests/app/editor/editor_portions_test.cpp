@@ -128,7 +128,7 @@ TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
 
 TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
     Document slow = sphereDocument();
-    slow.session.params.solver = SolverMode::smallSteps;
+    slow.session.params.timeStep = 0.0005;
     show(std::move(slow));
     tap(Key::d);
     moveTo(kWidth / 2.0, kHeight / 2.0);

@@ -47,9 +47,9 @@ TEST(RealTimeFactor, OfARunHasTheMiddleAndTheWorstStep) {
 TEST(RealTimeFactor, IsNoneWhereNoTimePassed) {
     RealTimeFactors factors;
     factors.add(0, 10, 10);
-    const auto json = toJson(factors);
+    const auto written = toJson(factors);
     for (const char* key : {"median", "worst", "with_drawing"}) {
-        EXPECT_TRUE(json.at(key).is_null()) << key;
+        EXPECT_TRUE(written.at(key).is_null()) << key;
     }
     EXPECT_EQ(factors.sentence(), "none was simulated");
 }

@@ -143,14 +143,21 @@ TEST(Params, MistakesGiveASentenceAndChangeNothing) {
         {"gravity", Vec3(0, -101, 0), "between -100 and 100 m/s^2"},
         {"floor", Vec3(0, 0, 0), "or none"},
         {"floor", infinity, "finite"},
-        {"solver", 1.0, "must be one of small_steps, pbd, implicit"},
-        {"solver", std::string("fem"), "must be one of small_steps, pbd, implicit"},
+        {"solver", 1.0, "must be one of implicit, pbd"},
+        {"solver", std::string("fem"), "must be one of implicit, pbd"},
     };
     for (const BadValue& bad : cases) {
         Params params;
         EXPECT_THAT(setParam(params, bad.name, bad.value), HasSubstr(bad.says)) << bad.name;
         EXPECT_TRUE(params == Params{}) << bad.name;
     }
+}
+
+TEST(Params, TakeTheFormerSolverForTheImplicitOne) {
+    Params params;
+    params.solver = SolverMode::pbd;
+    EXPECT_EQ(setParam(params, "solver", std::string(kFormerSolver)), "");
+    EXPECT_EQ(params.solver, SolverMode::implicit);
 }
 
 }  // namespace

@@ -102,11 +102,11 @@ TEST(SizeParams, FollowSizeAndFirmness) {
     EXPECT_EQ(suitedTo(300, Params{}).depenetrationSpeed, 10);
 }
 
-TEST(SizeParams, OfSmallStepsAreShorter) {
-    Params small;
-    small.solver = SolverMode::smallSteps;
-    EXPECT_EQ(suitedTo(1, small).timeStep, 0.005);
-    EXPECT_EQ(suitedTo(0.05, small).timeStep, 0.001);
+TEST(SizeParams, OfPlainPbdAreShorter) {
+    Params paper;
+    paper.solver = SolverMode::pbd;
+    EXPECT_EQ(suitedTo(1, paper).timeStep, 0.005);
+    EXPECT_EQ(suitedTo(0.05, paper).timeStep, 0.001);
 }
 
 TEST(SizeParams, FollowASizeUnlessSomebodyChoseThem) {

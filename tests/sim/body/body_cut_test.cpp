@@ -7,11 +7,8 @@
 #include "sim/body/body_updater.h"
 #include "sim/body/ispc_builder.h"
 #include "sim/body/ray_tree.h"
-#include "sim/body/solver_uniforms.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
-#include "tests/support/reference/reference_solver.h"
-#include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -125,58 +122,6 @@ TEST(BodyCut, NoneOfTheIspcsIsForgotten) {
             EXPECT_EQ(separatedIspcs(body.mesh, body.model), 0) << "after change " << body.changes;
         });
         EXPECT_EQ(body.model.pieces.size(), 2u);
-    }
-}
-
-/// Vertices of each piece.
-std::vector<std::vector<int>> verticesByPiece(const BodyModel& model) {
-    std::vector<std::vector<int>> vertices(model.pieces.size());
-    for (std::size_t v = 0; v < model.pieceOfVertex.size(); ++v) {
-        if (model.pieceOfVertex[v] >= 0) {
-            vertices[model.pieceOfVertex[v]].push_back(static_cast<int>(v));
-        }
-    }
-    return vertices;
-}
-
-void expectHalvesToFallSoftly(const SurfaceMesh& whole) {
-    CutBody body(whole);
-    const double diagonal = meshBounds(body.mesh).diagonal();
-    body.run(strokeDown(40), [](const BodyModel&) {});
-    ASSERT_EQ(body.model.pieces.size(), 2u);
-    const auto vertices = verticesByPiece(body.model);
-
-    const ReferenceSolver solver(body.model, solverUniforms(Params{}, body.model));
-    ReferenceState state = restState(body.model);
-    const std::vector<Vec3> rest = state.positions;
-    for (Vec3& p : state.positions) {
-        p.y() += 1;
-    }
-    const int steps = 300;
-    std::vector<double> mean(2, 0.0);
-    std::vector<double> peak(2, 0.0);
-    for (int i = 0; i < steps; ++i) {
-        solver.step(state);
-        const std::vector<double> volumes = solver.volumes(state);
-        for (int p = 0; p < 2; ++p) {
-            mean[p] += volumes[p] / body.model.pieces[p].restVolume / steps;
-            peak[p] = std::max(peak[p], test::rmsShapeError(rest, state.positions, vertices[p]));
-        }
-    }
-    for (int p = 0; p < 2; ++p) {
-        EXPECT_NEAR(mean[p], 1, 0.005);
-        EXPECT_GT(peak[p], 0.03 * diagonal);
-        EXPECT_LT(peak[p], 0.15 * diagonal);
-    }
-    for (const Vec3& v : state.velocities) {
-        EXPECT_LT(v.norm(), 10);
-    }
-}
-
-TEST(BodyCut, HalvesFallSoftlyAndKeepTheirVolume) {
-    for (const int subdivisions : {0, 1, 2}) {
-        SCOPED_TRACE(subdivisions);
-        expectHalvesToFallSoftly(test::icosphere(subdivisions));
     }
 }
 

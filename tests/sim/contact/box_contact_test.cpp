@@ -12,7 +12,6 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -79,26 +78,23 @@ void expectRestsOnABoxAsOnTheFloor(Params params) {
         onBox.step();
     }
     // Contacts of implicit steps yield to what weighs on them.
-    EXPECT_LT(deepestVertexIn(slab, onBox.mesh()), test::isImplicit(params) ? 3e-4 : 1e-6);
+    EXPECT_LT(deepestVertexIn(slab, onBox.mesh()), 3e-4);
     EXPECT_LT((middle(onFloor.mesh()) - middle(onBox.mesh())).norm(), 2e-3);
     EXPECT_GT(onBox.report().volumeRatio, 0.99);
 }
 
 TEST_F(BoxContactTest, ABodyRestsOnABoxAsOnTheFloor) {
-    expectRestsOnABoxAsOnTheFloor(test::smallSteps());
     expectRestsOnABoxAsOnTheFloor(Params{});
 }
 
-// As after a fall of two metres; a substep of small_steps is 1.6 mm, an implicit step 10 mm, a
-// substep of pbd 31 mm.
+// As after a fall of two metres; an implicit step is 10 mm, a step of pbd 31 mm.
 TEST_F(BoxContactTest, NothingTunnelsThroughAThinPlate) {
     const StaticBox plate{{0, 0, 0}, {3, 0.002, 3}, {0, 20, 12}};
-    for (const char* solver : {"small_steps", "implicit", "pbd"}) {
+    for (const char* solver : {"implicit", "pbd"}) {
         for (const SurfaceMesh& shape : {test::cubeSphere(4), test::box({0.8, 0.5, 0.6}, 1)}) {
             SCOPED_TRACE(solver + std::to_string(shape.vertexCount()));
             Params params = withoutFloor();
             setParam(params, "solver", solver);
-            params.iterations = test::isImplicit(params) ? kAutoIterations : kUsualSweeps;
             Simulation simulation(lifted(shape, 0.8, {0, -6.3, 0}), params, {plate});
             for (int i = 0; i < 40; ++i) {
                 simulation.step();
@@ -117,43 +113,38 @@ TEST_F(BoxContactTest, NothingTunnelsThroughAThinPlate) {
 // The faces of the block are a metre long, the boxes a tenth: no vertex gets near them.
 TEST_F(BoxContactTest, ACoarseBodyDoesNotSinkOntoSmallBoxes) {
     const Vec3 size = Vec3::Constant(0.1);
-    for (const Params& solved : {test::smallSteps(), Params{}}) {
-        for (const StaticBox& box : {StaticBox{{0.2, 0, 0.1}, size, {0, 30, 0}},         // a face
-                                     StaticBox{{0.2, 0, 0.1}, size, {45, 10, 0}},        // an edge
-                                     StaticBox{{0.2, 0, 0.1}, size, {45, 0, 35.26}}}) {  // a corner
-            SCOPED_TRACE(box.rotate.x() + box.rotate.z());
-            Params params = solved;
-            params.floor = -0.3;
-            params.gravity = {0, -2, 0};
-            Simulation simulation(lifted(test::box({1, 0.6, 1}, 1), 0.42, {0, -3, 0}), params,
-                                  {box});
-            double deepest = 0;
-            for (int i = 0; i < 60; ++i) {
-                simulation.step();
-                deepest = std::max(deepest, deepestPointOf(box, simulation.mesh()));
-            }
-            EXPECT_LT(deepest, 0.002);
-            EXPECT_GT(middle(simulation.mesh()).y(), 0.1) << "it lies on the box and the floor";
-            EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    for (const StaticBox& box : {StaticBox{{0.2, 0, 0.1}, size, {0, 30, 0}},         // a face
+                                 StaticBox{{0.2, 0, 0.1}, size, {45, 10, 0}},        // an edge
+                                 StaticBox{{0.2, 0, 0.1}, size, {45, 0, 35.26}}}) {  // a corner
+        SCOPED_TRACE(box.rotate.x() + box.rotate.z());
+        Params params;
+        params.floor = -0.3;
+        params.gravity = {0, -2, 0};
+        Simulation simulation(lifted(test::box({1, 0.6, 1}, 1), 0.42, {0, -3, 0}), params, {box});
+        double deepest = 0;
+        for (int i = 0; i < 60; ++i) {
+            simulation.step();
+            deepest = std::max(deepest, deepestPointOf(box, simulation.mesh()));
         }
+        EXPECT_LT(deepest, 0.002);
+        EXPECT_GT(middle(simulation.mesh()).y(), 0.1) << "it lies on the box and the floor";
+        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
     }
 }
 
 // A bar far thinner than an edge of the body, around which the skin bends sharply in the rebound.
 TEST_F(BoxContactTest, NothingIsPiercedByAThinBar) {
-    for (const Params& params : {test::smallSteps(), Params{}}) {
-        for (const double width : {0.01, 0.02}) {
-            SCOPED_TRACE(width);
-            test::BarFall fall;
-            fall.width = width;
-            fall.modulus = 1e5;
-            fall.height = 2;
-            fall.aside = 0.001;
-            fall.seconds = 0.45;
-            const test::BarFigures figures = test::fallOnBar(fall, params);
-            EXPECT_EQ(figures.pierced, 0) << test::text(figures);
-            EXPECT_GT(figures.leastVolume, test::isImplicit(params) ? 0.995 : 0.999);
-        }
+    for (const double width : {0.01, 0.02}) {
+        SCOPED_TRACE(width);
+        test::BarFall fall;
+        fall.width = width;
+        fall.modulus = 1e5;
+        fall.height = 2;
+        fall.aside = 0.001;
+        fall.seconds = 0.45;
+        const test::BarFigures figures = test::fallOnBar(fall, Params{});
+        EXPECT_EQ(figures.pierced, 0) << test::text(figures);
+        EXPECT_GT(figures.leastVolume, 0.995);
     }
 }
 

@@ -17,9 +17,9 @@
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
+#include "tests/support/plain_pbd.h"
 #include "tests/support/reference/reference_boxes.h"
 #include "tests/support/shapes.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -95,7 +95,7 @@ Depths depthsOf(const Fall& fall) {
     const double top = fall.box.bounds().high.y();
     const double way = top + fall.height - meshBounds(mesh).low.y();
     mesh = raised(std::move(mesh), way);
-    Params params = test::smallSteps();
+    Params params;
     params.floor = top - 0.35;
     Simulation simulation(std::move(mesh), params, {fall.box});
     Depths depths;
@@ -131,7 +131,7 @@ TEST_F(BoxCornerTest, StaysOutOfWhatFallsOnIt) {
 
 // A box stands in the body as it begins, its upper edge far from every face of it.
 TEST_F(BoxCornerTest, LeavesABodyThatItStandsIn) {
-    Params params = test::smallSteps();
+    Params params;
     params.floor = -0.65;
     const StaticBox box{{0.15, -0.55, 0}, {0.25, 0.577, 0.577}, {0, 0, 30}};
     Simulation simulation(test::builtin("sphere768"), params, {box});
@@ -149,7 +149,7 @@ Depths depthsOfPush(std::uint32_t seed) {
     std::mt19937 random(seed);
     const double angle = static_cast<double>(random()) / 4294967296.0 * 2 * M_PI;
     const Vec3 from(std::cos(angle), 0.1, std::sin(angle));
-    Params params = test::smallSteps();
+    Params params;
     params.floor = -0.51;
     const char* model = seed % 2 == 0 ? "sphere80" : "sphere768";
     push.box.center = 1.15 * from;
@@ -190,6 +190,8 @@ StaticBox touching(const Vec3& direction, const Vec3& turn) {
 struct TouchedBody {
     TouchedBody() : model(buildBodyModel(test::cubeSphere(5))) {
         params.gravity.setZero();
+        params.timeStep = 0.00025;
+        params.iterations = 1;
         params.floor.reset();
         settings = contactSettings(params);
         settings.enabled = false;
@@ -234,7 +236,7 @@ struct TouchedBody {
                                  touching(Vec3(1, 1, 1), {10, 20, 30}),
                                  touching(Vec3(-1, 1, 0), {-40, 10, 15})};
     BodyModel model;
-    Params params = test::smallSteps();
+    Params params = test::plainPbd();
     ContactSettings settings;
     BodyState state;
     GpuSolver solver;
@@ -267,7 +269,7 @@ TEST_F(BoxCornerTest, TrianglesAnswerLikeTheReference) {
     collisions.beginStep(nullptr);
     body.solver.predictAndStretch();
     collisions.beginSubstep();
-    collisions.respond(0);
+    collisions.respond();
     const std::vector<Vec3f> ours = body.solver.readDisplacements();
     const BodyState after = body.solver.readState();
     const ReferenceState before = body.reference();

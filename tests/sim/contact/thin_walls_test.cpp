@@ -16,7 +16,6 @@ using test::WallScene;
 
 Params newScene() {
     Params params;
-    params.trueModulus = 1;
     params.iterations = kAutoIterations;
     return params;
 }

@@ -5,10 +5,8 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
-#include "sim/solve/sweep_strength.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -23,9 +21,7 @@ struct Course {
 class AutoIterationsTest : public test::SimulationTest {
   protected:
     static Params autoParams() {
-        Params params = ofNewScene(test::smallSteps());
-        params.trueModulus = 1;
-        params.iterations = kAutoIterations;
+        Params params = ofNewScene(Params{});
         params.sleeps = 0;
         params.floor = -0.6;
         return params;
@@ -66,48 +62,11 @@ class AutoIterationsTest : public test::SimulationTest {
         simulation->execute(SetTime{true});
         simulation->execute(Undo{});
         go(5);
-        set("true_modulus", 0.0);
-        go(3);
-        simulation->execute(Undo{});
         simulation->execute(Undo{});
         go(10);
         return course;
     }
 };
-
-TEST_F(AutoIterationsTest, AreFewForASoftBodyAndMoreForAStiffOne) {
-    start(autoParams());
-    const int soft = step();
-    EXPECT_LT(soft, 12);
-    set("youngs_modulus", 1e7);
-    const int stiff = step();
-    EXPECT_GT(stiff, 3 * soft);
-    set("youngs_modulus", 1e5);
-    EXPECT_EQ(step(), soft) << "and fewer again";
-}
-
-TEST_F(AutoIterationsTest, AreFewForASoftBodyThatIsCutToo) {
-    start(autoParams());
-    simulation->execute(MoveBlade{{{0.03, 0.7, -1}, {0.03, 0.7, 1}}});
-    simulation->step();
-    simulation->execute(MoveBlade{{{0.03, -0.7, -1}, {0.03, -0.7, 1}}});
-    run(2);
-    EXPECT_EQ(simulation->report().pieces, 2);
-    EXPECT_LT(step(), 12);
-}
-
-TEST_F(AutoIterationsTest, AreThoseOfTheDefaultsAtLeastWithASlit) {
-    start(autoParams());
-    EXPECT_LT(step(), 12);
-    simulation->execute(MoveBlade{{{0.03, 0.7, -1}, {0.03, 0.7, 1}}});
-    simulation->step();
-    simulation->execute(MoveBlade{{{0.03, 0.1, -1}, {0.03, 0.1, 1}}});
-    simulation->step();
-    simulation->execute(LiftBlade{});
-    run(2);
-    EXPECT_EQ(simulation->report().pieces, 1);
-    EXPECT_EQ(step(), kUsualSweeps);
-}
 
 TEST_F(AutoIterationsTest, GiveTheBitsOfTheNumberThatIsChosen) {
     Params params = autoParams();
@@ -132,7 +91,8 @@ TEST_F(AutoIterationsTest, AreMoreWhereSomethingFastMeetsAnything) {
     const int fast = step();
     EXPECT_GT(fast, slow);
     set("gravity", Vec3(0, -9.81, 0));
-    run(200);
+    set("air_drag", 5.0);
+    run(400);
     EXPECT_LT(step(), fast) << "at rest again";
     EXPECT_NEAR(simulation->report().volumeRatio, 1, 0.01);
 }
@@ -177,30 +137,6 @@ TEST_F(AutoIterationsTest, SeekingBackAcrossACutAndOtherMaterialsGivesTheSameBit
     simulation->goTo(before);
     simulation->goTo(after);
     EXPECT_EQ(play(10), later);
-}
-
-TEST_F(AutoIterationsTest, ACutBodyHasThoseOfItsConstraintsAndUndoGoesOnAsWithoutIt) {
-    Params params = autoParams();
-    params.youngsModulus = 1e6;
-    start(params);
-    simulation->setUndoBudget(1 << 28);
-    run(10);
-    const Moment moment = simulation->moment();
-    const Course without = play(10);
-    simulation->goTo(moment);
-    simulation->execute(MoveBlade{{{0.03, 0.7, -1}, {0.03, 0.7, 1}}});
-    simulation->step();
-    simulation->execute(MoveBlade{{{0.03, -0.7, -1}, {0.03, -0.7, 1}}});
-    simulation->step();
-    simulation->execute(LiftBlade{});
-    run(3);
-    EXPECT_EQ(simulation->report().pieces, 2);
-    const int cut = step();
-    EXPECT_GT(cut, without.iterations.front());
-    EXPECT_EQ(cut, SweepStrength(simulation->bodyModel(), params).iterationsFor(params, 0));
-    simulation->execute(Undo{});
-    EXPECT_EQ(simulation->report().pieces, 1);
-    EXPECT_EQ(play(1).iterations.front(), without.iterations.front());
 }
 
 }  // namespace

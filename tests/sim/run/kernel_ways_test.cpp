@@ -41,7 +41,7 @@ std::vector<std::string> courseOf(const SurfaceMesh& mesh, SolverMode solver) {
 }
 
 TEST_F(KernelWays, AndBarriersChangeNoBit) {
-    for (const SolverMode solver : {SolverMode::smallSteps, SolverMode::pbd}) {
+    for (const SolverMode solver : {SolverMode::implicit, SolverMode::pbd}) {
         for (const SurfaceMesh& mesh : {test::cubeSphere(6, 0.5), test::icosphere(4, 0.5)}) {
             SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
             const std::vector<std::string> course = courseOf(mesh, solver);

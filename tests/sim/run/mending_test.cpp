@@ -26,7 +26,6 @@ class MendingTest : public test::SimulationTest {
         const SurfaceMesh mesh = test::cubeSphere(8, kMendedSize);
         uncutTriangles = mesh.triangleSlots();
         Params params = test::weightless();
-        params.solver = SolverMode::smallSteps;  // implicit steps unfold collapsed bodies alone
         simulation.emplace(mesh, params);
         for (int i = 0; i <= 40; ++i) {
             const double y = 0.7 - 1.4 * i / 40;

@@ -6,7 +6,6 @@
 
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -17,8 +16,7 @@ constexpr int kPartSteps = 30;       // of each part of a scene
 /// Of a body that is `size` times as large, and in which all speeds are: as fast are its waves.
 Params paramsOfSize(double size) {
     Params params = test::weightless();
-    params = test::smallSteps(params);  // docs/notes/implicit-steps.md, What is missing
-    params.contact = 0;                 // whose sums have the same unit at any size
+    params.contact = 0;  // whose sums have the same unit at any size
     params.youngsModulus = 2e5 * size * size;
     params.toughness = 200 * size * size * size;
     params.tensileStrength = 2e4 * size * size;

@@ -8,7 +8,6 @@
 
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -109,46 +108,11 @@ TEST_F(TrafficTest, WhileTimeStandsNothingIsDispatched) {
     EXPECT_EQ(ofStep().dispatches, 0u);
 }
 
-/// On llvmpipe; a GPU's group takes even more at once.
-TEST_F(TrafficTest, TwoHalvesOfASmallBodyOnEachOtherAskForFourDispatches) {
-    Params params = test::smallSteps();
-    params.floor = -0.5;
-    open(params);
-    cutAt(0.01);
-    ASSERT_EQ(simulation->report().pieces, 2);
-    run(20);
-    int more = 0;
-    for (int i = 0; i < 20; ++i) {
-        const std::uint64_t dispatches = ofStep().dispatches;
-        EXPECT_LE(dispatches, 6u) << "step " << i;
-        more += dispatches > 4 ? 1 : 0;
-    }
-    EXPECT_GT(simulation->report().contacts, 0);
-    EXPECT_LE(more, 10);
-}
-
-TEST_F(TrafficTest, ALargeBodyThatBendsAndTouchesNothingHasNoPhasesOfContact) {
-    Params params = test::weightless();
-    params.solver = SolverMode::smallSteps;
-    constexpr int kTooLargeForOneGroup = 20;
-    open(params, kTooLargeForOneGroup);
-    const std::uint64_t atRest = ofStep().dispatches;
-    const gpu::Traffic atOnce = during([this] {
-        simulation->execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
-        simulation->execute(SetParam{"floor", -0.5});
-        run(40);
-    });
-    EXPECT_EQ(simulation->report().contacts, 0);
-    EXPECT_GT(atOnce.reads, 10u) << "it searches for contacts";
-    EXPECT_LE(atOnce.dispatches, 40 * (atRest + 10));
-}
-
 TEST_F(TrafficTest, MorePiecesAreNoMoreDispatches) {
     Params params = test::weightless();
-    params.solver = SolverMode::smallSteps;
     params.contact = 0;
-    constexpr int kTooLargeForOneGroup = 20;
-    open(params, kTooLargeForOneGroup);
+    constexpr int kSide = 20;
+    open(params, kSide);
     const std::uint64_t whole = ofStep().dispatches;
     for (const double x : {-0.25, 0.01, 0.25}) {
         cutAt(x);

@@ -7,6 +7,7 @@
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/plain_pbd.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
@@ -18,7 +19,7 @@ class SolverUpdateTest : public test::GlTest {
     void expectAlike(const BodyModel& model, const SurfaceMesh& mesh, GpuSolver& followed) {
         GpuSolver fresh;
         fresh.setModel(model, stateOf(mesh));
-        const shared::SolverUniforms uniforms = solverUniforms(Params{}, model);
+        const shared::SolverUniforms uniforms = solverUniforms(test::plainPbd(), model);
         fresh.setUniforms(uniforms);
         followed.setUniforms(uniforms);
         followed.setState(stateOf(mesh));
@@ -35,15 +36,7 @@ class SolverUpdateTest : public test::GlTest {
             solver->phases().solve(shared::kBend);
             solver->phases().solve(shared::kIspc);
         }
-        // All but the sum over a piece is the same arithmetic in the same order.
         EXPECT_EQ(followed.readDisplacements(), fresh.readDisplacements());
-        followed.phases().solveVolume();
-        fresh.phases().solveVolume();
-        const std::vector<Vec3f> x = followed.readDisplacements();
-        const std::vector<Vec3f> y = fresh.readDisplacements();
-        for (std::size_t v = 0; v < x.size(); ++v) {
-            EXPECT_LT((x[v] - y[v]).norm(), 1e-6f) << v;
-        }
     }
 };
 

@@ -9,21 +9,13 @@
 
 namespace kerf {
 
-/// A constraint function, its gradient by each of its N vertices, and its compliance over h^2
-/// (the record's geometry times the `compliance` of SolverUniforms), at positions + displacements.
+/// A constraint function and its gradient by each of its N vertices, at positions + displacements.
 template <std::size_t N>
 struct Linearized {
     std::array<std::uint32_t, N> vertices{};
     std::array<Vec3, N> gradient;
     double value = 0;
-    double compliance = 0;
     bool valid = false;  ///< false where the constraint has no gradient
-};
-
-/// The positions at which the gradient is taken: shaders/sim/pull_direction.glsl.
-enum class Pull {
-    asBefore,  ///< at positions, unless it has turned far meanwhile
-    asNow      ///< at positions + displacements
 };
 
 /// A constraint of a type, with as many vertices as it has.
@@ -31,14 +23,13 @@ template <class Constraint>
 using LinearizedOf = Linearized<std::tuple_size_v<decltype(verticesOf(Constraint{}))>>;
 
 // A function for each row of constraints.h.
-#define KERF_LINEARIZE(number, Name, list, Constraint, Gather)                       \
-    LinearizedOf<Constraint> linearize(const Constraint& c, const ReferenceState& s, \
-                                       double compliance, Pull pull);
+#define KERF_LINEARIZE(number, Name, list, Constraint, Gather) \
+    LinearizedOf<Constraint> linearize(const Constraint& c, const ReferenceState& s);
 KERF_CONSTRAINTS(KERF_LINEARIZE)
 #undef KERF_LINEARIZE
 
-/// The energy that BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 / (2 alpha) over
-/// the constraints that are on and not rigid, beyond the clamp of a bend with constant moment.
+/// The energy that BodyMeasure::strainEnergy is compared with [J]: the sum of C^2 E / (2 geometry)
+/// over the constraints that are on and not rigid, beyond the clamp of a bend with constant moment.
 double strainEnergy(const BodyModel& model, const shared::SolverUniforms& uniforms,
                     const ReferenceState& state);
 

@@ -2,32 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "shaders/shared/unfold_records.h"
 #include "sim/body/piece_masses.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/reference/reference_constraints.h"
-#include "tests/support/reference/reference_unfolding.h"
 
 namespace kerf {
 
 namespace {
 
-/// What C changes by for each metre of the vertex that changes it most.
-template <class Constraint, std::size_t N>
-double changePerWay(const Constraint&, const Linearized<N>&) {
-    return 1;
-}
-
-double changePerWay(const BendConstraint&, const Linearized<4>& c) {
-    return std::max(c.gradient[2].norm(), c.gradient[3].norm());
-}
-
 /// As leastWeight in shaders/sim/constraints/bend.glsl; `lightest`: the largest inverse mass.
 double leastWeight(const BendConstraint&, const Linearized<4>& c, double lightest) {
     const double apexes = c.gradient[2].squaredNorm() + c.gradient[3].squaredNorm();
-    return c.compliance > 0 ? 0 : shared::kLeastBendShare * lightest * apexes;
+    return shared::kLeastBendShare * lightest * apexes;
 }
 
 template <class Constraint, std::size_t N>
@@ -35,83 +22,34 @@ double leastWeight(const Constraint&, const Linearized<N>&, double) {
     return 0;
 }
 
-/// How constraints are damped at one place.
-struct Damping {
-    double gamma = 0;  ///< beta / h
-    double most = 0;   ///< of C at X that is answered in a substep
-    bool trueModulus = false;
-    double room = 0;  ///< SolverUniforms::sweep_room
-};
-
-/// As in shaders/sim/pull_direction.glsl.
-Damping dampingAt(double fold, const shared::SolverUniforms& uniforms, double perWay,
-                  std::uint32_t type) {
-    const double creep = uniforms.catch_up_speed * uniforms.substep * perWay;
-    return {uniforms.damping_ratio * (1 - fold),
-            fold > 0 ? creep / fold : std::numeric_limits<double>::infinity(),
-            (uniforms.active_parts & shared::kTrueModulusPart) != 0, uniforms.sweep_room[type]};
-}
-
-/// As dampingOf in shaders/sim/pull_direction.glsl.
-double gammaOf(const Damping& damping, double weight, double compliance) {
-    const double room = 2 * compliance / (damping.room * weight) - 1.5;
-    return damping.trueModulus ? std::clamp(room, 0.0, damping.gamma) : damping.gamma;
-}
-
-/// As dampedWeight there.
-double dampedWeight(const Damping& damping, double gamma, double weight, double compliance) {
-    return damping.trueModulus ? std::max(compliance, damping.room * (0.75 + 0.5 * gamma) * weight)
-                               : (1 + gamma) * weight + compliance;
-}
-
-/// delta lambda of one constraint: XPBD with stiffness-proportional damping and
-/// the mass of each vertex split among its constraints of this type (w~ = valence * w).
+/// delta lambda of one rigid constraint, with the mass of each vertex split among its constraints
+/// of this type (w~ = valence * w).
 template <class Constraint, std::size_t N>
-double multiplier(const Constraint& constraint, const Linearized<N>& c, const ReferenceState& s,
-                  const std::vector<double>& w, const Incidence& incidence,
-                  const Damping& damping) {
+double multiplier(const Constraint& constraint, const Linearized<N>& c,
+                  const std::vector<double>& w, const Incidence& incidence) {
     double sum = 0;
-    double rate = 0;
     double lightest = 0;
     for (std::size_t k = 0; k < N; ++k) {
         const std::uint32_t v = c.vertices[k];
         const double inverseMass = valence(incidence, v) * w[v];
         lightest = std::max(lightest, inverseMass);
         sum += inverseMass * c.gradient[k].squaredNorm();
-        rate += c.gradient[k].dot(s.displacements[v]);
     }
-    const double gamma = gammaOf(damping, sum, c.compliance);
-    const double denominator = dampedWeight(damping, gamma, sum, c.compliance);
-    const double before = std::clamp(c.value - rate, -damping.most, damping.most);
-    const bool answers = denominator > 0 && sum >= leastWeight(constraint, c, lightest);
-    return answers ? -(before + (1 + gamma) * rate) / denominator : 0.0;
-}
-
-Pull pullOf(const shared::SolverUniforms& uniforms) {
-    return (uniforms.active_parts & shared::kPullAsBeforePart) != 0 ? Pull::asBefore : Pull::asNow;
+    const bool answers = sum > 0 && sum >= leastWeight(constraint, c, lightest);
+    return answers ? -c.value / sum : 0.0;
 }
 
 /// One Jacobi sweep over constraints of one type: all read the same state, corrections are summed.
 template <class Constraint>
-void sweep(ReferenceState& state, const BodyModel& model,
-           const std::vector<Constraint>& constraints, const Incidence& incidence,
-           const std::vector<double>& w, const shared::SolverUniforms& uniforms,
-           std::uint32_t type) {
+void sweep(ReferenceState& state, const std::vector<Constraint>& constraints,
+           const Incidence& incidence, const std::vector<double>& w, double share) {
     std::vector<Vec3> correction(state.positions.size(), Vec3::Zero());
     for (const Constraint& constraint : constraints) {
-        const double modulus = model.memberOf(verticesOf(constraint)[0]).modulus;
-        const auto c =
-            linearize(constraint, state, uniforms.compliance[type] / modulus, pullOf(uniforms));
+        const auto c = linearize(constraint, state);
         if (!c.valid) {
             continue;
         }
-        double fold = 0;
-        for (const std::uint32_t v : c.vertices) {
-            fold = std::max(fold, state.fold(v));
-        }
-        const Damping damping = dampingAt(fold, uniforms, changePerWay(constraint, c), type);
-        const double lambda =
-            uniforms.share[type] * multiplier(constraint, c, state, w, incidence, damping);
+        const double lambda = share * multiplier(constraint, c, w, incidence);
         for (std::size_t k = 0; k < c.vertices.size(); ++k) {
             correction[c.vertices[k]] += w[c.vertices[k]] * lambda * c.gradient[k];
         }
@@ -139,32 +77,6 @@ std::vector<Vec3> pieceCenters(const BodyModel& model, const ReferenceState& s) 
     return centers;
 }
 
-/// Volume per piece at X + d, and its gradient by each vertex at X.
-struct VolumeTerms {
-    std::vector<double> volumes;
-    std::vector<Vec3> gradient;
-};
-
-VolumeTerms volumeTerms(const BodyModel& model, const ReferenceState& s) {
-    const std::vector<Vec3> centers = pieceCenters(model, s);
-    VolumeTerms terms{std::vector<double>(model.pieces.size(), 0.0),
-                      std::vector<Vec3>(s.positions.size(), Vec3::Zero())};
-    for (const auto& triangle : model.triangles) {
-        const int piece = model.pieceOfVertex[triangle[0]];
-        const Vec3 a = at(s, triangle[0]) - centers[piece];
-        const Vec3 b = at(s, triangle[1]) - centers[piece];
-        const Vec3 c = at(s, triangle[2]) - centers[piece];
-        terms.volumes[piece] += tetrahedronVolume(a, b, c);
-        const Vec3 u = s.positions[triangle[0]] - centers[piece];
-        const Vec3 v = s.positions[triangle[1]] - centers[piece];
-        const Vec3 w = s.positions[triangle[2]] - centers[piece];
-        terms.gradient[triangle[0]] += v.cross(w) / 6;
-        terms.gradient[triangle[1]] += w.cross(u) / 6;
-        terms.gradient[triangle[2]] += u.cross(v) / 6;
-    }
-    return terms;
-}
-
 }  // namespace
 
 ReferenceState restState(const BodyModel& model) {
@@ -178,7 +90,7 @@ ReferenceState restState(const BodyModel& model) {
 }
 
 ReferenceSolver::ReferenceSolver(const BodyModel& model, const shared::SolverUniforms& uniforms)
-    : model_(model), uniforms_(uniforms), volumeOffset_(model.pieces.size(), 0.0) {
+    : model_(model), uniforms_(uniforms) {
     for (const double mass : unitMasses(model)) {
         inverseMass_.push_back(mass > 0 ? static_cast<double>(uniforms.inverse_density) / mass
                                         : 0.0);
@@ -186,29 +98,15 @@ ReferenceSolver::ReferenceSolver(const BodyModel& model, const shared::SolverUni
 }
 
 void ReferenceSolver::step(ReferenceState& state) const {
-    for (std::uint32_t i = 0; i < uniforms_.substeps; ++i) {
-        substep(state);
-    }
-}
-
-void ReferenceSolver::substep(ReferenceState& state) const {
-    unfold(state);
     predict(state);
     for (std::uint32_t i = 0; i < uniforms_.sweeps; ++i) {
         for (std::uint32_t type = 0; type < kConstraintTypes; ++type) {
             solve(type, state);
         }
-        solveVolume(state);
         pull(state);
         collideFloor(state);
     }
-    finishSubstep(state);
-}
-
-void ReferenceSolver::unfold(ReferenceState& state) const {
-    if (uniforms_.active_parts & shared::kUnfoldPart) {
-        unfoldAsReference(model_, inverseMass_, uniforms_, state);
-    }
+    finish(state);
 }
 
 void ReferenceSolver::predict(ReferenceState& state) const {
@@ -225,35 +123,9 @@ void ReferenceSolver::predict(ReferenceState& state) const {
 void ReferenceSolver::solve(std::uint32_t type, ReferenceState& state) const {
     forEachType(model_, [&](auto row, const auto& constraints) {
         if (row.kType == type && (uniforms_.active_parts >> type & 1u) != 0) {
-            sweep(state, model_, constraints, model_.incidences[type], inverseMass_, uniforms_,
-                  type);
+            sweep(state, constraints, model_.incidences[type], inverseMass_, uniforms_.share[type]);
         }
     });
-}
-
-void ReferenceSolver::solveVolume(ReferenceState& state) const {
-    if (!(uniforms_.active_parts & shared::kVolumePart)) {
-        return;
-    }
-    const VolumeTerms terms = volumeTerms(model_, state);
-    std::vector<double> denominator(model_.pieces.size(), 0.0);
-    for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
-            denominator[piece] += inverseMass_[v] * terms.gradient[v].squaredNorm();
-        }
-    }
-    std::vector<double> lambda(model_.pieces.size(), 0.0);
-    for (std::size_t p = 0; p < lambda.size(); ++p) {
-        const PieceModel& piece = model_.pieces[p];
-        if (piece.holdsVolume && denominator[p] > 0) {
-            lambda[p] = -(terms.volumes[p] - piece.restVolume - volumeOffset_[p]) / denominator[p];
-        }
-    }
-    for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        if (const int piece = model_.pieceOfVertex[v]; piece >= 0) {
-            state.displacements[v] += inverseMass_[v] * lambda[piece] * terms.gradient[v];
-        }
-    }
 }
 
 void ReferenceSolver::pull(ReferenceState& state) const {
@@ -291,15 +163,14 @@ void ReferenceSolver::collideFloor(ReferenceState& state) const {
         d.y() += lift;
         const double slide = std::hypot(d.x(), d.z());
         if (slide > 0) {
-            const double friction = uniforms_.friction * (1 - state.fold(v));
-            const double kept = 1 - std::min(1.0, friction * lift / slide);
+            const double kept = 1 - std::min(1.0, uniforms_.friction * lift / slide);
             d.x() *= kept;
             d.z() *= kept;
         }
     }
 }
 
-void ReferenceSolver::finishSubstep(ReferenceState& state) const {
+void ReferenceSolver::finish(ReferenceState& state) const {
     const double rate = uniforms_.drag_factor / static_cast<double>(uniforms_.substep);
     for (std::size_t v = 0; v < state.positions.size(); ++v) {
         if (inverseMass_[v] > 0) {
@@ -311,7 +182,14 @@ void ReferenceSolver::finishSubstep(ReferenceState& state) const {
 }
 
 std::vector<double> ReferenceSolver::volumes(const ReferenceState& state) const {
-    return volumeTerms(model_, state).volumes;
+    const std::vector<Vec3> centers = pieceCenters(model_, state);
+    std::vector<double> volumes(model_.pieces.size(), 0.0);
+    for (const auto& triangle : model_.triangles) {
+        const int piece = model_.pieceOfVertex[triangle[0]];
+        const auto corner = [&](int k) -> Vec3 { return at(state, triangle[k]) - centers[piece]; };
+        volumes[piece] += tetrahedronVolume(corner(0), corner(1), corner(2));
+    }
+    return volumes;
 }
 
 }  // namespace kerf

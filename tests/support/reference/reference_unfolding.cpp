@@ -157,12 +157,11 @@ void unfoldAsReference(const BodyModel& model, const std::vector<double>& invers
         }
         const Goal goal = goalOf(model, members, masses, state, reach);
         const double square = folds[v] * folds[v];
-        const bool trueModulus = (uniforms.active_parts & shared::kTrueModulusPart) != 0;
         for (const std::uint32_t j : members) {
             if (inverseMass[j] > 0) {
                 changes[j] +=
                     pullOf(goal, state.positions[j], model.restPositions[j].cast<double>(),
-                           state.velocities[j], uniforms, square, trueModulus ? folds[v] : square) /
+                           state.velocities[j], uniforms, square, folds[v]) /
                     sums[j];
             }
         }

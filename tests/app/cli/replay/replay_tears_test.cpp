@@ -53,7 +53,7 @@ Json bladeAt(int step, double x, double z) {
 }
 
 /// Slits are made while time stands; then one end is drawn away for 0.3 s.
-Json pulledApart(const std::vector<Slit>& slits, const char* solver) {
+Json pulledApart(const std::vector<Slit>& slits) {
     Json events = {
         {{"step", 0}, {"type", "hold"}},
         {{"step", 0}, {"type", "pin"}, {"low", {-0.05, -1, -1}}, {"high", {-0.026, 1, 1}}}};
@@ -76,11 +76,9 @@ Json pulledApart(const std::vector<Slit>& slits, const char* solver) {
             {"model", {{"path", "sheet.obj"}}},
             {"material", "gelatin"},
             {"params",
-             {{"solver", solver},
-              {"time_step", 0.002},
+             {{"time_step", 0.002},
               {"iterations", "auto"},
               {"iteration_error", 0.05},
-              {"true_modulus", 1},
               {"floor", nullptr},
               {"gravity", {0, 0, 0}},
               {"tearing", 1},
@@ -116,10 +114,10 @@ struct Torn {
     double stress = 0;  ///< largest of all steps, over the strength
 };
 
-Torn tear(const std::vector<Slit>& slits, const char* solver) {
+Torn tear(const std::vector<Slit>& slits) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "sheet.obj", sheet());
-    test::writeText(folder / "tear.kerf.json", pulledApart(slits, solver).dump());
+    test::writeText(folder / "tear.kerf.json", pulledApart(slits).dump());
     const test::ProgramRun run =
         test::runKerf({"replay", folder / "tear.kerf.json", "--out", folder / "out"});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
@@ -129,21 +127,16 @@ Torn tear(const std::vector<Slit>& slits, const char* solver) {
 
 // 7 pairs of walls passed through each other.
 TEST(ReplayTears, ATearThatMeetsASlitCrossesNoWall) {
-    for (const char* solver : {"small_steps", "implicit"}) {
-        const Torn torn =
-            tear({{-0.012, -0.0033, 0.014, -0.0033}, {0.0007, 0.03, 0.0007, 0.004}}, solver);
-        EXPECT_EQ(torn.summary["pieces"].size(), 2U);
-        EXPECT_TRUE(torn.summary["closed_every_step"]);
-        EXPECT_EQ(torn.summary["cut_report"]["self_intersections"]["pairs"], 0);
-        EXPECT_NEAR(torn.summary["volume_ratio"]["final"].get<double>(), 1, 1e-3);
-    }
+    const Torn torn = tear({{-0.012, -0.0033, 0.014, -0.0033}, {0.0007, 0.03, 0.0007, 0.004}});
+    EXPECT_EQ(torn.summary["pieces"].size(), 2U);
+    EXPECT_TRUE(torn.summary["closed_every_step"]);
+    EXPECT_EQ(torn.summary["cut_report"]["self_intersections"]["pairs"], 0);
+    EXPECT_NEAR(torn.summary["volume_ratio"]["final"].get<double>(), 1, 1e-3);
 }
 
 // A blade along a row of vertices leaves slivers, whose stretch was told as the largest: 3.7e7.
 TEST(ReplayTears, NoSliverTellsTheStress) {
-    // With implicit steps it does not tear through: docs/notes/implicit-steps.md, What is missing.
-    const Torn torn =
-        tear({{-0.004, 0.03, -0.004, 0.008}, {0.005, -0.03, 0.005, -0.008}}, "small_steps");
+    const Torn torn = tear({{-0.004, 0.03, -0.004, 0.008}, {0.005, -0.03, 0.005, -0.008}});
     EXPECT_EQ(torn.summary["pieces"].size(), 2U);
     EXPECT_TRUE(torn.summary["closed_every_step"]);
     EXPECT_GT(torn.stress, 1);

@@ -14,7 +14,6 @@ namespace {
 
 Params materialOf(double modulus) {
     Params params;
-    params.trueModulus = 1;
     params.youngsModulus = modulus;
     params.airDrag = 0;
     params.gravity.setZero();

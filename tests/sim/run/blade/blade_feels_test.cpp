@@ -9,7 +9,6 @@
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -72,7 +71,7 @@ Course pressedDown(const Params& params, double depth, int steps, int n = 5) {
         course.refused += simulation.lastCut().outcome == CutOutcome::refused;
     }
     // Where the walls swing against the edge a step or two are refused.
-    EXPECT_LE(course.refused, test::isImplicit(params) ? 2 : 0);
+    EXPECT_LE(course.refused, 2);
     EXPECT_THAT(simulation.takeMessages(), testing::SizeIs(course.refused)) << "and nothing else";
     return course;
 }
@@ -130,7 +129,6 @@ void expectYieldsUntilTheForceSuffices(const Params& params) {
 }
 
 TEST_F(BladeFeelsTest, TheMaterialYieldsUntilTheForceSuffices) {
-    expectYieldsUntilTheForceSuffices(test::smallSteps(feeling(40)));
     expectYieldsUntilTheForceSuffices(feeling(40));
 }
 
@@ -156,7 +154,6 @@ void expectGainsWhatTheBladeGives(Params params) {
 }
 
 TEST_F(BladeFeelsTest, WhatTheBladeGivesIsWhatTheBodyGains) {
-    expectGainsWhatTheBladeGives(test::smallSteps(feeling(1e5)));
     expectGainsWhatTheBladeGives(feeling(1e5));
 }
 
@@ -180,13 +177,6 @@ Account accountOf(const Course& course, const Params& params) {
     return sums;
 }
 
-/// With small substeps, so that the solver itself hardly dissipates.
-Params inSmallSubsteps(double toughness) {
-    Params params = test::smallSteps(feeling(toughness));
-    params.iterations = 60;
-    return params;
-}
-
 // Slow. The edge gives more than the material: where that is turned round, work lacks
 // (docs/limits.md).
 void expectWorkBecomesStrain(const Params& params) {
@@ -194,24 +184,21 @@ void expectWorkBecomesStrain(const Params& params) {
     ASSERT_EQ(course.firstCut(), course.reports.size());
     const Account sums = accountOf(course, params);
     EXPECT_GT(sums.work, 0);
-    EXPECT_NEAR(sums.gained + sums.drag, sums.work,
-                (test::isImplicit(params) ? 0.06 : 0.05) * sums.work);
+    EXPECT_NEAR(sums.gained + sums.drag, sums.work, 0.06 * sums.work);
 }
 
 TEST_F(BladeFeelsTest, WorkBecomesStrainWhileTheMaterialYields) {
-    expectWorkBecomesStrain(inSmallSubsteps(200));
     expectWorkBecomesStrain(feeling(200));
 }
 
 TEST_F(BladeFeelsTest, WorkBecomesStrainAndNewSurface) {
-    for (Params params : {inSmallSubsteps(10), feeling(10)}) {
-        params.bladeBluntness = 0;
-        const Course course = pressedDown(params, 0.07, 250);
-        const Account sums = accountOf(course, params);
-        EXPECT_GT(sums.fracture, 0.5 * sums.work);
-        EXPECT_NEAR(sums.gained + sums.fracture + sums.drag, sums.work, 0.05 * sums.work)
-            << sums.gained << " " << sums.fracture << " " << sums.drag;
-    }
+    Params params = feeling(10);
+    params.bladeBluntness = 0;
+    const Course course = pressedDown(params, 0.07, 250);
+    const Account sums = accountOf(course, params);
+    EXPECT_GT(sums.fracture, 0.5 * sums.work);
+    EXPECT_NEAR(sums.gained + sums.fracture + sums.drag, sums.work, 0.05 * sums.work)
+        << sums.gained << " " << sums.fracture << " " << sums.drag;
 }
 
 TEST_F(BladeFeelsTest, ABluntBladePushesDeeperBeforeItBreaksIn) {
@@ -275,15 +262,17 @@ TEST_F(BladeFeelsTest, WhileTimeStandsTheEdgeIsWhereItIsLed) {
 }
 
 TEST_F(BladeFeelsTest, TheEdgeStaysWhereTheMaterialHoldsIt) {
-    Simulation simulation(block(), test::smallSteps(feeling(1e4)));
-    for (int i = 0; i <= 10; ++i) {
-        simulation.execute(MoveBlade{at(kSize + 0.002 - 0.0005 * i)});
+    Simulation simulation(block(), feeling(1e4));
+    int held = 0;  // steps; in others the material is ahead of it
+    for (int i = 0; i <= 30; ++i) {
+        simulation.execute(MoveBlade{at(kSize + 0.002 - 0.0002 * i)});
         simulation.step();
+        ASSERT_TRUE(simulation.bladeEdge().has_value());
+        const double lag = simulation.report().heldEdge.lag;
+        EXPECT_NEAR(simulation.bladeEdge()->a.y(), simulation.blade()->a.y() + lag, 1e-12);
+        held += lag > 0 ? 1 : 0;
     }
-    ASSERT_TRUE(simulation.bladeEdge().has_value());
-    EXPECT_GT(simulation.report().heldEdge.lag, 0);
-    EXPECT_NEAR(simulation.bladeEdge()->a.y(),
-                simulation.blade()->a.y() + simulation.report().heldEdge.lag, 1e-12);
+    EXPECT_GT(held, 5);
     simulation.execute(LiftBlade{});
     simulation.step();
     EXPECT_EQ(simulation.report().heldEdge.energy, 0);

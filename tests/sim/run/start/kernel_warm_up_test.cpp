@@ -28,7 +28,7 @@ TEST_F(KernelWarmUpTest, RunsTheKernelsOfImplicitStepsIfTheParametersHaveThem) {
     const gpu::ProgramShelf shelf;
     Params params;
     params.solver = SolverMode::implicit;
-    KernelWarmUp warmUp(params, 100);
+    KernelWarmUp warmUp(params);
     EXPECT_TRUE(compilesInStep(params));
     while (warmUp.advance()) {
     }

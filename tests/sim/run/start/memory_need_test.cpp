@@ -13,8 +13,8 @@
 #include "sim/run/start/prepared_body.h"
 #include "tests/support/buffer_bytes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/plain_pbd.h"
 #include "tests/support/shapes.h"
-#include "tests/support/small_steps.h"
 
 namespace kerf {
 namespace {
@@ -78,58 +78,40 @@ TEST_F(MemoryNeedOnGpu, IsAboutWhatTheDriverIsAskedFor) {
     for (SurfaceMesh& mesh : bodies()) {
         const BodySize size = sizeOf(mesh);
         const test::BufferBytes buffers;
-        Simulation simulation(std::move(mesh), test::smallSteps());
+        Simulation simulation(std::move(mesh), test::plainPbd());
         simulation.step();
         const auto taken = static_cast<double>(buffers.now());
         const auto need =
-            static_cast<double>(bytesOnGpu(size, memorySettings(test::smallSteps(), false)));
+            static_cast<double>(bytesOnGpu(size, memorySettings(test::plainPbd(), false)));
         std::printf("%.0f triangles: %.0f bytes of buffers, %.0f by records\n", size.triangles,
                     taken, need);
         EXPECT_GE(need, taken);
         EXPECT_LE(need, kWithin * taken);
         // Of a body that was cut.
         const auto largest =
-            memoryNeedOf(size, memorySettings(test::smallSteps(), false)).largestBuffer;
+            memoryNeedOf(size, memorySettings(test::plainPbd(), false)).largestBuffer;
         EXPECT_NEAR(static_cast<double>(largest) / static_cast<double>(buffers.largest()), 1.75,
                     0.1);
     }
 }
 
-// Rays that are cast anew have room to grow, so the driver is asked for more than records take.
-TEST_F(MemoryNeedOnGpu, CoversTheRaysOfATrueModulus) {
-    Params params = test::smallSteps();
-    params.trueModulus = 1;
-    for (SurfaceMesh& mesh : bodies()) {
-        const BodySize size = sizeOf(mesh);
-        const test::BufferBytes buffers;
-        Simulation simulation(std::move(mesh), params);
-        simulation.step();
-        const MemorySettings settings = memorySettings(params, false);
-        EXPECT_GE(memoryNeedOf(size, settings).graphics, buffers.now());
-        EXPECT_GT(bytesOnGpu(size, settings),
-                  bytesOnGpu(size, memorySettings(test::smallSteps(), false)));
-    }
-}
-
-// Which a body gets besides those of small steps. Of sizes with small aggregates and large ones.
+// Which a body gets besides those of plain PBD, and longer lists of ISPCs. Of sizes with small
+// aggregates and large ones.
 TEST_F(MemoryNeedOnGpu, IsAboutWhatImplicitStepsAskFor) {
-    Params small = test::smallSteps();
-    small.trueModulus = 1;
-    Params implicit = small;
-    implicit.solver = SolverMode::implicit;
-    const MemorySettings settings = memorySettings(implicit, false);
+    const Params paper = test::plainPbd();
+    const MemorySettings settings = memorySettings(Params{}, false);
     for (const int quads : {16, 24, 40}) {
         SurfaceMesh mesh = test::cubeSphere(quads, 0.5);
         const BodySize size = sizeOf(mesh);
         const test::BufferBytes buffers;
-        Simulation simulation(std::move(mesh), small);
+        Simulation simulation(std::move(mesh), paper);
         simulation.step();
         const std::size_t before = buffers.now();
         ASSERT_EQ(simulation.execute(SetParam{"solver", std::string("implicit")}), "");
         simulation.step();
         const auto taken = static_cast<double>(buffers.now() - before);
         const auto need = static_cast<double>(bytesOnGpu(size, settings) -
-                                              bytesOnGpu(size, memorySettings(small, false)));
+                                              bytesOnGpu(size, memorySettings(paper, false)));
         std::printf("%.0f triangles: %.0f bytes of buffers, %.0f by records\n", size.triangles,
                     taken, need);
         EXPECT_GE(need, taken);

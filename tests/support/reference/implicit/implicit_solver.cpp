@@ -17,8 +17,16 @@ StageScale scaleOf(const ImplicitSettings& settings) {
     return stageScale(settings.step, settings.damping);
 }
 
+double preparedStep(const ImplicitSettings& settings) {
+    return settings.prepared > 0 ? settings.prepared : settings.step;
+}
+
 StageScale preparedScaleOf(const ImplicitSettings& settings) {
-    return stageScale(settings.prepared > 0 ? settings.prepared : settings.step, settings.damping);
+    return stageScale(preparedStep(settings), settings.damping);
+}
+
+double firmestOf(const ImplicitSettings& settings) {
+    return firmestIn(preparedStep(settings));
 }
 
 /// Changes with vertices `i` and `j` of a pull.
@@ -129,8 +137,8 @@ ImplicitReference::ImplicitReference(const BodyModel& model, const ImplicitSetti
                                      std::span<const std::uint32_t> pinned)
     : model_(model),
       settings_(settings),
-      pulls_(pullsAtRest(model, settings.moduli)),
       masses_(massesWithout(model, settings.density, pinned)),
+      pulls_(boundedPullsAtRest(model, settings.moduli, masses_, firmestOf(settings))),
       firmness_(contactFirmness(pulls_, masses_.size())),
       groups_(groupVertices(model, pulls_, settings.aggregateSize)),
       inverse_(invertAtRest(model, pulls_, groups_, masses_, preparedScaleOf(settings))),
@@ -148,11 +156,11 @@ double ImplicitReference::energy(const ReferenceState& state) const {
         sum += masses_[v] * (0.5 * state.velocities[v].squaredNorm() -
                              settings_.gravity.dot(state.positions[v]));
     }
-    forEachPull(model_, settings_.moduli, steepness_, state.positions,
-                [&](const ConstraintPull& pull) {
-                    const double value = std::fabs(pull.value);
-                    sum += pull.stiffness * value * (value / pull.secant - 0.5 * value);
-                });
+    forEachPull(model_, settings_.moduli, steepness_, state.positions, [&](ConstraintPull pull) {
+        boundFirmness(pull, masses_, firmestOf(settings_));
+        const double value = std::fabs(pull.value);
+        sum += pull.stiffness * value * (value / pull.secant - 0.5 * value);
+    });
     return sum;
 }
 
@@ -161,7 +169,8 @@ void ImplicitReference::linearise(const Vectors& positions) {
     matrix_.clear();
     pulls_.clear();
     force_.assign(positions.size(), Vec3::Zero());
-    forEachPull(model_, settings_.moduli, steepness_, positions, [&](const ConstraintPull& pull) {
+    forEachPull(model_, settings_.moduli, steepness_, positions, [&](ConstraintPull pull) {
+        boundFirmness(pull, masses_, firmestOf(settings_));
         pulls_.push_back(pull);
         for (int i = 0; i < pull.count; ++i) {
             force_[pull.vertices[i]] -= pull.stiffness * pull.value * pull.gradients[i];

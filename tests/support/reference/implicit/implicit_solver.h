@@ -72,9 +72,9 @@ class ImplicitReference {
 
     const BodyModel& model_;
     ImplicitSettings settings_;
-    std::vector<ConstraintPull> pulls_;  ///< at rest, then where the body was linearised
     std::vector<double> masses_;
-    std::vector<double> firmness_;  ///< contactFirmness()
+    std::vector<ConstraintPull> pulls_;  ///< at rest, then where the body was linearised
+    std::vector<double> firmness_;       ///< contactFirmness()
     VertexGroups groups_;
     RestInverse inverse_;
     Preconditioner preconditioner_;
