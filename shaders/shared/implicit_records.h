@@ -16,8 +16,10 @@ SHARED_CONST uint kWayBinding = 7u;            // per vertex: how far the stage 
 SHARED_CONST uint kPressureBinding = 8u;       // per vertex: the answer to dV/dp [m^3/N]
 SHARED_CONST uint kPressureImageBinding = 9u;  // per vertex: the matrix times that [m^2]
 SHARED_CONST uint kForceBinding = 11u;         // per vertex: elastic force [N]
+SHARED_CONST uint kMadeCoursesBinding = 11u;   // per piece: Course
 SHARED_CONST uint kProductSumsBinding = 12u;   // per slot and page: ProductSums
 SHARED_CONST uint kAnswerSumsBinding = 13u;    // per slot and aggregate: AnswerSums
+SHARED_CONST uint kCoursesUnit = 13u;          // per piece: Course
 // Three texels each: per aggregate, then per region the residual by modes, per region its motion.
 SHARED_CONST uint kModesBinding = 14u;
 SHARED_CONST uint kFirstWayBinding = 15u;  // per vertex: way of the first stage [m]
@@ -127,9 +129,10 @@ struct ImplicitUniforms {
     uint holds_volume;  // 0: no piece is held
     uint region_count;  // 0: each aggregate is one
     float firmest;      // of a constraint, over the sum of w |grad C|^2: see kMostFirmness [1/s^2]
+    // Iterations end where less of the energy of the motion is left, but for half of them.
+    float close;
     float unused_a;
     float unused_b;
-    float unused_c;
 };
 
 // A block of the matrix, and what adds up to it.
@@ -279,6 +282,21 @@ struct AnswerSums {
     vec4 rest;
 };
 SHARED_CONST float kHeldMass = 1e30f;
+
+// How the iterations of a piece go on, then how it is moved as a whole when they have ended. The
+// group that is done last of all that work for pieces that touch finds it. Three texels.
+struct Course {
+    float beta;      // of the last direction, how much stays
+    float pressure;  // how much goes
+    float size;      // left . z without a change of volume, of all that touch
+    float gamma;     // dV/dp . pressure
+    float scale;     // of left . z: what it was at first, or the energy of the motion
+    float done;      // 1: what is left is rounding, along which directions would grow
+    float ended;     // 1: the stage needs no more iterations
+    uint groups;     // that are done
+    vec4 shift;      // [m]
+};
+SHARED_CONST uint kCourseTexels = 3u;
 
 // Sums over the vertices of an aggregate where a step begins and ends; places are from the first
 // vertex of the pieces that touch.

@@ -135,7 +135,7 @@ bool Simulation::State::sleeps() const {
 }
 
 void Simulation::State::solve() {
-    body.prepareStep(input.solved());
+    body.prepareStep(input.solved(), input.params.iterations == kAutoIterations);
     const bool keepsApart = body.keepsTrianglesApart(input.params);
     const std::vector<Vec3> before = keepsApart ? body.mesh().positions() : std::vector<Vec3>();
     moveBody();

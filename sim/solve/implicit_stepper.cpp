@@ -162,6 +162,7 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
     setParameters(uniforms_, params, step.step);
+    uniforms_.close = static_cast<float>(step.close);
     own_.setForceUnits(uniforms_.contact.stiffness);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }
@@ -183,7 +184,8 @@ void ImplicitStepper::bindVectors() const {
     bind(own_.vectors.pressureImage, shared::kPressureImageBinding);
     bind(own_.vectors.force, shared::kForceBinding);
     bind(own_.vectors.productSums, shared::kProductSumsBinding);
-    bind(own_.vectors.answerSums, shared::kAnswerSumsBinding);
+    own_.vectors.answerSums.bindStorage(shared::kAnswerSumsBinding);
+    body_.bindFetched(own_.vectors.courses, shared::kCoursesUnit, TexelFormat::float32x4);
     bind(own_.inverse.modes, shared::kModesBinding);
     bind(own_.vectors.firstWay, shared::kFirstWayBinding);
     own_.inverse.turned.bindStorage(shared::kTurnedBinding);
@@ -210,8 +212,9 @@ void ImplicitStepper::bindLists() const {
     body_.bindFetched(own_.inverse.pieces, shared::kPiecesUnit, quads);
 }
 
-void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint slot, uint left) {
-    kernel.setNumbers({slot, left, 0, 0});
+void ImplicitStepper::runGroups(const gpu::Program& kernel, uint groups, uint slot, uint second,
+                                uint third) {
+    kernel.setNumbers({slot, second, third, 0});
     kernel.dispatchGroups(groups);
     ++body_.dispatches;
 }
@@ -471,15 +474,19 @@ void ImplicitStepper::answerPressure() {
 /// Adds the answer of the aggregates to that of the patches.
 void ImplicitStepper::answerByModes(bool ofPressure, uint slot) {
     const uint aggregates = own_.inverse.aggregateCount;
+    // What a blade feels and leads needs all of them; friction's bounds are renewed in half.
+    const bool bladeActs = collisions_.bladeBody().mayTouch() || collisions_.push().mayTouch();
+    const uint mayEnd =
+        shared::kFirstSlot + (bladeActs ? iterations_ : std::max(iterations_ / 2, 1U));
     if (own_.inverse.regionCount == 0) {
-        runGroups(ofPressure ? press_.coarse : stage_.coarse, aggregates, slot);
+        runGroups(ofPressure ? press_.coarse : stage_.coarse, aggregates, slot, mayEnd);
         return;
     }
     body_.bindFetched(own_.inverse.regions, shared::kRegionsUnit, TexelFormat::uint32x4);
     body_.bindFetched(own_.inverse.levels, shared::kLevelsUnit, TexelFormat::float32x4);
     runGroups(regions_->restrict, own_.inverse.regionCount, slot);
     runGroups(regions_->regions, own_.inverse.regionCount, slot);
-    runGroups(ofPressure ? regions_->pressCoarse : regions_->coarse, aggregates, slot);
+    runGroups(ofPressure ? regions_->pressCoarse : regions_->coarse, aggregates, slot, mayEnd);
     body_.bindFetched(own_.matrix.rowOrder, shared::kRowOrderUnit, TexelFormat::uint32);
     body_.bindFetched(own_.matrix.pageTable, shared::kPageTableUnit, TexelFormat::uint32x2);
 }
@@ -501,12 +508,14 @@ void ImplicitStepper::solveStage(bool second) {
     body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
     runGroups(contact_.startReach, uniforms_.piece_count, shared::kStartSlot);
     own_.vectors.answerSums.bindStorage(shared::kAnswerSumsBinding);
+    own_.vectors.courses.bindStorage(shared::kMadeCoursesBinding);
     runGroups(stage_.startPatches, aggregates, shared::kStartSlot);
     for (uint i = 0; i < iterations_; ++i) {
         const uint slot = shared::kFirstSlot + i;
         answerByModes(false, slot);
         runGroups(stage_.product, own_.matrix.pageCount, slot);
-        runGroups(contact_.reach, uniforms_.piece_count, slot, i + 1 == iterations_ / 2 ? 1 : 0);
+        runGroups(contact_.reach, uniforms_.piece_count, slot, i + 1 == iterations_ / 2 ? 1 : 0,
+                  i + 1 == iterations_ ? 1 : 0);
         if (i + 1 < iterations_) {
             runGroups(stage_.patches, aggregates, slot);
         }

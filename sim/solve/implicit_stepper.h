@@ -16,10 +16,12 @@ namespace kerf {
 /// What a step of the implicit solver is done by.
 struct ImplicitStep {
     double step = 1.0 / 240;         ///< [s]
-    int iterations = 4;              ///< of conjugate gradients, per stage
+    int iterations = 4;              ///< of conjugate gradients, per stage, at most
     std::size_t aggregateSize = 60;  ///< see groupVertices()
     double prepared = step;          ///< for which parts are inverted; good for shorter steps [s]
     bool unfolds = true;             ///< what is folded is drawn out of it: see Unfolding
+    /// Of the energy of the motion: where less is left iterations end, but for half of them.
+    double close = 0;
 
     /// As the parameters say, of a body whose longestStep() this is.
     static ImplicitStep of(const Params& params, std::size_t vertexCount, double longest);
@@ -65,7 +67,7 @@ class ImplicitStepper {
     void bindVectors() const;
     void bindLists() const;
     void runGroups(const gpu::Program& kernel, std::uint32_t groups, std::uint32_t slot,
-                   std::uint32_t left = 0);
+                   std::uint32_t second = 0, std::uint32_t third = 0);
     void meet();
     const gpu::Program& meetBesideFolds();
     void meetObstacles(const ObstacleContact& obstacles, const gpu::Program& kernel);

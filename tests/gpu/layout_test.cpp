@@ -120,7 +120,7 @@ std::vector<Record> sharedRecords() {
                AT(contact.floor_height), AT(contact.reach), AT(contact.stiffness),
                AT(contact.let_out), AT(vertex_count), AT(block_count), AT(patch_count),
                AT(aggregate_count), AT(page_count), AT(piece_count), AT(holds_volume),
-               AT(region_count), AT(firmest), AT(unused_a), AT(unused_b), AT(unused_c)),
+               AT(region_count), AT(firmest), AT(close), AT(unused_a), AT(unused_b)),
         RECORD(ImplicitBlock, AT(place), AT(column), AT(first), AT(end)),
         RECORD(ImplicitAggregate, AT(first), AT(end), AT(piece), AT(coarse)),
         RECORD(ImplicitRegion, AT(first), AT(end), AT(members_first), AT(members_end), AT(of_piece),

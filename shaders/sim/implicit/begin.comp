@@ -23,10 +23,9 @@ layout(std430, binding = kFirstWayBinding) writeonly buffer FirstWays { vec4 fir
 layout(std430, binding = kRowStatesBinding) writeonly buffer States { vec4 newStates[]; };
 
 #ifdef OF_SECOND
-#include "sim/implicit/balance.glsl"
 vec3 shift;
 float done = 1.0;  // of the step, when the stage ends
-void prepare(uint piece) { shift = balancingShift(piece, numbers.x); }
+void prepare(uint piece) { shift = balancingShift(piece); }
 
 float lastPush(uint row) { return fetch(states, 2u * row + 1u).y; }
 vec3 freeWay(uint v) {

@@ -1,12 +1,13 @@
 // Ends the preconditioner's answer to the residual: adds that of the aggregates, each of which
 // moves by its modes as the inverse at rest says of the residuals of all aggregates of its piece;
 // with OF_REGIONS as that of its own residual says, and as its region moves.
-// With OF_PRESSURE it is the answer to dV/dp. Numbers: the slot.
-// One group for each aggregate. A storage barrier follows.
+// With OF_PRESSURE it is the answer to dV/dp. Else finds how the iterations go on.
+// Numbers: the slot, and from which one on they may end. One group for each aggregate. A storage
+// barrier follows.
 #include "sim/numbers.glsl"
-#include "sim/implicit/pieces.glsl"
-#include "sim/unfold/best_rotation.glsl"
 layout(local_size_x = GROUP) in;
+#include "sim/implicit/course/turn.glsl"
+#include "sim/unfold/best_rotation.glsl"
 STATE_TEXELS(kPositionsBinding) positions;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
@@ -28,7 +29,6 @@ mat2x3 leftAt(uint v) {
 vec3 pressureAt(uint v) { return fetch(pressures, v).xyz; }
 layout(std430, binding = kAnswerBinding) writeonly buffer Answers { vec4 newAnswers[]; };
 #endif
-layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSums[]; };
 #include "sim/implicit/coarse_rows.glsl"
 #ifdef OF_REGIONS
 #include "sim/implicit/levels.glsl"
@@ -122,11 +122,14 @@ void finishAll(uvec4 own, Motion motion) {
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
+    ImplicitPiece piece = pieceAt(own.z);
+#ifndef OF_PRESSURE
+    if (numbers.x != kFirstSlot && hasEnded(own.z)) return;
+#endif
 #ifdef OF_REGIONS
     findModes(uvec2(gl_WorkGroupID.x, 1u), own.w);
     addRegion(gl_WorkGroupID.x);
 #else
-    ImplicitPiece piece = pieceAt(own.z);
     findModes(uvec2(piece.first_aggregate, piece.aggregate_count), own.w);
 #endif
     vec4 turn = fetch(turns, implicit.patch_count + gl_WorkGroupID.x);
@@ -143,4 +146,7 @@ void main() {
         newSums[at] = sum;
         newSums[at + 1u] = vec4(last, 0.0, 0.0, 0.0);
     }
+#ifndef OF_PRESSURE
+    if (isLastGroup(piece)) leaveCourses(piece.root, numbers.x);
+#endif
 }

@@ -5,7 +5,6 @@
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
-#include "sim/implicit/balance.glsl"
 #include "contact_records.h"
 #include "sim/implicit/ended.glsl"
 STATE_TEXELS(kSpinsUnit) spins;  // two texels a piece: see spin.comp
@@ -43,7 +42,7 @@ bool touchesBody(uint v) {
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
-    vec3 shift = balancingShift(own.z, numbers.x);
+    vec3 shift = balancingShift(own.z);
     vec3 spin = fetch(spins, 2u * own.z).xyz;
     vec3 middle = fetch(spins, 2u * own.z + 1u).xyz;
     for (uint k = own.x + gl_LocalInvocationID.x; k < own.y; k += GROUP) {

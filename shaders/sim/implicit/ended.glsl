@@ -1,5 +1,5 @@
 // How a vertex that moves ends a step: X += way, v = (X - from) / s exp(-c h). `shift`: of its
-// piece (balance.glsl).
+// piece (leave.comp).
 STATE_TEXELS(kPositionsBinding) before;
 STATE_TEXELS(kWayBinding) ways;
 STATE_TEXELS(kFirstWayBinding) firstWays;

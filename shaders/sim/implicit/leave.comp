@@ -3,18 +3,30 @@
 // Numbers: the slot, that of the sums. One group for each aggregate. A storage barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
-#include "sim/implicit/scalars.glsl"
+#include "sim/implicit/course/last_group.glsl"
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kGradientsBinding) gradients;
 RECORD_QUADS(kAggregatesUnit) aggregates;
 RECORD_QUADS(kMembersUnit) members;
-layout(std430, binding = kAnswerSumsBinding) writeonly buffer Sums { vec4 newSums[]; };
-
 #include "sim/implicit/advance.glsl"
 
 const uint kSumGroups = 8u;
 shared vec4 lefts[kMostMembers];
 shared vec4 leftRows[kSumGroups];
+
+// By which pieces are moved as a whole, so that their momentum is what the forces on them say,
+// however few the iterations. Not where a vertex is held.
+void leaveShifts(uint root) {
+    vec4 left = vec4(0.0);
+    for (uint p = root; p != kNoPiece;) {
+        ImplicitPiece piece = pieceAt(p);
+        left += sumOfAnswers(piece, numbers.y).second;
+        p = piece.next;
+    }
+    if (gl_LocalInvocationID.x != 0u) return;
+    vec3 shift = left.w < kHeldMass ? left.xyz / (implicit.inertia * left.w) : vec3(0.0);
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) newCourses[p].shift = vec4(shift, 0.0);
+}
 
 void main() {
     uvec4 own = fetch(aggregates, gl_WorkGroupID.x);  // ImplicitAggregate
@@ -41,4 +53,6 @@ void main() {
         newSums[at] = vec4(0.0);
         newSums[at + 1u] = sum;
     }
+    ImplicitPiece piece = pieceAt(own.z);
+    if (isLastGroup(piece)) leaveShifts(piece.root);
 }

@@ -32,6 +32,12 @@ vec3 turnedAt(uint member, uint first) { return turned[member - first].xyz; }
 void setTurned(uint member, uint first, vec3 r) { turned[member - first] = vec4(r, 0.0); }
 #endif
 
+#if defined(OF_START) || defined(OF_PRESSURE)
+bool hasEnded(uint piece) { return false; }
+#else
+STATE_TEXELS(kCoursesUnit) courses;
+bool hasEnded(uint piece) { return fetch(courses, kCourseTexels * piece + 1u).z != 0.0; }
+#endif
 #ifdef OF_PRESSURE
 layout(std430, binding = kPiecesBinding) readonly buffer Records { PieceRecord records[]; };
 bool holdsVolume = false;
@@ -85,6 +91,7 @@ void main() {
     uvec4 words = fetch(aggregates, gl_WorkGroupID.x);
     ImplicitAggregate own = ImplicitAggregate(words.x, words.y, words.z, words.w);
     uint count = own.end - own.first;
+    if (hasEnded(own.piece)) return;
     prepare(own.piece);
     for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
         ImplicitMember member = memberAt(own.first + k);

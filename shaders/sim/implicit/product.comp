@@ -53,6 +53,16 @@ struct Share {
     float pressed;
 };
 
+// How the iteration goes on.
+struct Turn {
+    float beta;
+    float pressure;
+    float size;
+    float gamma;
+    float scale;
+    bool done;
+};
+
 Share multiply(uint v, Turn turn) {
     float inverseUnitMass = fetch(positions, v).w;
     vec3 image = inverseUnitMass > 0.0 ? rowTimes(v, inverseUnitMass) : vec3(0.0);
@@ -120,7 +130,10 @@ void main() {
 #elif defined(OF_START)
     Turn turn = Turn(0.0, 0.0, 0.0, 0.0, 0.0, false);
 #else
-    Turn turn = turnOf(page.y, numbers.x);
+    vec4 course = fetch(courses, kCourseTexels * page.y);
+    vec4 rest = fetch(courses, kCourseTexels * page.y + 1u);
+    if (rest.z != 0.0) return;  // has ended
+    Turn turn = Turn(course.x, course.y, course.z, course.w, rest.x, rest.y != 0.0);
 #endif
     leaveRows(page.x, turn);
     TwoSums sums = sumOfRows();

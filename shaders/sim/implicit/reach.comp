@@ -1,8 +1,9 @@
 // How far pieces that touch each other go along their directions: to where that does most, which
 // Newton's method finds, since the forces of contact have kinks. Then what the contacts push there.
 // With OF_START that is from where a stage begins (start.glsl).
-// Numbers: the slot; not 0: friction's bounds are renewed. One group for each piece, of which the
-// first of those that touch works for all of them. A storage barrier follows.
+// Numbers: the slot; not 0: friction's bounds are renewed; not 0: it is the last iteration. One
+// group for each piece, of which the first of those that touch works for all of them. A storage
+// barrier follows.
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
@@ -235,9 +236,36 @@ void pushAt(uint row, uint p, float alpha) {
     }
 }
 
+void pushAll(uint root, float alpha) {
+    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
+        uint count = pieceAt(p).row_count;
+        for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
+            pushAt(rowOf(p, k), p, alpha);
+        }
+    }
+}
+
+#ifdef OF_START
+bool goesOn(uint root) { return true; }
+#else
+bool goesOn(uint root) { return !hasEnded(root); }
+#endif
+
+// What contacts push where the iterations have ended.
+void stay(uint root) {
+    if (gl_LocalInvocationID.x == 0u) {
+        for (uint p = root; p != kNoPiece; p = pieceAt(p).next) reaches[p] = vec4(0.0);
+    }
+    pushAll(root, 0.0);
+}
+
 void main() {
     uint root = gl_WorkGroupID.x;
     if (pieceAt(root).root != root) return;
+    if (!goesOn(root)) {
+        if (numbers.z != 0u) stay(root);
+        return;
+    }
     Touching all = begin(root);
     memoryBarrier();
     barrier();
@@ -246,10 +274,5 @@ void main() {
     barrier();
     float alpha = search(all);
     end(root, alpha);
-    for (uint p = root; p != kNoPiece; p = pieceAt(p).next) {
-        uint count = pieceAt(p).row_count;
-        for (uint k = gl_LocalInvocationID.x; k < count; k += GROUP) {
-            pushAt(rowOf(p, k), p, alpha);
-        }
-    }
+    pushAll(root, alpha);
 }

@@ -4,7 +4,7 @@
 // group works for one piece.
 #include "sim/implicit/pieces.glsl"
 STATE_TEXELS(kProductSumsBinding) productSums;  // two texels a page: ProductSums
-STATE_TEXELS(kAnswerSumsBinding) answerSums;    // two texels an aggregate: AnswerSums
+STATE_TEXELS(kCoursesUnit) courses;
 
 // Sums go by rows: what lies a multiple of so many places apart, then the rows. With groups of as
 // many threads each has a row for itself.
@@ -54,58 +54,13 @@ TwoSums sumOfProducts(ImplicitPiece piece, uint slot) {
     return sumOfRows();
 }
 
-TwoSums sumOfAnswers(ImplicitPiece piece, uint slot) {
-    for (uint row = gl_LocalInvocationID.x; row < kRows; row += GROUP) {
-        TwoSums sums = TwoSums(vec4(0.0), vec4(0.0));
-        for (uint k = row; k < piece.aggregate_count; k += kRows) {
-            uint at = 2u * (slot * implicit.aggregate_count + piece.first_aggregate + k);
-            sums.first += fetch(answerSums, at);
-            sums.second += fetch(answerSums, at + 1u);
-        }
-        leaveRow(row, sums);
-    }
-    return sumOfRows();
-}
-
 // 0 where there is nothing to divide by.
 float ratio(float a, float b) {
     return b > 0.0 ? a / b : 0.0;
 }
 
-// Of an iteration: how much of the last direction stays, and of the pressure goes.
-struct Turn {
-    float beta;
-    float pressure;
-    float size;   // left . z without a change of volume, of all that touch
-    float gamma;  // dV/dp . pressure
-    float scale;  // of left . z: what it was at first, or the energy of the motion
-    bool done;    // what is left is rounding, along which directions would grow
-};
+// Whether the iterations of a piece have ended.
+bool hasEnded(uint index) { return fetch(courses, kCourseTexels * index + 1u).z != 0.0; }
 
-const float kRounding = 1e-12;  // of the scale
-
-// Polak and Ribiere's, since contact bends the way.
-Turn turnOf(uint index, uint slot) {
-    ImplicitPiece piece = pieceAt(index);
-    vec4 before = knownOf(piece, slot - 1u);
-    bool begins = slot == kFirstSlot;
-    float size = 0.0;
-    float left = 0.0;
-    float turned = 0.0;
-    float pressure = 0.0;
-    float moved = 0.0;
-    for (uint p = piece.root; p != kNoPiece;) {
-        ImplicitPiece other = pieceAt(p);
-        TwoSums now = sumOfAnswers(other, slot);
-        float swelling = ratio(now.first.y, knownOf(other, slot - 1u).z);
-        left += now.first.x;
-        size += now.first.x - swelling * now.first.w;
-        turned += now.first.z - swelling * now.second.x;
-        if (p == index) pressure = swelling;
-        if (begins) moved += sumOfProducts(other, kStartSlot).first.w;
-        p = other.next;
-    }
-    float beta = begins ? 0.0 : max(ratio(size - turned, before.y), 0.0);
-    float scale = begins ? max(left, moved) : before.w;
-    return Turn(beta, pressure, size, before.z, scale, !(left > kRounding * scale));
-}
+// By which it is moved as a whole (leave.comp).
+vec3 balancingShift(uint index) { return fetch(courses, kCourseTexels * index + 2u).xyz; }

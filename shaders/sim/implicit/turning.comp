@@ -4,7 +4,6 @@
 #include "sim/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
-#include "sim/implicit/balance.glsl"
 #include "sim/implicit/ended.glsl"
 STATE_TEXELS(kVelocitiesBinding) velocities;
 STATE_TEXELS(kForceBinding) force;
@@ -37,7 +36,7 @@ void main() {
     ImplicitPiece root = pieceAt(pieceAt(own.z).root);
     uint first = fetch(members, fetch(aggregates, root.first_aggregate).x).x;
     vec3 origin = fetch(before, first).xyz;
-    vec3 shift = balancingShift(own.z, numbers.x);
+    vec3 shift = balancingShift(own.z);
     for (uint row = gl_LocalInvocationID.x; row < kRows; row += GROUP) {
         for (uint c = 0u; c < kMotionTexels; ++c) partial[row][c] = vec4(0.0);
         for (uint k = own.x + row; k < own.y; k += kRows) {

@@ -299,7 +299,7 @@ void RunningBody::movePinned(const MovePins& move) {
     forgetPieces();
 }
 
-void RunningBody::prepareStep(const Params& params) {
+void RunningBody::prepareStep(const Params& params, bool autoIterations) {
     const bool volumesChange = volumesHeld && memory.volumeTargets.fade(params.timeStep);
     const bool draws = memory.recovery.draws();
     std::vector<shared::PullRecord> pulls = memory.hands.advance(params.timeStep);
@@ -318,19 +318,20 @@ void RunningBody::prepareStep(const Params& params) {
     }
     solver.setPulls(pulls);
     isMoved_ = volumesChange || !pulls.empty() || memory.pins.moves();
-    chooseSteps(params);
+    chooseSteps(params, autoIterations);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {
         solver.masses().carryFrom(course.vertices, course.from, course.velocities);
     }
 }
 
-void RunningBody::chooseSteps(const Params& params) {
+void RunningBody::chooseSteps(const Params& params, bool autoIterations) {
     if (params.solver == SolverMode::implicit) {
         ImplicitStep step =
             ImplicitStep::of(params, model().restPositions.size(), longestStep(model(), params));
         // Elasticity unfolds lips; pulls would hold them back in what falls.
         step.unfolds = memory.crumpled;
+        step.close = autoIterations ? energyLeft(params.iterationError) : 0;
         solver.stepImplicitly(model(), params, step, memory.pins.vertices());
     } else {
         solver.stepBySweeps();

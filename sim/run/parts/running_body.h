@@ -61,7 +61,7 @@ struct RunningBody {
     void restore(const Snapshot& snapshot);
 
     /// Decays volume targets, and moves hands and recovering pieces, before the solver's step.
-    void prepareStep(const Params& params);
+    void prepareStep(const Params& params, bool autoIterations);
     void bringLostPiecesBack();
     /// Whether the coming step may lead it through itself, past what contact can see: it is thin,
     /// or some edge was drawn to almost four times its length. Not where it comes back from a
@@ -115,7 +115,7 @@ struct RunningBody {
     /// Gives the solver the volumes at which it holds the pieces.
     void holdVolumes();
     /// Prepares the solver for the kind of steps that the parameters ask for.
-    void chooseSteps(const Params& params);
+    void chooseSteps(const Params& params, bool autoIterations);
     /// The solver has the changed model.
     void becomeWhole();
 

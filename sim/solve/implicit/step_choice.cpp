@@ -65,4 +65,9 @@ int implicitIterations(const BodyModel& model, double way, double error) {
     return more + static_cast<int>(many > 1 ? std::lround(6 * larger) : 4);
 }
 
+double energyLeft(double error) {
+    constexpr double kOfIterations = 0.25;  // the rest is that of the steps
+    return std::pow(kOfIterations * error, 2);
+}
+
 }  // namespace kerf

@@ -25,5 +25,7 @@ double longestStepAt(double speed, double diagonal);
 /// in leastDiagonal(): what strikes, or lies on other pieces and moves, needs more, and a large
 /// body by the root of its vertices. `error`: see Params::iterationError.
 int implicitIterations(const BodyModel& model, double way, double error);
+/// Of the energy of a motion, how much an error by that share leaves: see ImplicitStep::close.
+double energyLeft(double error);
 
 }  // namespace kerf

@@ -439,7 +439,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
                                              "skin_toughness",  "skin_tensile_strength",
                                              "sleeps",          "wall_coarsening",
                                              "debris_volume",   "open_cut",
-                                             "cut_search",      "iteration_error"};
+                                             "cut_search"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
         simulation.goTo(moment);
