@@ -29,7 +29,7 @@ static_assert(sizeof(shared::ContactState) == 40);
 constexpr double kReach = 0.5;           // h
 constexpr double kKept = 0.25;           // h: candidates are kept up to this motion
 constexpr double kKeptInContact = 0.05;  // h: then the nearest one must be among them
-constexpr double kFarthest = 3;          // h: no candidate beyond
+constexpr double kFarthest = 2;          // h: no candidate beyond
 constexpr double kTopSpeed = 400;        // that fixed-point displacements can hold [m/s]
 constexpr uint kCandidatesPerPoint = shared::kCandidatesPerPoint;
 
