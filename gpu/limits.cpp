@@ -25,13 +25,13 @@ constexpr std::int64_t kMebi = 1 << 20;
 // test counts. The other four are sizes that OpenGL 4.5 promises anyway.
 constexpr std::array kNeeds{
     Need{KERF_LIMIT(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS), "storage buffers in a compute shader",
-         16},
+         8},
     Need{KERF_LIMIT(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS), "storage buffers in a vertex shader", 7},
     Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS), "bindings of storage buffers", 16},
     Need{KERF_LIMIT(GL_MAX_SHADER_STORAGE_BLOCK_SIZE), "bytes of a storage buffer", 16 * kMebi},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_BUFFER_SIZE), "elements of a texture buffer", 65536},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS), "textures in a compute shader", 23},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 30},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS), "textures in a compute shader", 17},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 18},
     Need{KERF_LIMIT(GL_MAX_COMPUTE_UNIFORM_BLOCKS), "uniform buffers in a compute shader", 1},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_IMAGE_UNITS), "textures in a fragment shader", 3},
     Need{KERF_LIMIT(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE), "bytes that a work group shares", 32768},

@@ -108,6 +108,15 @@ struct ImplicitContact {
     float let_out;       // of a depth that no push has made, at most [m]
 };
 
+// What is neglected.
+struct ImplicitBounds {
+    float firmest;  // of a constraint, over the sum of w |grad C|^2: see kMostFirmness [1/s^2]
+    // Iterations end where less of the energy of the motion is left, but for half of them.
+    float close;
+    float unused_a;
+    float unused_b;
+};
+
 // The numbers of a step that hold for the whole body.
 struct ImplicitUniforms {
     vec4 gravity;                     // xyz [m/s^2]
@@ -128,11 +137,7 @@ struct ImplicitUniforms {
     uint piece_count;
     uint holds_volume;  // 0: no piece is held
     uint region_count;  // 0: each aggregate is one
-    float firmest;      // of a constraint, over the sum of w |grad C|^2: see kMostFirmness [1/s^2]
-    // Iterations end where less of the energy of the motion is left, but for half of them.
-    float close;
-    float unused_a;
-    float unused_b;
+    ImplicitBounds bounds;
 };
 
 // A block of the matrix, and what adds up to it.
@@ -146,10 +151,6 @@ struct ImplicitBlock {
 // A share of a block names the factors of a constraint by half of the number of the first, and two
 // slots of the constraint, that of the row above that of the column.
 SHARED_CONST uint kSlotBits = 4u;
-
-// No constraint resists its vertices more than so many times what their inertia does in a stage:
-// floats, and edges shorter than floats tell apart, hold no more.
-SHARED_CONST float kMostFirmness = 1e5f;
 
 // A crushed triangle turns with the least motion: beyond this multiple of its steepness at rest a
 // bend is softer, so that it is no stiffer against motion.

@@ -19,6 +19,12 @@ SHARED_CONST float kMaxBendError = 0.3f;
 // what they would do as its apexes (squared gradients): see constraints/bend.glsl.
 SHARED_CONST float kLeastBendShare = 1e-4f;
 
+// No constraint resists its vertices more than so many times what their inertia does in a stage of
+// an implicit step, which is this share of it: floats, and edges shorter than floats tell apart,
+// hold no more.
+SHARED_CONST float kMostFirmness = 1e7f;
+SHARED_CONST float kStageShare = 0.292893219f;  // 1 - sqrt(1/2)
+
 // Rate r of the springs of hands [1/s]: held vertices follow in about 1 / r.
 SHARED_CONST float kPullRate = 120.0f;
 
@@ -47,10 +53,6 @@ struct SolverUniforms {
     uint pull_count;       // vertices that hands hold
     float runaway_speed;   // a vertex that is faster is lost [m/s]; set by SolverBody
     float catch_up_speed;  // catchUpSpeed() in sim/body/solver_uniforms.h [m/s]
-    float firmest;  // of a constraint, over the sum of w |grad C|^2: see kMostFirmness [1/s^2]
-    float unused_a;
-    float unused_b;
-    float unused_c;
 };
 
 SHARED_END

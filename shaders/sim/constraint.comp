@@ -1,6 +1,6 @@
 // Solves each constraint of one type (constraints.h) once against the displacement as it stands:
-// TYPE is its number, FETCH takes it from the list, and SOLVE is its function (plain PBD, mass split
-// among the constraints of the type at a vertex).
+// TYPE is its number, FETCH takes it from the list, and SOLVE is its function (plain PBD, mass
+// split among the constraints of the type at a vertex).
 // Reads X, d, records. Writes the pulls of each constraint, which gather_corrections shares out
 // among its vertices. One thread per constraint. A storage barrier follows, then
 // gather_corrections.

@@ -6,8 +6,10 @@
 // `moved`: the sum of |grad C|^2 over unit mass, by which kMostFirmness bounds it.
 float energyOf(float square, float geometry, uint type, float moved) {
     float stiffness = geometry > 0.0 ? uniforms.modulus[type] / geometry : 0.0;
+    float stage = kStageShare * uniforms.substep * float(uniforms.substeps);
+    float firmest = kMostFirmness / (stage * stage);
     return 0.5 * square *
-        min(stiffness, uniforms.firmest / max(uniforms.inverse_density * moved, 1e-30));
+        min(stiffness, firmest / max(uniforms.inverse_density * moved, 1e-30));
 }
 
 #include "sim/constraints/*.glsl"

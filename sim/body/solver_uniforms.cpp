@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "shaders/shared/implicit_records.h"
-
 namespace kerf {
 
 namespace {
@@ -94,7 +92,7 @@ double catchUpSpeed(const Params& params) {
 }
 
 double stageOf(double step) {
-    return (1 - std::sqrt(0.5)) * step;
+    return (1 - std::sqrt(0.5)) * step;  // shared::kStageShare
 }
 
 double firmestIn(double step) {
@@ -127,7 +125,6 @@ shared::SolverUniforms implicitUniforms(const Params& params) {
         const double modulus = params.youngsModulus * modulusFactor(type, params);
         u.modulus[type] = std::isfinite(modulus) ? static_cast<float>(modulus) : 0.0F;
     }
-    u.firmest = static_cast<float>(firmestIn(params.timeStep));
     return u;
 }
 

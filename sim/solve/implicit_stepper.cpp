@@ -142,7 +142,7 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
                           model.pieces.size());
-    uniforms_.firmest = static_cast<float>(firmest);
+    uniforms_.bounds.firmest = static_cast<float>(firmest);
     uniforms_.vertex_count = size32(model.restPositions.size());
     uniforms_.block_count = own_.matrix.blockCount;
     uniforms_.patch_count = own_.inverse.patchCount;
@@ -162,7 +162,7 @@ void ImplicitStepper::setStep(const Params& params, const ImplicitStep& step) {
     own_.vectors.makeSlots(shared::kFirstSlot + iterations_ + 2, own_.matrix.pageCount,
                            own_.inverse.aggregateCount);
     setParameters(uniforms_, params, step.step);
-    uniforms_.close = static_cast<float>(step.close);
+    uniforms_.bounds.close = static_cast<float>(step.close);
     own_.setForceUnits(uniforms_.contact.stiffness);
     uniformBuffer_.assign(std::span<const shared::ImplicitUniforms>(&uniforms_, 1));
 }

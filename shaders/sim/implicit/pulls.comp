@@ -44,7 +44,8 @@ void pullByHand(PullRecord pull, vec4 x, uint piece) {
     vertices[row] = uvec4(pull.vertex);
 }
 
-// Its force is that at the opening which it will have: where it falls, that of now would be too much.
+// Its force is that at the opening which it will have: where it falls, that of now would be too
+// much.
 void pullByBond(PullRecord pull, vec4 x, uint piece) {
     uint other = pull.leads - kFirstBond;
     if (links[other].piece == kNoPiece) return;

@@ -13,7 +13,7 @@ ImplicitUniforms implicit = storedImplicit;
 
 // What a constraint may be as firm as, of which this is the sum of |grad C|^2 over unit mass.
 float boundedFirmness(float stiffness, float moved) {
-    return min(stiffness, implicit.firmest / max(implicit.inverse_density * moved, 1e-30));
+    return min(stiffness, implicit.bounds.firmest / max(implicit.inverse_density * moved, 1e-30));
 }
 
 float massOf(float inverseUnitMass) {

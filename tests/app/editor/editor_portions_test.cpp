@@ -139,7 +139,7 @@ TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
     for (int i = 0; i < 400 && editor->scene()->simulation().hands().empty(); ++i) {
         frames(1);
     }
-    frames(3);
+    frames(6);
     EXPECT_THAT(panels().help.hint.text, HasSubstr("The body follows in slow motion: the hand is"));
     press(false);
     frames(1);

@@ -1,5 +1,6 @@
 // The same scene at another size. What a solver bounds by a length or a speed of its own would
-// leave large bodies behind, or let small ones loose. Powers of two, to compare all bits.
+// leave large bodies behind, or let small ones loose. Powers of four, to compare all bits: roots of
+// stiffness, which grows with the cube, are exact then.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -84,7 +85,7 @@ class SizeTest : public test::SimulationTest {
 
 TEST_F(SizeTest, CutsOfADrawnBodyOpenAlike) {
     std::vector<std::vector<Vec3>> ends;
-    for (const double size : {1.0, 8.0, 64.0}) {
+    for (const double size : {1.0, 4.0, 64.0}) {
         make(size, 0);
         draw();
         cut();
@@ -98,7 +99,7 @@ TEST_F(SizeTest, CutsOfADrawnBodyOpenAlike) {
 
 TEST_F(SizeTest, BodiesTearAlike) {
     std::vector<std::vector<Vec3>> ends;
-    for (const double size : {1.0, 8.0, 64.0}) {
+    for (const double size : {1.0, 4.0, 64.0}) {
         make(size, 1);
         const int whole = simulation->report().triangles;
         draw();

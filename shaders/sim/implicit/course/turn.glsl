@@ -45,7 +45,7 @@ void leaveCourses(uint root, uint slot) {
         newCourses[p].gamma = before.z;
         newCourses[p].scale = scale;
         bool done = !(all.left > kRounding * scale);
-        bool close = done || all.size < implicit.close * scale;
+        bool close = done || all.size < implicit.bounds.close * scale;
         newCourses[p].done = done ? 1.0 : 0.0;
         newCourses[p].ended = close && slot >= numbers.y ? 1.0 : 0.0;
         p = piece.next;
