@@ -108,8 +108,6 @@ constexpr Fault kFaults[] = {
      "A larger body"},
     {"AnIndexIsWrong", "sim/gather.glsl", "* correctionAt(pair.z).xyz;",
      "* correctionAt(pair.z + 1u).xyz;", "plain-pbd", "A pulled body"},
-    {"ASweepIsWrong", "sim/constraints/bend.glsl", "vec3 g1 = sA * a", "vec3 g1 = 0.9 * sA * a",
-     "plain-pbd", "A pulled body"},
     {"AnAnswerToContactIsTurned", "sim/implicit/contact_rows.glsl", "stiffness * max(-gap, 0.0)",
      "stiffness * min(gap, 0.0)", "halves", "A half on the other", "images", true},
     {"AFaceOfABoxIsMistaken", "sim/implicit/meet_obstacles.comp", "normal[face.axis] = face.side;",
