@@ -17,7 +17,7 @@ PINNED = 0.1  # of the length, at one end
 MOTIONS = ("first swing", "drop")
 CUTS = ("in half", "half through")
 CUT_AT, CUT_STEPS = 0.513, 8  # of the box, beside its middle, where edges lie
-MODULI = (1e4, 3e5, 1e6)
+MODULI = (1e5, 1e6, 1e7)
 ASKED = 0.02  # the parameter `iteration_error`
 ALL_ASKED, ASKED_OF = (0.02, 0.01, 0.005, 0.002), ("sphere768", 3e5)
 

@@ -21,7 +21,7 @@ class Rig(unittest.TestCase):
         block = Setting("compressed block", cells=2, modulus=1e6)
         usual = bar.measure(block)
         for other in (block._replace(iterations=5), block._replace(time_step=0.02)):
-            self.assertAlmostEqual(bar.measure(other).modulus / usual.modulus, 1, delta=0.03)
+            self.assertAlmostEqual(bar.measure(other).modulus / usual.modulus, 1, delta=0.05)
 
     def test_shorter_steps_buy_accuracy(self):
         runs = bar.measure_accuracy((20,), (0.005, 0.0025))

@@ -10,7 +10,7 @@ class Auto(unittest.TestCase):
     def test_the_error_is_small_and_can_be_made_smaller(self):
         """With more steps for a firmer body, and for a smaller error."""
         steps = {}
-        for modulus in (1e4, 1e6):
+        for modulus in (1e5, 1e6):
             for motion in iterations.MOTIONS:
                 usual, exact = iterations.measure(Setting("sphere80", modulus, motion),
                                                   (0.02, 0.002))
@@ -18,14 +18,14 @@ class Auto(unittest.TestCase):
                 self.assertLess(exact.error, usual.error)
                 self.assertLess(usual.steps[0], exact.steps[0])
                 steps[modulus] = usual.steps[0]
-        self.assertLessEqual(steps[1e4], steps[1e6])
+        self.assertLessEqual(steps[1e5], steps[1e6])
 
     def test_it_is_so_for_cut_bodies(self):
         for cut, pieces in zip(iterations.CUTS, (2, 1)):
             setting = Setting("sphere20", 1e6, "first swing", cut)
             self.assertEqual(iterations.begin(setting, {}).report.pieces, pieces)
             run, = iterations.measure(setting)
-            self.assertLess(run.error, 0.05, run)
+            self.assertLess(run.error, 0.1, run)
 
     def test_the_report_has_a_row_for_each_body_and_one_for_each_error(self):
         runs = [Run(Setting("banana", 1e6, motion), 0.02, (1, 3), (4, 4), 0.047)

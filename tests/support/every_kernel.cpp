@@ -96,6 +96,12 @@ void beginStepOf(const Case& wanted) {
     }
 }
 
+/// Of so many aggregates that it has regions.
+SurfaceMesh largeBoxes() {
+    const TriangleSoup box = boxSurface(Vec3::Ones(), {20, 20, 20});
+    return SurfaceMesh::fromTriangles(box.positions, box.triangles);
+}
+
 }  // namespace
 
 void linkEveryKernel() {
@@ -103,6 +109,7 @@ void linkEveryKernel() {
     for (const bool folded : {true, false}) {
         beginStepOf({touchingBoxes(), paramsOf(SolverMode::implicit, false), folded});
     }
+    beginStepOf({largeBoxes(), paramsOf(SolverMode::implicit, false)});
     beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, false)});
     beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, true)});
 }

@@ -68,17 +68,6 @@ class AutoIterationsTest : public test::SimulationTest {
     }
 };
 
-TEST_F(AutoIterationsTest, GiveTheBitsOfTheNumberThatIsChosen) {
-    Params params = autoParams();
-    start(params);
-    const int chosen = simulation->report().iterations;
-    const std::string hash = play(10).hash;
-    EXPECT_EQ(simulation->report().iterations, chosen);
-    params.iterations = chosen;
-    start(params);
-    EXPECT_EQ(play(10).hash, hash);
-}
-
 TEST_F(AutoIterationsTest, AreMoreWhereSomethingFastMeetsAnything) {
     Params params = autoParams();
     params.floor = -20;

@@ -54,7 +54,7 @@ class MendingTest : public test::SimulationTest {
     void fold() {
         const ShortEdge edge = shortEdge();
         ASSERT_EQ(simulation->execute(Grab{0, edge.from, 1e-3 * kEdge}), "");
-        const Vec3 beyond = edge.to + 1.2 * kEdge * (edge.to - edge.from).normalized();
+        const Vec3 beyond = edge.to + 4 * kEdge * (edge.to - edge.from).normalized();
         ASSERT_EQ(simulation->execute(Drag{0, beyond}), "");
         simulation->step();
     }
