@@ -1,6 +1,6 @@
 // dV/dp of each vertex at X, and the volume of a block: a third of (p - origin) . dV/dp there,
-// since V is homogeneous of degree 3. First each thread over its own vertices, in order, then a tree over
-// the group: both orders are fixed.
+// since V is homogeneous of degree 3. First each thread over its own vertices, in order, then a
+// tree over the group: both orders are fixed.
 // Reads X, neighbours, places, pages, pieces, blocks. Writes gradients, volumes of blocks.
 // One group of SUM_GROUP threads per block. A storage barrier follows.
 #include "sim/fetch.glsl"
