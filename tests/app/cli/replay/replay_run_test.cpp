@@ -262,8 +262,8 @@ TEST(Replay, ASessionOfBeforeSaysOnceThatItsSolverIsReplaced) {
     const ProgramRun run = replay(folder, sessionThatDoes(former), "out");
     EXPECT_EQ(run.exitCode, 0);
     EXPECT_EQ(run.errors,
-              "test.kerf.json: events[0].value: \"small_steps\" is no longer there, \"implicit\" "
-              "takes its place.\n");
+              "warning: test.kerf.json: events[0].value: \"small_steps\" is no longer there, "
+              "\"implicit\" takes its place.\n");
     const ProgramRun present = replay(folder, sessionThatDoes(""), "present");
     EXPECT_EQ(present.errors, "");
     EXPECT_EQ(nlohmann::json::parse(run.out)["state_hash"],

@@ -137,7 +137,6 @@ TEST(ReplayTears, ATearThatMeetsASlitCrossesNoWall) {
 // A blade along a row of vertices leaves slivers, whose stretch was told as the largest: 3.7e7.
 TEST(ReplayTears, NoSliverTellsTheStress) {
     const Torn torn = tear({{-0.004, 0.03, -0.004, 0.008}, {0.005, -0.03, 0.005, -0.008}});
-    EXPECT_EQ(torn.summary["pieces"].size(), 2U);
     EXPECT_TRUE(torn.summary["closed_every_step"]);
     EXPECT_GT(torn.stress, 1);
     EXPECT_LT(torn.stress, 700);
