@@ -3,11 +3,10 @@
 #include "shared_types.h"
 SHARED_BEGIN
 
-SHARED_CONST uint kEdgeUniformsBinding = 0u;      // EdgeUniforms
-SHARED_CONST uint kEdgePositionsBinding = 1u;     // vec4: X [m], w inverse unit mass
-SHARED_CONST uint kEdgeDisplacementBinding = 2u;  // vec4: d [m]
-SHARED_CONST uint kEdgeWeightsBinding = 3u;       // float per vertex: how much it answers, 0 to 1
-SHARED_CONST uint kEdgeStateBinding = 4u;         // EdgeState
+SHARED_CONST uint kEdgeUniformsBinding = 0u;   // EdgeUniforms
+SHARED_CONST uint kEdgePositionsBinding = 1u;  // vec4: X [m], w inverse unit mass
+SHARED_CONST uint kEdgeWeightsBinding = 2u;    // float per vertex: how much it answers, 0 to 1
+SHARED_CONST uint kEdgeStateBinding = 3u;      // EdgeState
 
 struct EdgeUniforms {
     vec4 from;              // xyz: end of the part that touches [m]; w: reach [m]

@@ -78,7 +78,6 @@ void EdgePush::takeLoad(const gpu::ReadBack& back) {
 void EdgePush::bind() const {
     uniforms_.bindStorage(shared::kEdgeUniformsBinding);
     body_.positions->bindStorage(shared::kEdgePositionsBinding);
-    body_.displacement->bindStorage(shared::kEdgeDisplacementBinding);
     weights_.bindStorage(shared::kEdgeWeightsBinding);
     state_.bindStorage(shared::kEdgeStateBinding);
 }

@@ -50,18 +50,18 @@ void SweepGroup::setBody(const BodyModel& model) {
                                  ? kMostVerticesOfImages
                                  : std::size_t{shared::kSharedSweepVertices};
     const bool fits = model.restPositions.size() <= most;
-    sweepsAtOnce_ = fits ? static_cast<uint>(kMostTurns / mostTurnsOfSweep(model, threads())) : 0;
+    sweepsAtOnce_ = fits ? static_cast<uint>(kMostTurns / mostTurnsOfSweep(model, threads_)) : 0;
 }
 
-uint SweepGroup::threads() const {
-    return way_ == gpu::KernelWay::images ? kThreadsOfImages
-                                          : gpu::threadsOfGroup(gpu::queryDevice());
+uint SweepGroup::threadsFor(gpu::KernelWay way) {
+    return way == gpu::KernelWay::images ? kThreadsOfImages
+                                         : gpu::threadsOfGroup(gpu::queryDevice());
 }
 
 void SweepGroup::step(SolverBody& body) {
     if (!kernel_) {
         kernel_ = gpu::fetchingKernel("sim/sweeps.comp", way_,
-                                      {{"SWEEP_GROUP", std::to_string(threads()) + "u"}});
+                                      {{"SWEEP_GROUP", std::to_string(threads_) + "u"}});
     }
     bind(body);
     const uint sweeps = body.uniforms.sweeps;

@@ -23,8 +23,6 @@ std::size_t mostTurnsOfSweep(const BodyModel& model, std::uint32_t threads);
 /// group runs the phases of the other kernels with the same arithmetic.
 class SweepGroup {
   public:
-    explicit SweepGroup(gpu::KernelWay way = gpu::kernelWay()) : way_(way) {}
-
     /// A new or changed body.
     void setBody(const BodyModel& model);
     /// Whether one group can sweep it.
@@ -34,10 +32,11 @@ class SweepGroup {
     void step(SolverBody& body);
 
   private:
-    std::uint32_t threads() const;
+    static std::uint32_t threadsFor(gpu::KernelWay way);
     void bind(const SolverBody& body) const;
 
-    gpu::KernelWay way_;
+    gpu::KernelWay way_ = gpu::kernelWay();
+    std::uint32_t threads_ = threadsFor(way_);
     std::uint32_t sweepsAtOnce_ = 0;  ///< 0: the body does not fit
     std::optional<gpu::Program> kernel_;
 };
