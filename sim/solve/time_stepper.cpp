@@ -1,5 +1,6 @@
 #include "sim/solve/time_stepper.h"
 
+#include "gpu/prompt_waits.h"
 #include "sim/base/pausing.h"
 
 namespace kerf {
@@ -20,6 +21,7 @@ void timed(gpu::ComputeTimer& timer, F&& work) {
 }  // namespace
 
 void TimeStepper::step(bool heldMove) {
+    const gpu::PromptWaits prompt(onProcessors_);
     const bool folded = implicit_ != nullptr && mayUnfold_ && unfolds();
     collisions_.beginStep(folded ? &unfolding_.folds() : nullptr);
     if (implicit_ != nullptr) {

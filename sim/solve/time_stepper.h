@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "gpu/context.h"
 #include "gpu/timer.h"
 #include "sim/solve/collisions.h"
 #include "sim/solve/implicit_stepper.h"
@@ -65,6 +66,7 @@ class TimeStepper {
     ImplicitStepper* implicit_ = nullptr;
     bool mayUnfold_ = true;
     bool oneGroupAllowed_ = true;
+    bool onProcessors_ = gpu::queryDevice().software;
     gpu::ComputeTimer deformTimer_;
     gpu::ComputeTimer collideTimer_;
 };
