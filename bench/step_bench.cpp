@@ -1,6 +1,5 @@
 // Milliseconds of one time step of the builtin models with plain PBD: the GPU solver without
-// contact beside the reference solver (double precision, one thread), with contact, and in a
-// dispatch for each phase instead of one group.
+// contact beside the reference solver (double precision, one thread), and with contact.
 
 #include <cstdio>
 #include <exception>
@@ -37,18 +36,6 @@ double gpuStep(const BodyModel& model, const shared::SolverUniforms& uniforms,
     });
 }
 
-/// The step alone, without what the CPU wants to know of it.
-double bareStep(const BodyModel& model, const shared::SolverUniforms& uniforms, bool oneGroup) {
-    GpuSolver solver;
-    solver.stepper().allowOneGroup(oneGroup);
-    solver.setModel(model, atRest(model));
-    solver.setUniforms(uniforms);
-    return medianMilliseconds(kRepeats, [&] {
-        solver.step();
-        gpu::finish();
-    });
-}
-
 double referenceStep(const BodyModel& model, const shared::SolverUniforms& uniforms) {
     const ReferenceSolver solver(model, uniforms);
     ReferenceState state = restState(model);
@@ -72,15 +59,6 @@ void benchModel(const std::string& name) {
         {"name", "step with contact/" + name},     {"ours", withContact},         {"theirs", ours},
         {"peer", "the same step without contact"}, {"ratio", ours / withContact}, {"unit", "ms"}};
     std::puts(contactLine.dump().c_str());
-    const double oneGroup = bareStep(model, uniforms, true);
-    const double phases = bareStep(model, uniforms, false);
-    const nlohmann::ordered_json groupLine = {{"name", "step in one group/" + name},
-                                              {"ours", oneGroup},
-                                              {"theirs", phases},
-                                              {"peer", "the same in a dispatch for each phase"},
-                                              {"ratio", phases / oneGroup},
-                                              {"unit", "ms"}};
-    std::puts(groupLine.dump().c_str());
 }
 
 }  // namespace

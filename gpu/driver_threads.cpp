@@ -12,9 +12,6 @@
 
 namespace kerf::gpu {
 
-namespace {
-
-/// That this process may use, ascending.
 std::vector<int> processors() {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
@@ -28,6 +25,15 @@ std::vector<int> processors() {
     }
     return numbers;
 }
+
+void moveThread(pid_t thread, int processor) {
+    cpu_set_t own;
+    CPU_ZERO(&own);
+    CPU_SET(processor, &own);
+    sched_setaffinity(thread, sizeof(own), &own);
+}
+
+namespace {
 
 /// The threads of llvmpipe in this process, by their names, "llvmpipe-0" and so on.
 std::map<std::string, pid_t> driverThreads() {
@@ -54,10 +60,7 @@ void spreadDriverThreads() {
     }
     auto place = places.begin();
     for (const auto& [name, thread] : threads) {
-        cpu_set_t own;
-        CPU_ZERO(&own);
-        CPU_SET(*place++, &own);
-        sched_setaffinity(thread, sizeof(own), &own);
+        moveThread(thread, *place++);
     }
 }
 

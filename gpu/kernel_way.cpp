@@ -30,10 +30,6 @@ KernelWay kernelWay() {
     return named ? *named : suitable();
 }
 
-std::uint32_t threadsOfGroup(const DeviceInfo& device) {
-    return device.vendor.find("Intel") != std::string::npos ? 256 : 512;
-}
-
 const char* problemWithKernelWay() {
     return wanted().empty() || kernelWayNamed(wanted())
                ? nullptr

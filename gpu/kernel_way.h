@@ -15,9 +15,6 @@ enum class KernelWay : std::uint8_t {
 /// The way set by the variable KERF_KERNELS, or else the best one for the driver of the current
 /// context.
 KernelWay kernelWay();
-/// How many threads one work group of the shared way should have, which gives the same bits with
-/// any number: 512, or 256 on Intel's GPUs, whose compiler has too few registers for more.
-std::uint32_t threadsOfGroup(const DeviceInfo& device);
 /// The problem with KERF_KERNELS, in a sentence; null for none.
 const char* problemWithKernelWay();
 

@@ -1,7 +1,6 @@
 // Sums of what the constraints of a vertex pull it with, in the fixed order of their lists, which
 // begin at even places and are read by pairs. The includer declares `uniforms`,
 // correctionAt(index), and of the list of a type rangeOfList(type, v) and entryOfList(type, index).
-// Precise, so that all kernels have the same bits: no factor is drawn out of sums.
 
 vec3 withSum(vec3 d, float inverseUnitMass, vec3 sum) {
     return d + (uniforms.inverse_density * inverseUnitMass) * sum;
@@ -18,7 +17,7 @@ vec3 endPull(uint entry) {
 // Apexes answer to the pull of their own triangle.
 vec3 sumOfWingPulls(uint type, uint v) {
     BendRange range = bendRangeOf(rangeOfList(type, v));
-    precise vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0);
     for (uint k = range.first; k < range.apexes; k += 2u) {
         uvec2 pair = entryOfList(type, k / 2u).xy;
         sum += endPull(pair.x);
@@ -37,7 +36,7 @@ vec3 sumOfWingPulls(uint type, uint v) {
 
 vec3 sumOfShares(uint type, uint v) {
     uvec2 range = rangeOfList(type, v).xy;
-    precise vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0);
     for (uint k = range.x; k < range.y; k += 2u) {
         uvec4 pair = entryOfList(type, k / 2u);  // of ConstraintShare
         sum += uintBitsToFloat(pair.y) * correctionAt(pair.x).xyz;

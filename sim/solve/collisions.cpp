@@ -52,10 +52,6 @@ void Collisions::beginStep(const gpu::Buffer* folds) {
     edge_.beginStep();
 }
 
-bool Collisions::mayTouch() const {
-    return contacts_.mayTouch() || edge_.mayTouch() || blade_.mayTouch() || boxes_.mayTouch();
-}
-
 void Collisions::respond() {
     contacts_.respond(body_.way);
     blade_.respond();

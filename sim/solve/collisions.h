@@ -71,8 +71,6 @@ class Collisions {
 
     /// Begins a time step, before its first substep. `folds`: see ContactSolver::setFolds().
     void beginStep(const gpu::Buffer* folds);
-    /// Whether there may be contacts before the next search.
-    bool mayTouch() const;
     bool searchesBefore(std::uint32_t substep) const {
         return contacts_.searchesBefore(static_cast<int>(substep));
     }

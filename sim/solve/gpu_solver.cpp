@@ -66,7 +66,6 @@ void GpuSolver::setModelPortion(int portion, const BodyModel& model, const BodyS
             return body_.model.uploadTriangleLists(model);
         case 5:
             body_.pieces.upload(model, body_.scatter);
-            stepper_.setBody(model);
             return body_.setCountsOf(model);
         case 6:
             setState(state);
@@ -131,7 +130,6 @@ void GpuSolver::update(const BodyModel& model, const BodyChange& change,
     body_.state.update(written, state, body_.model.areas.size(), body_.scatter);
     makeRoom(model);
     pausePoint();
-    stepper_.setBody(model);
     body_.setCountsOf(model);
     masses_.invalidate();
     collisions_.setBody(model, false);
@@ -141,7 +139,6 @@ void GpuSolver::takeMaterials(const BodyModel& model) {
     prepared_.reset();
     body_.pieces.upload(model, body_.scatter);
     body_.model.uploadConstraints(model);
-    stepper_.setBody(model);
     masses_.invalidate();
 }
 

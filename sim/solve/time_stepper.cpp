@@ -26,19 +26,12 @@ void TimeStepper::step(bool heldMove) {
     collisions_.beginStep(folded ? &unfolding_.folds() : nullptr);
     if (implicit_ != nullptr) {
         stepImplicitly(heldMove);
-    } else if (sweepsInOneGroup()) {
-        timed(deformTimer_, [&] { sweeps_.step(body_); });
     } else {
-        sweepByPhases();
+        sweep();
     }
     if (collisions_.followsThePaper()) {
         timed(collideTimer_, [&] { collisions_.respondAsThePaper(); });
     }
-}
-
-bool TimeStepper::sweepsInOneGroup() const {
-    return oneGroupAllowed_ && body_.uniforms.pull_count == 0 && !collisions_.mayTouch() &&
-           sweeps_.fits();
 }
 
 void TimeStepper::stepImplicitly(bool heldMove) {
@@ -52,7 +45,7 @@ void TimeStepper::stepImplicitly(bool heldMove) {
     }
 }
 
-void TimeStepper::sweepByPhases() {
+void TimeStepper::sweep() {
     searchBefore(0);
     collisions_.beginSubstep();
     for (uint sweep = 0; sweep < body_.uniforms.sweeps; ++sweep) {

@@ -8,15 +8,12 @@
 #include "sim/solve/collisions.h"
 #include "sim/solve/implicit_stepper.h"
 #include "sim/solve/solver_body.h"
-#include "sim/solve/sweep_group.h"
 #include "sim/solve/sweep_phases.h"
 #include "sim/solve/unfolding.h"
 
 namespace kerf {
 
-/// Runs the time steps of a body: of implicit steps, or of sweeps of plain PBD, those by one work
-/// group where nothing but the floor is met, else with a dispatch for each phase. The bits of both
-/// are the same.
+/// Runs the time steps of a body: of implicit steps, or of sweeps of plain PBD.
 class TimeStepper {
   public:
     /// Both must outlive it. Compiles the kernels: throws gpu::ShaderError.
@@ -25,8 +22,6 @@ class TimeStepper {
 
     /// Allocates for `vertices` vertices. Throws gpu::OutOfMemory.
     void makeRoom(std::size_t vertices) { unfolding_.resize(vertices); }
-    /// A body that is new or changed.
-    void setBody(const BodyModel& model) { sweeps_.setBody(model); }
 
     /// One time step: uniforms.substeps implicit steps, or uniforms.sweeps sweeps. Masses must be
     /// fresh. `heldMove`: whether any vertex without one has a velocity.
@@ -37,10 +32,6 @@ class TimeStepper {
         implicit_ = implicit;
         mayUnfold_ = unfolds;
     }
-    /// Whether sweeps may be made by one work group (the default), or in a dispatch for each phase.
-    void allowOneGroup(bool allowed) { oneGroupAllowed_ = allowed; }
-    /// Whether step() sweeps by one group.
-    bool sweepsInOneGroup() const;
     /// Whether the last measure saw a folded edge that the coming step unfolds (see Unfolding).
     bool unfolds() const { return collisions_.expectsFolds() && body_.active(shared::kUnfoldPart); }
 
@@ -54,18 +45,16 @@ class TimeStepper {
 
   private:
     void stepImplicitly(bool heldMove);
-    void sweepByPhases();
+    void sweep();
     void collide(bool last);
     void searchBefore(std::uint32_t substep);
 
     SolverBody& body_;
     Collisions& collisions_;
     SweepPhases phases_;
-    SweepGroup sweeps_;
     Unfolding unfolding_;
     ImplicitStepper* implicit_ = nullptr;
     bool mayUnfold_ = true;
-    bool oneGroupAllowed_ = true;
     bool onProcessors_ = gpu::queryDevice().software;
     gpu::ComputeTimer deformTimer_;
     gpu::ComputeTimer collideTimer_;

@@ -136,7 +136,7 @@ uvec2 kerfQueue[kerfQueueSize];
 uint kerfQueued = 0u;
 
 // Which epochs are watched in a launch of one group. Its loops are long, and llvmpipe ends them after
-// 65,535 turns in all, of which kMostTurns of sim/solve are taken.
+// 65,535 turns in all.
 const uint kerfMostTurns = 1000u;
 uint kerfSlice = 0u;
 uint kerfTurns = 0u;

@@ -92,8 +92,6 @@ std::ostream& operator<<(std::ostream& out, const Fault& fault) {
 }
 
 constexpr Fault kFaults[] = {
-    {"ABarrierIsMissingInTheKernelOfSweeps", "sim/sweep_state.glsl",
-     "    memoryBarrier();\n    barrier();\n", "", "plain-pbd", "A pulled body", "shared"},
     {"ABarrierIsMissingInASum", "sim/measure.comp",
      "        barrier();\n        for (uint i = self", "        for (uint i = self", "bend",
      "A bent body", "shared"},

@@ -305,61 +305,9 @@ TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
     EXPECT_EQ(first.velocities, second.velocities);
 }
 
-/// Ten steps with pins and a floor, by one group or with a dispatch for each phase.
-BodyState swept(const SurfaceMesh& mesh, int sweeps, uint parts, bool oneGroup) {
-    Params params = test::plainPbd();
-    params.floor = -0.45;
-    params.iterations = sweeps;
-    Pair pair(mesh, params, parts, 21);
-    pair.gpu.stepper().allowOneGroup(oneGroup);
-    EXPECT_EQ(pair.gpu.stepper().sweepsInOneGroup(), oneGroup);
-    pair.gpu.masses().setPinned({1, 5});
-    for (int step = 0; step < 10; ++step) {
-        pair.gpu.step();
-    }
-    return pair.gpu.readState();
-}
-
-void expectOneGroupLikeMany(const SurfaceMesh& mesh, int sweeps, uint parts) {
-    SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, parts " + std::to_string(parts));
-    const BodyState one = swept(mesh, sweeps, parts, true);
-    const BodyState many = swept(mesh, sweeps, parts, false);
-    EXPECT_EQ(one.positions, many.positions);
-    EXPECT_EQ(one.velocities, many.velocities);
-}
-
-constexpr uint kAllConstraints = shared::kStretchPart | shared::kBendPart | shared::kIspcPart;
-
-TEST_F(GpuSolverTest, OneGroupSweepsToTheBitsOfManyDispatches) {
-    for (const SurfaceMesh& mesh : bodies()) {
-        expectOneGroupLikeMany(mesh, 20, kAllConstraints | shared::kFloorPart);
-    }
-    for (const uint parts : {0U, shared::kStretchPart, shared::kBendPart | shared::kFloorPart,
-                             shared::kStretchPart | shared::kIspcPart}) {
-        expectOneGroupLikeMany(test::cubeSphere(8), 20, parts);
-    }
-}
-
-TEST_F(GpuSolverTest, OneGroupEndsNoLoopEarly) {
-    // More turns of loops than llvmpipe allows in a dispatch.
-    expectOneGroupLikeMany(test::icosphere(3), 150, kAllConstraints);
-}
-
-TEST_F(GpuSolverTest, OneGroupSweepsWhatMeetsNothing) {
-    const uint parts = solverUniforms(test::plainPbd()).active_parts;
-    Pair pair(test::cubeSphere(8), test::plainPbd(), parts, 1);
-    EXPECT_TRUE(pair.gpu.stepper().sweepsInOneGroup());
-    const long before = pair.gpu.dispatches();
-    pair.gpu.step();
-    EXPECT_EQ(pair.gpu.dispatches() - before, 1);
-    pair.gpu.setPulls({{9, 0.1f, 0.2f, 0.3f, 1, 0, 0, 0}});
-    EXPECT_FALSE(pair.gpu.stepper().sweepsInOneGroup());
-}
-
 TEST_F(GpuSolverTest, UsesAtMostSixDispatchesASweep) {
     Pair pair(test::icosphere(1), test::plainPbd(), solverUniforms(test::plainPbd()).active_parts,
               1);
-    pair.gpu.stepper().allowOneGroup(false);
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
     EXPECT_LE(pair.gpu.dispatches() - before, 6 * kUsualSweeps);
