@@ -30,7 +30,8 @@ SHARED_CONST uint kContactPiecesBinding = 11u;       // PieceRecord
 SHARED_CONST uint kContactColumnsBinding = 4u;       // IspcConstraint
 SHARED_CONST uint kContactColumnRangesBinding = 6u;  // IncidenceRange per vertex: of its
 SHARED_CONST uint kContactColumnSharesBinding = 7u;  // ConstraintShare
-SHARED_CONST uint kContactOrderBinding = 10u;  // uint: triangles or vertices, neighbours together
+SHARED_CONST uint kContactGroupLeavesUnit = 0u;  // image: node and range of the leaves of a group
+SHARED_CONST uint kContactOrderBinding = 10u;    // uint: triangles or vertices, neighbours together
 
 // Texture and image units of what the answers of a substep fetch (answers.glsl), formats as above.
 SHARED_CONST uint kContactNormalsUnit = 10u;

@@ -9,6 +9,8 @@ SHARED_CONST uint kCandidatesPerPoint = 8u;
 SHARED_CONST uint kTreeFan = 8u;
 // Vertices that search the tree together.
 SHARED_CONST uint kSearchGroup = 32u;
+// Leaves that they look through at once.
+SHARED_CONST uint kMostGroupLeaves = 4u * kSearchGroup;
 
 // Candidates are kept up to this motion of what is near against each other, times h.
 SHARED_CONST float kKept = 0.25f;

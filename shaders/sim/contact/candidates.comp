@@ -152,9 +152,8 @@ const float kBoxSlack = 0.01;
 // nodes that are near the vertex are listed first, then the triangles in them that are.
 const uint kMostListed = 8u;
 uint listed[kMostListed];
-float listedRange[kMostListed];
 uint listedCount;
-const uint kMostPending = 32u;
+const uint kMostPending = kTreeFan * kMostListed;
 uint pending[kMostPending];
 uint waiting;
 
@@ -170,20 +169,16 @@ void look(uint place, float range) {
 }
 
 void lookThroughListed(inout Bounds own) {
+    waiting = 0u;
     for (uint i = 0u; i < listedCount; ++i) {
-        listedRange[i] = squareOfRange(own, listed[i]) * own.share * own.share;
+        uint leaf = listed[i];
+        float range = squareOfRange(own, leaf) * own.share * own.share;
+        for (uint child = 0u; child < kTreeFan; ++child) {
+            look(kTreeFan * leaf + child, range);
+        }
     }
-    uint place = 0u;
-    uint end = kTreeFan * listedCount;
-    while (place < end) {
-        waiting = 0u;
-        for (; place < end && waiting < kMostPending; ++place) {
-            uint i = place / kTreeFan;
-            look(kTreeFan * listed[i] + place % kTreeFan, listedRange[i]);
-        }
-        for (uint i = 0u; i < waiting; ++i) {
-            consider(pending[i]);
-        }
+    for (uint i = 0u; i < waiting; ++i) {
+        consider(pending[i]);
     }
     if (found == kCandidatesPerPoint) {
         own.share = min(1.0, bestKey[found - 1u] + kBoxSlack);
@@ -196,8 +191,9 @@ void lookThroughLeaves(inout Bounds own) {
     while (next < end) {
         listedCount = 0u;
         for (; next < end && listedCount < kMostListed; ++next) {
-            if (isWithin(own, leaves[next], leafRanges[next] * own.share * own.share)) {
-                listed[listedCount] = leaves[next];
+            uvec2 leaf = leafAt(next);
+            if (isWithin(own, leaf.x, uintBitsToFloat(leaf.y) * own.share * own.share)) {
+                listed[listedCount] = leaf.x;
                 ++listedCount;
             }
         }

@@ -45,10 +45,7 @@ float squareOfRange(Bounds b, uint node) {
 
 const uint kTaken = kSearchGroup / kTreeFan;  // nodes whose children are looked at at once
 const uint kMostNodes = 16u * kSearchGroup;   // as many levels as there will ever be
-const uint kMostLeaves = 4u * kSearchGroup;
 shared uint stack[kMostNodes];
-shared uint leaves[kMostLeaves];
-shared float leafRanges[kMostLeaves];  // squares of up to where the group looks
 shared uint stackSize;
 shared uint leafCount;
 shared vec3 lows[kSearchGroup];
@@ -56,6 +53,16 @@ shared vec3 highs[kSearchGroup];
 shared vec3 slowest[kSearchGroup];
 shared vec3 fastest[kSearchGroup];
 shared uint directions[kSearchGroup];
+
+// Leaves near the group, and the square of up to where it looks there. An image, of which llvmpipe
+// reads eight at once; shared memory it reads one by one.
+layout(binding = kContactGroupLeavesUnit, rg32ui) coherent uniform uimageBuffer groupLeaves;
+
+int placeOfLeaf(uint i) { return int(gl_WorkGroupID.x * kMostGroupLeaves + i); }
+uvec2 leafAt(uint i) { return imageLoad(groupLeaves, placeOfLeaf(i)).xy; }
+void setLeaf(uint i, uint node, float range) {
+    imageStore(groupLeaves, placeOfLeaf(i), uvec4(node, floatBitsToUint(range), 0u, 0u));
+}
 
 void lookThroughLeaves(inout Bounds own);
 
@@ -93,9 +100,7 @@ void sort(Bounds group, uint node) {
     float range = squareOfRange(group, node);
     if (!isWithin(group, node, range)) return;
     if (node < numbers.y) {
-        uint place = atomicAdd(leafCount, 1u);
-        leaves[place] = node;
-        leafRanges[place] = range;
+        setLeaf(atomicAdd(leafCount, 1u), node, range);
     } else {
         stack[atomicAdd(stackSize, 1u)] = node;
     }
@@ -115,6 +120,7 @@ void descend(Bounds group) {
     if (thread == 0u) stackSize = size - taken;
     barrier();
     if (child != kNoVertex) sort(group, child);
+    memoryBarrierImage();
     barrier();
 }
 
@@ -123,9 +129,10 @@ void search(Bounds own, Bounds group) {
     if (thread == 0u) stackSize = leafCount = 0u;
     barrier();
     if (thread < kTreeFan) sort(group, numbers.x + thread);
+    memoryBarrierImage();
     barrier();
     while (stackSize + leafCount > 0u) {
-        while (stackSize > 0u && leafCount + kSearchGroup <= kMostLeaves) {
+        while (stackSize > 0u && leafCount + kSearchGroup <= kMostGroupLeaves) {
             descend(group);
         }
         lookThroughLeaves(own);
