@@ -18,6 +18,7 @@ struct Need {
 };
 
 constexpr std::int64_t kMebi = 1 << 20;
+constexpr std::int64_t kImagesOnGpus = 1;  // leaves of a search for contact
 
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the number and the name of a limit
 #define KERF_LIMIT(limit) limit, #limit
@@ -34,8 +35,8 @@ constexpr std::array kNeeds{
     Need{KERF_LIMIT(GL_MAX_COMPUTE_IMAGE_UNIFORMS), "images in a compute shader", 18},
     Need{KERF_LIMIT(GL_MAX_COMPUTE_UNIFORM_BLOCKS), "uniform buffers in a compute shader", 1},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_IMAGE_UNITS), "textures in a fragment shader", 3},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE), "bytes that a work group shares", 32768},
-    Need{KERF_LIMIT(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), "threads of a work group", 512},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE), "bytes that a work group shares", 24576},
+    Need{KERF_LIMIT(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS), "threads of a work group", 256},
     Need{KERF_LIMIT(GL_MAX_TEXTURE_SIZE), "pixels of a texture's side", 8192},
 };
 #undef KERF_LIMIT
@@ -48,9 +49,9 @@ std::vector<DriverLimit> driverLimits() {
     for (const Need& need : kNeeds) {
         GLint64 has = 0;
         glGetInteger64v(need.limit, &has);
-        const bool ofOtherWay =
+        const bool isLess =
             need.limit == GL_MAX_COMPUTE_IMAGE_UNIFORMS && kernelWay() != KernelWay::images;
-        limits.push_back({need.name, need.phrase, has, ofOtherWay ? 0 : need.needs});
+        limits.push_back({need.name, need.phrase, has, isLess ? kImagesOnGpus : need.needs});
     }
     return limits;
 }

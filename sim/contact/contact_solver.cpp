@@ -116,8 +116,6 @@ void ContactSolver::takeBody() {
     normals_.resize(2 * n * sizeof(shared::vec4));
     restNormals_.resize(2 * n * sizeof(shared::vec4));
     tree_.take(body_);
-    groupLeaves_.resize(std::size_t{tree_.vertexPlaces() / shared::kSearchGroup} *
-                        shared::kMostGroupLeaves * 2 * sizeof(uint));
     candidates_.resize(n * kCandidatesPerPoint * sizeof(shared::ContactCandidate));
     points_.resize(n * sizeof(uint));
     edgePairs_.resize(n * shared::kEdgePairsPerPoint * sizeof(shared::EdgePair));
@@ -205,7 +203,6 @@ void ContactSolver::findCandidates() {
     candidates_.bindStorage(shared::kContactCandidatesBinding);
     edgePairs_.bindStorage(shared::kContactEdgePairsBinding);
     points_.bindStorage(shared::kContactPointsBinding);
-    groupLeaves_.bindImage(shared::kContactGroupLeavesUnit, TexelFormat::uint32x2);
     kernels_.candidates.setNumbers({tree_.roots(), tree_.leaves(), settings_.edges ? 1U : 0U});
     kernels_.candidates.dispatch(tree_.vertexPlaces());
 }

@@ -181,7 +181,7 @@ class ContactSolver {
     gpu::Buffer uniformBuffer_, state_;
     gpu::Buffer searchedPositions_, searchedVelocities_;
     gpu::Buffer normals_, restNormals_;
-    gpu::Buffer candidates_, points_, edgePairs_, records_, sums_, groupLeaves_;
+    gpu::Buffer candidates_, points_, edgePairs_, records_, sums_;
 };
 
 }  // namespace kerf

@@ -148,6 +148,8 @@ void ContactTree::take(const ContactBody& body) {
     const std::vector<uint> levels = levelsOver(triangles_.size());
     boxes_.resize(triangles_.size() * 2 * sizeof(std::array<uint, 4>));
     nodes_.resize(std::reduce(levels.begin(), levels.end()) * 4 * sizeof(std::array<uint, 4>));
+    groupLeaves_.resize(vertices_.size() / shared::kSearchGroup * shared::kMostGroupLeaves *
+                        sizeof(std::array<uint, 2>));
 }
 
 void ContactTree::fit(const ContactBody& body, const gpu::Buffer& positions,
@@ -181,6 +183,7 @@ void ContactTree::bind() const {
     boxes_.bindTexels(shared::kContactBoxesBinding, TexelFormat::uint32x4);
     nodes_.bindTexels(shared::kContactNodesBinding, TexelFormat::uint32x4);
     vertexOrder_.bindTexels(shared::kContactOrderBinding, TexelFormat::uint32);
+    groupLeaves_.bindImage(shared::kContactGroupLeavesUnit, TexelFormat::uint32x2);
 }
 
 uint ContactTree::roots() const {

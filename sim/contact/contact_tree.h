@@ -63,6 +63,7 @@ class ContactTree {
     std::vector<std::uint32_t> triangles_, vertices_;  ///< in order
     int revision_ = -1;                                ///< of the order that they begin with
     gpu::Buffer triangleOrder_, vertexOrder_, boxes_, nodes_;
+    gpu::Buffer groupLeaves_;  ///< of each group that searches: nodes near it, and a range
 };
 
 }  // namespace kerf

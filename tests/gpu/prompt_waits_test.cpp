@@ -23,6 +23,7 @@ class Ring {
     /// How often the token went on until it had gone round so often.
     int turn(int rounds) {
         std::vector<std::jthread> threads;
+        threads.reserve(threads_);
         for (int own = 0; own < threads_; ++own) {
             threads.emplace_back([this, own, rounds] {
                 for (int i = 0; i < rounds; ++i) {
