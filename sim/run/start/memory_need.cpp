@@ -181,7 +181,8 @@ std::vector<PerElement> writtenBuffers(const MemorySettings& settings) {
         buffers.push_back({0, 2 * sizeof(vec4)});                 // boxes of triangles
         buffers.push_back({0, 0.6 * sizeof(vec4)});               // and of nodes
         buffers.push_back({2 * sizeof(uint), 2 * sizeof(uint)});  // their order
-        buffers.push_back({2.0 * sizeof(uint) * shared::kMostGroupLeaves / shared::kSearchGroup, 0});
+        buffers.push_back(
+            {2.0 * sizeof(uint) * shared::kMostGroupLeaves / shared::kSearchGroup, 0});
     }
     if (settings.obstacles) {
         buffers.push_back({0, sizeof(shared::BoxTouch)});
