@@ -5,6 +5,7 @@
 #include <sched.h>
 
 #include <atomic>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,17 @@ namespace kerf::gpu {
 
 namespace {
 
-/// How often a thread lets others run before it sleeps.
-constexpr int kTurns = 300;
+using Clock = std::chrono::steady_clock;
 
+/// How long a thread lets others run before it sleeps.
+constexpr std::chrono::microseconds kAwake{300};
+/// Who lets others run and has to wait so long is in a crowd: other programs want the processors.
+/// There a thread that is woken comes first, one that is awake last.
+constexpr std::chrono::microseconds kCrowded{1000};
+/// How long all then wait asleep.
+constexpr std::chrono::milliseconds kCrowdStays{100};
+
+std::atomic<Clock::rep> crowdedUntil = 0;
 std::atomic<int> promptWaits = 0;
 /// Of all conditions: one may wake others' waits too early, which is harmless.
 std::atomic<unsigned> signals = 0;
@@ -29,6 +38,8 @@ std::atomic<unsigned> signals = 0;
 thread_local pthread_cond_t* waitedFor = nullptr;
 /// Whether this thread has a PromptWaits. What it wakes all threads by then are kernels to run.
 thread_local bool launches = false;
+/// Whether it runs kernels. Only then does nothing of this program keep it from running for long.
+thread_local bool computes = false;
 std::atomic<pthread_cond_t*> kernelsCame = nullptr;
 std::atomic<unsigned> placed = 0;
 
@@ -40,8 +51,7 @@ F* libraryOwn(const char* name) {
 /// Puts the threads that run kernels on a processor each. Awake, they are never moved to one that
 /// only a waiting thread uses.
 void placeOnce() {
-    thread_local bool isPlaced = false;
-    if (std::exchange(isPlaced, true)) {
+    if (std::exchange(computes, true)) {
         return;
     }
     const std::vector<int> places = processors();
@@ -54,13 +64,21 @@ bool signalled(unsigned before) {
     return signals.load() != before;
 }
 
+bool isCrowded() {
+    return Clock::now().time_since_epoch().count() < crowdedUntil.load();
+}
+
 /// Whether a signal came.
 bool waitAwake(unsigned before) {
-    for (int turn = 0; turn < kTurns && promptWaits.load() > 0; ++turn) {
-        if (signalled(before)) {
-            return true;
-        }
+    const Clock::time_point start = Clock::now();
+    Clock::time_point now = start;
+    while (!signalled(before) && now - start < kAwake && promptWaits.load() > 0) {
+        const Clock::time_point turn = now;
         sched_yield();
+        now = Clock::now();
+        if (computes && now - turn > kCrowded) {
+            crowdedUntil = (now + kCrowdStays).time_since_epoch().count();
+        }
     }
     return signalled(before);
 }
@@ -84,7 +102,7 @@ extern "C" {
 int pthread_cond_wait(pthread_cond_t* condition, pthread_mutex_t* mutex) {
     using namespace kerf::gpu;
     static auto* const sleep = libraryOwn<decltype(pthread_cond_wait)>("pthread_cond_wait");
-    if (promptWaits.load() == 0 || waitedFor == condition) {
+    if (promptWaits.load() == 0 || waitedFor == condition || isCrowded()) {
         waitedFor = nullptr;
         return sleep(condition, mutex);
     }

@@ -7,21 +7,17 @@ namespace kerf {
 
 using shared::uint;
 
-namespace {
-
 /// Nothing is bound from one such piece of work to the next.
 template <class F>
-void timed(gpu::ComputeTimer& timer, F&& work) {
+void TimeStepper::timed(gpu::ComputeTimer& timer, F&& work) {
     pausePoint();
+    const gpu::PromptWaits prompt(onProcessors_);
     timer.begin();
     work();
     timer.end();
 }
 
-}  // namespace
-
 void TimeStepper::step(bool heldMove) {
-    const gpu::PromptWaits prompt(onProcessors_);
     const bool folded = implicit_ != nullptr && mayUnfold_ && unfolds();
     collisions_.beginStep(folded ? &unfolding_.folds() : nullptr);
     if (implicit_ != nullptr) {

@@ -44,6 +44,8 @@ class TimeStepper {
     double takeCollideMilliseconds() { return collideTimer_.takeMilliseconds(); }
 
   private:
+    template <class F>
+    void timed(gpu::ComputeTimer& timer, F&& work);
     void stepImplicitly(bool heldMove);
     void sweep();
     void collide(bool last);
