@@ -29,8 +29,8 @@ constexpr std::chrono::microseconds kCrowded{1000};
 /// How long all then wait asleep.
 constexpr std::chrono::milliseconds kCrowdStays{100};
 
-std::atomic<Clock::rep> crowdedUntil = 0;
-std::atomic<int> promptWaits = 0;
+std::atomic<Clock::rep> crowdedUntil = 0;  ///< of Clock
+std::atomic<int> promptWaits = 0;          ///< how many there are
 /// Of all conditions: one may wake others' waits too early, which is harmless.
 std::atomic<unsigned> signals = 0;
 /// What the thread waited for in vain, awake. It sleeps in its next wait for that: only then has it
@@ -40,8 +40,9 @@ thread_local pthread_cond_t* waitedFor = nullptr;
 thread_local bool launches = false;
 /// Whether it runs kernels. Only then does nothing of this program keep it from running for long.
 thread_local bool computes = false;
+/// What threads wait for that run kernels.
 std::atomic<pthread_cond_t*> kernelsCame = nullptr;
-std::atomic<unsigned> placed = 0;
+std::atomic<unsigned> placed = 0;  ///< how many of them have a processor
 
 template <class F>
 F* libraryOwn(const char* name) {

@@ -1,5 +1,6 @@
 #include "gpu/prompt_waits.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -53,6 +54,27 @@ class Ring {
     std::condition_variable turn_;
 };
 
+/// The state of a thread of this process, as in /proc: R runs, S sleeps.
+char stateOf(pid_t thread) {
+    std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t behindName = text.rfind(") ");
+    return behindName == std::string::npos ? '?' : text[behindName + 2];
+}
+
+// Else drivers would wait by the library's own, asleep, and only a clock would tell.
+TEST(PromptWaits, ComeBeforeTheLibrarysOwn) {
+    for (const char* name :
+         {"pthread_cond_wait", "pthread_cond_signal", "pthread_cond_broadcast"}) {
+        Dl_info found{};
+        ASSERT_NE(dladdr(dlsym(RTLD_DEFAULT, name), &found), 0) << name;
+        Dl_info own{};
+        ASSERT_NE(dladdr(reinterpret_cast<void*>(&stateOf), &own), 0);
+        EXPECT_EQ(found.dli_fbase, own.dli_fbase) << name;
+    }
+}
+
 TEST(PromptWaits, LoseNoSignal) {
     const PromptWaits prompt(true);
     EXPECT_EQ(Ring(2).turn(20000), 40000);
@@ -69,15 +91,6 @@ TEST(PromptWaits, LoseNoSignalWhereTheyComeAndGo) {
     });
     EXPECT_EQ(Ring(3).turn(5000), 15000);
     done = true;
-}
-
-/// The state of a thread of this process, as in /proc: R runs, S sleeps.
-char stateOf(pid_t thread) {
-    std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/stat");
-    std::string text;
-    std::getline(file, text);
-    const std::size_t behindName = text.rfind(") ");
-    return behindName == std::string::npos ? '?' : text[behindName + 2];
 }
 
 TEST(PromptWaits, SleepWhereNobodySignals) {
