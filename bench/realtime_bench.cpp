@@ -3,14 +3,16 @@
 //
 //   kerf_realtime_bench [SCENE]... [--set NAME=VALUE]... [--runs N] [--seconds S] [--most SECONDS]
 //
-// Without names all seven scenes. --set changes a parameter of all of them, as in `kerf replay`.
-// A run simulates S (0.1) seconds, and ends earlier after so many (8) of the clock. The load is
-// that of the machine over the last minute, this program included.
+// A scene is its name or the path of a session; without any, all seven. --set changes a parameter
+// of all of them, as in `kerf replay`. A run simulates S (0.1) seconds, and ends earlier after so
+// many (8) of the clock. The load is that of the machine over the last minute, this program
+// included.
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -154,7 +156,10 @@ double loadOfMachine() {
 }
 
 void bench(const std::string& scene, const Options& options) {
-    app::Session session = app::readSession(gpu::dataPath("assets/start/" + scene + ".kerf.json"));
+    constexpr const char* kEnding = ".kerf.json";
+    app::Session session = app::readSession(scene.ends_with(kEnding)
+                                                ? std::filesystem::path(scene)
+                                                : gpu::dataPath("assets/start/" + scene + kEnding));
     for (const auto& [name, value] : options.params) {
         app::setParamFromText(session.params, name, value);
     }

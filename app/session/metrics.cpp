@@ -177,6 +177,8 @@ constexpr MetricsColumn kColumns[] = {
      "Simulated time of the step over frame_ms; None while time is paused."},
     {"implicit_steps", reported<&StepReport::implicitSteps>,
      "Number of implicit steps that the time step was made of; 1 with other solvers."},
+    {"residual", reported<&StepReport::residual>,
+     "What the iterations left unsolved, as a share of the motion; None with plain PBD or asleep."},
 };
 
 }  // namespace

@@ -118,6 +118,8 @@ class Report:
     @property
     def implicit_steps(self) -> int: ...
     @property
+    def residual(self) -> Optional[float]: ...
+    @property
     def blade_force(self) -> Optional[npt.NDArray[np.float64]]:
         """[N] on the blade, x, y and z; None unless forces are measured."""
     @property

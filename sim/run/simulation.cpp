@@ -141,6 +141,7 @@ void Simulation::State::solve() {
     moveBody();
     const Vec3 middle = middleOfBlade();
     body.measureStep();
+    output.report.residual = body.residual(input.params);
     noteBladeLoad(middle);
     takeBackLostPieces();
     guardSteps();

@@ -1,9 +1,12 @@
 #include "sim/solve/body_measure.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "shaders/shared/bindings.h"
+#include "shaders/shared/implicit_records.h"
 #include "shaders/shared/unfold_records.h"
 
 namespace kerf {
@@ -88,7 +91,25 @@ void BodyMeasurer::start() {
     }
     const std::size_t blocks = body_.pieces.blocks().size() + 1;
     place_ = back_.ask(body_.pieces.blockMeasures, blocks * sizeof(shared::BlockMeasure));
+    const gpu::Buffer& courses = body_.state.courses;
+    courseCount_ = courses.size() / sizeof(shared::Course);
+    if (courseCount_ > 0) {
+        courses_ = back_.ask(courses, courses.size());
+    }
     back_.send();
+}
+
+std::optional<double> BodyMeasurer::residual(double least) const {
+    if (courseCount_ == 0) {
+        return std::nullopt;
+    }
+    double left = 0;
+    double motion = 0;
+    for (const shared::Course& course : back_.read<shared::Course>(courses_, courseCount_)) {
+        left += std::max(course.size, 0.0F);
+        motion += course.scale;
+    }
+    return std::sqrt(left / std::max(motion, least));
 }
 
 BodyMeasure BodyMeasurer::take() {

@@ -57,6 +57,10 @@ class BodyMeasurer {
     void start();
     /// The measure started by start(), with unchanged pieces; waits for the GPU.
     BodyMeasure take();
+    /// What iterations of the step before left unsolved, of its motion: the root of the share of
+    /// its energy, before the last iteration. `least`: less energy is no motion [J]. None before
+    /// the first implicit step.
+    std::optional<double> residual(double least) const;
     /// Makes the coming start() also read what takeWatched() returns; see NearbyVertices.
     void watch(const std::optional<OrientedBox>& box, std::span<const int> vertices) {
         nearby_.ask(box, vertices);
@@ -79,9 +83,11 @@ class BodyMeasurer {
     SolverBody& body_;
     Collisions& collisions_;
     gpu::Program measure_, collect_;
-    gpu::ReadBack back_;     ///< of start()
-    std::size_t place_ = 0;  ///< of the block measures there
-    NearbyVertices nearby_;  ///< of the coming start()
+    gpu::ReadBack back_;           ///< of start()
+    std::size_t place_ = 0;        ///< of the block measures there
+    std::size_t courses_ = 0;      ///< their place there
+    std::size_t courseCount_ = 0;  ///< 0 before the first implicit step
+    NearbyVertices nearby_;        ///< of the coming start()
     bool watchesAll_ = false;
     SolverState::Offsets all_;  ///< of all vertices there
     NearbyVertices collected_;  ///< of statesOf()

@@ -139,6 +139,9 @@ void ImplicitStepper::setBody(const BodyModel& model, const Params& params,
     own_.inverse.assign(model, groups, inverse, pages);
     own_.contact.assign(model, contactFirmness(pulls, masses.size()), masses,
                         own_.matrix.pageCount);
+    body_.state.courses.resize(std::max<std::size_t>(model.pieces.size(), 1) *
+                               sizeof(shared::Course));
+    body_.state.courses.clear();
     body_.state.displacement.clear();  // steps keep it so: volumes are those at X
     own_.vectors.makeRoom(model.restPositions.size(), own_.inverse.aggregateCount,
                           model.pieces.size());
@@ -185,7 +188,7 @@ void ImplicitStepper::bindVectors() const {
     bind(own_.vectors.force, shared::kForceBinding);
     bind(own_.vectors.productSums, shared::kProductSumsBinding);
     own_.vectors.answerSums.bindStorage(shared::kAnswerSumsBinding);
-    body_.bindFetched(own_.vectors.courses, shared::kCoursesUnit, TexelFormat::float32x4);
+    body_.bindFetched(body_.state.courses, shared::kCoursesUnit, TexelFormat::float32x4);
     bind(own_.inverse.modes, shared::kModesBinding);
     bind(own_.vectors.firstWay, shared::kFirstWayBinding);
     own_.inverse.turned.bindStorage(shared::kTurnedBinding);
@@ -508,7 +511,7 @@ void ImplicitStepper::solveStage(bool second) {
     body_.pieces.blockSums.bindStorage(shared::kBlockSumsBinding);
     runGroups(contact_.startReach, uniforms_.piece_count, shared::kStartSlot);
     own_.vectors.answerSums.bindStorage(shared::kAnswerSumsBinding);
-    own_.vectors.courses.bindStorage(shared::kMadeCoursesBinding);
+    body_.state.courses.bindStorage(shared::kMadeCoursesBinding);
     runGroups(stage_.startPatches, aggregates, shared::kStartSlot);
     for (uint i = 0; i < iterations_; ++i) {
         const uint slot = shared::kFirstSlot + i;

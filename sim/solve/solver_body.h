@@ -25,6 +25,7 @@ struct SolverState {
     gpu::Buffer previous;  ///< d before the last sweep
     gpu::Buffer saved;     ///< X when the last step ended
     gpu::Buffer gradients, corrections;
+    gpu::Buffer courses;  ///< of pieces: how iterations went; empty before implicit steps
 
     /// Allocates the substep state of such a body.
     void makeRoom(const BodyModel& model);

@@ -46,6 +46,9 @@ TEST(RemarkOn, WhatAStepIsMadeOf) {
     EXPECT_EQ(remarkOn(*findParam("time_step"), parameters), "");
     parameters.implicitSteps = 1;
     EXPECT_EQ(partsOfStep(parameters), "1 implicit step of 5 ms, 6 iterations");
+    parameters.residual = 0.0213;
+    EXPECT_EQ(partsOfStep(parameters), "1 implicit step of 5 ms, 6 iterations (left: 2 %)");
+    parameters.residual.reset();
     parameters.now.solver = SolverMode::pbd;
     EXPECT_EQ(partsOfStep(parameters), "6 iterations");
     EXPECT_EQ(remarkOn(iterations, parameters), "");

@@ -354,7 +354,9 @@ std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
 
 std::string partsOfStep(const ParametersState& parameters) {
     const int steps = parameters.implicitSteps;
-    const std::string iterations = counted(parameters.iterations, "iteration", "iterations");
+    const std::string left =
+        parameters.residual ? fmt::format(" (left: {:.1g} %)", 100 * *parameters.residual) : "";
+    const std::string iterations = counted(parameters.iterations, "iteration", "iterations") + left;
     return parameters.now.solver == SolverMode::implicit
                ? fmt::format("{} of {:.3g} ms, {}",
                              counted(steps, "implicit step", "implicit steps"),

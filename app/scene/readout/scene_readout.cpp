@@ -150,6 +150,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.body.bounds = simulation.bounds();
     model.parameters.iterations = report.iterations;
     model.parameters.implicitSteps = report.implicitSteps;
+    model.parameters.residual = report.residual;
     model.transport.playing = timeline_.playing;
     model.transport.step = simulation.stepCount();
     model.transport.restarted = timeline_.start().step > 0;

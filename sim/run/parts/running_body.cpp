@@ -180,18 +180,26 @@ int RunningBody::implicitStepsFor(const Params& params, const Surroundings& arou
                     kMostImplicitSteps);
 }
 
+double RunningBody::stillEnergy(const Params& params) const {
+    double mass = 0;
+    for (const BodyMember& member : model().members) {
+        mass += params.density * member.density * std::abs(member.restVolume);
+    }
+    return 0.5 * mass * std::pow(kStill * diagonal, 2);
+}
+
+std::optional<double> RunningBody::residual(const Params& params) const {
+    return params.solver == SolverMode::implicit ? solver.measurer().residual(stillEnergy(params))
+                                                 : std::nullopt;
+}
+
 bool RunningBody::guardSteps(const Params& params, bool worked) {
     const bool gains = worked || isMoved_ || cutter->inStroke() || solver.stepper().unfolds();
-    double still = 0;
-    for (const BodyMember& member : model().members) {
-        const double mass = params.density * member.density * std::abs(member.restVolume);
-        still += 0.5 * mass * std::pow(kStill * diagonal, 2);
-    }
     const BodyMeasure& measure = memory.measure;
     return params.solver == SolverMode::implicit &&
            memory.guard.note(
                {measure.kineticEnergy + measure.strainEnergy, measure.potentialEnergy},
-               params.timeStep, gains, still);
+               params.timeStep, gains, stillEnergy(params));
 }
 
 double RunningBody::relativeSpeed(const Params& params, const Surroundings& around) const {

@@ -50,6 +50,8 @@ struct RunningBody {
     /// After a step; `worked`: something that acts from outside, such as a blade. Returns whether
     /// the body gained energy of itself, so that coming steps are divided further.
     bool guardSteps(const Params& params, bool worked);
+    /// After measureStep(): see StepParts.
+    std::optional<double> residual(const Params& params) const;
     /// At which something near may be met in the coming step, or parts meet each other [m/s].
     double relativeSpeed(const Params& params, const Surroundings& around) const;
     /// Gives the solver parameters with a number of iterations; after apply().
@@ -139,6 +141,7 @@ struct RunningBody {
     bool volumesHeld = true;  ///< whether the parameters have a volume constraint
 
   private:
+    double stillEnergy(const Params& params) const;
     std::vector<shared::PullRecord> leadsBack(const Params& params);
     std::vector<shared::PullRecord> forces(double density,
                                            const std::vector<std::uint32_t>& pulled) const;

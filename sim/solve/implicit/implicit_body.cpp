@@ -282,8 +282,6 @@ void ImplicitBody::setForceUnits(double stiffness) {
 
 void StageVectors::makeRoom(std::size_t vertexCount, std::size_t aggregates, std::size_t pieces) {
     motions.resize(std::max<std::size_t>(aggregates, 1) * sizeof(shared::AggregateMotion));
-    courses.resize(std::max<std::size_t>(pieces, 1) * sizeof(shared::Course));
-    courses.clear();
     spins.resize(2 * std::max<std::size_t>(pieces, 1) * sizeof(vec4));
     total.resize(2 * vertexCount * sizeof(vec4));
     for (gpu::Buffer* vector : {&residual, &answer, &direction, &image, &way, &firstWay, &force,

@@ -60,7 +60,6 @@ struct StageVectors {
     gpu::Buffer pressure, pressureImage;
     gpu::Buffer productSums, answerSums;
     gpu::Buffer motions, spins;  ///< of aggregates, of pieces
-    gpu::Buffer courses;         ///< of pieces
 
     void makeRoom(std::size_t vertexCount, std::size_t aggregates, std::size_t pieces);
     /// `pages`, `aggregates`: how many sums each slot has.

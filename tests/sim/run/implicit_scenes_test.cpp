@@ -129,6 +129,24 @@ TEST_F(ImplicitScenesTest, TheReportTellsOfHowManyStepsATimeStepIsMade) {
     EXPECT_EQ(simulation->report().implicitSteps, 2);
 }
 
+TEST_F(ImplicitScenesTest, TheReportTellsWhatIterationsLeft) {
+    std::vector<double> left;
+    for (const int iterations : {2, 4, 20}) {
+        Params falling = params();
+        falling.iterations = iterations;
+        falling.floor = -0.52;
+        begin(falling);
+        run(12);
+        ASSERT_TRUE(simulation->report().residual);
+        left.push_back(*simulation->report().residual);
+    }
+    EXPECT_LT(left[0], 1);
+    EXPECT_LT(left[1], 0.5 * left[0]);
+    EXPECT_LT(left[2], 0.1 * left[1]);
+    ASSERT_EQ(simulation->execute(SetParam{"solver", std::string("pbd")}), "");
+    EXPECT_FALSE(simulation->step().residual);
+}
+
 TEST_F(ImplicitScenesTest, AHandPullsTheBodyAlong) {
     Params floating = params();
     floating.gravity.setZero();

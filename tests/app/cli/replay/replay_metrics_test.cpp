@@ -48,15 +48,16 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
         "search_seeds,search_tests,swept_area,swept_area_at_rest,fracture_energy,blade_force_x,"
         "blade_force_y,blade_force_z,blade_moment_x,blade_moment_y,blade_moment_z,blade_work,"
         "blade_energy,blade_lag,iterations,other_ms,tears,tear_refused,"
-        "tear_opening,tear_stress,real_time_factor,implicit_steps\n");
+        "tear_opening,tear_stress,real_time_factor,implicit_steps,residual\n");
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,0,0,0,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,,0,0,0,0,0,0,0,0,,,,,,"
-              ",0,0,0,0,2.5,,,,,,1\n")
+              ",0,0,0,0,2.5,,,,,,1,\n")
         << "with plain PBD there is no energy of strained material";
     row.report.strainEnergy = 0.75;
     row.report.lostPieces = 2;
     row.report.iterations = 6;
     row.report.implicitSteps = 2;
+    row.report.residual = 0.125;
     row.report.times = {1, 0.5, 0.25};
     row.report.search = {1.5, 0.25, 2, 80};
     row.report.swept = {0.5, 0.25};
@@ -67,10 +68,10 @@ TEST(Metrics, RowsHaveTheColumnsOfTheHeader) {
     row.simulatedSeconds = 0.005;
     EXPECT_EQ(formatMetrics(row),
               "3,0,0.1,1,1,0,0,0,0,0,1,0.5,0.25,0,2.5,0,7,0,0,1,5,2,1.5,-0.25,0,0,0.75,2,1.5,0.25,"
-              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2,2\n");
+              "2,80,0.5,0.25,40,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2,2,0.125\n");
     row.namesToughness = false;
-    EXPECT_TRUE(
-        formatMetrics(row).ends_with(",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2,2\n"))
+    EXPECT_TRUE(formatMetrics(row).ends_with(
+        ",0.5,0.25,,1,2,3,4,5,6,2,3,0.25,6,0.75,0,1,0.5,0.25,2,2,0.125\n"))
         << "nobody said what new surface takes";
 }
 
