@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/editor/view/start_scenes.h"
+#include "app/editor/view/editor_panels.h"
 #include "app/scene/editor_scene.h"
 #include "bench/model_file.h"
 #include "gpu/context.h"

@@ -22,7 +22,7 @@
 #include "bench/timing.h"
 #include "gpu/context.h"
 #include "gpu/program.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/base/stopwatch.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/cut_change.h"

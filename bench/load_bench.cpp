@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/editor/view/start_scenes.h"
+#include "app/editor/view/editor_panels.h"
 #include "bench/model_file.h"
 #include "gpu/context.h"
 #include "sim/base/stopwatch.h"

@@ -15,7 +15,7 @@
 
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"

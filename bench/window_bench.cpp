@@ -15,7 +15,7 @@
 #include "app/editor/editor.h"
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
-#include "app/window/editor_loop.h"
+#include "app/window/editor_run.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"

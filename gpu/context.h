@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace kerf::gpu {
 
@@ -62,5 +65,32 @@ void enableDebugOutput();
 
 /// Errors reported by the driver since the last call; tests assert that it is 0.
 int takeDebugErrors();
+
+/// The driver has reset the GPU under a running context: all its data is lost. A new context can be
+/// made.
+class ContextLost : public ContextError {
+  public:
+    using ContextError::ContextError;
+};
+
+/// Throws ContextLost where the driver has reset the GPU. It costs almost nothing, and is called
+/// wherever results are read, so that those of a lost context are not used. The variable
+/// KERF_LOSE_CONTEXT=FILE, for tests, simulates a reset as soon as that file exists, and removes
+/// it.
+void requireContext();
+
+/// A limit of a driver, and the least value for Kerf's shaders.
+struct DriverLimit {
+    const char* name;    ///< as OpenGL has it
+    const char* phrase;  ///< for messages: "storage buffers in a compute shader"
+    std::int64_t has = 0;
+    std::int64_t needs = 0;
+};
+
+/// The limits of the driver of the current context that Kerf's shaders may reach.
+std::vector<DriverLimit> driverLimits();
+
+/// What a driver lacks and what to do, in one sentence; empty if nothing.
+std::string sentenceOfLack(std::span<const DriverLimit> limits);
 
 }  // namespace kerf::gpu

@@ -7,8 +7,8 @@
 #include <cassert>
 
 #include "gpu/buffer.h"
-#include "gpu/context_loss.h"
-#include "gpu/gl_check.h"
+#include "gpu/context.h"
+#include "gpu/gl_name.h"
 
 namespace kerf::gpu {
 namespace {

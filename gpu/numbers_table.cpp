@@ -2,7 +2,7 @@
 
 #include <glad/gl.h>
 
-#include "gpu/gl_check.h"
+#include "gpu/gl_name.h"
 
 namespace kerf::gpu {
 namespace {

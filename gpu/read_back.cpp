@@ -11,8 +11,8 @@
 #include <thread>
 #include <utility>
 
-#include "gpu/context_loss.h"
-#include "gpu/gl_check.h"
+#include "gpu/context.h"
+#include "gpu/gl_name.h"
 #include "gpu/traffic.h"
 
 namespace kerf::gpu {

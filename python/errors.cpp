@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/program.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "python/gl_thread.h"
 #include "python/scripted_run.h"
 #include "sim/base/text.h"

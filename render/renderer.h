@@ -6,7 +6,6 @@
 #include "render/scene/camera.h"
 #include "render/scene/depth_field.h"
 #include "render/scene/image.h"
-#include "render/scene/quality.h"
 #include "render/scene/scene.h"
 #include "sim/mesh/surface_mesh.h"
 

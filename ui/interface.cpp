@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/base/item_rects.h"
 #include "ui/base/layout.h"
 #include "ui/over_view.h"
 #include "ui/panels/panels.h"

@@ -6,7 +6,7 @@
 #include "gpu/framebuffer.h"
 #include "ui/base/cursor.h"
 #include "ui/base/input.h"
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/panel_context.h"
 #include "ui/file_dialog.h"
 #include "ui/question_box.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/base/item_rects.h"
-#include "ui/base/picture.h"
+#include "ui/base/layout.h"
+#include "ui/base/panel_context.h"
 #include "ui/base/widgets.h"
 
 namespace kerf::ui {

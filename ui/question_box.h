@@ -6,7 +6,7 @@
 #include "render/scene/image.h"
 #include "ui/base/layout.h"
 #include "ui/state/action.h"
-#include "ui/state/question.h"
+#include "ui/state/window_state.h"
 
 namespace kerf::ui {
 

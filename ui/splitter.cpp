@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/over_view.h"
 #include "ui/state/action_table.h"

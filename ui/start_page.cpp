@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "ui/base/item_rects.h"
-#include "ui/base/picture.h"
+#include "ui/base/layout.h"
+#include "ui/base/panel_context.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/state/action_table.h"

@@ -10,7 +10,7 @@
 #include "gpu/framebuffer.h"
 #include "ui/base/layout.h"
 #include "ui/state/action.h"
-#include "ui/state/start_state.h"
+#include "ui/state/window_state.h"
 
 namespace kerf::ui {
 

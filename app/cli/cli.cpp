@@ -11,8 +11,8 @@
 #include "app/cli/program.h"
 #include "app/cli/verb.h"
 #include "app/files/import/import_process.h"
-#include "app/files/io/exit_codes.h"
-#include "app/files/jobs/own_programs.h"
+#include "app/files/io/errors.h"
+#include "app/files/jobs/child_process.h"
 #include "app/window/window.h"
 
 namespace kerf::app {

@@ -11,10 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_checks.h"
-#include "app/cli/usage_error.h"
 #include "app/cli/verb.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"
 

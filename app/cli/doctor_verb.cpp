@@ -10,10 +10,10 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"
 #include "app/doctor/doctor.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

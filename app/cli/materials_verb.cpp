@@ -6,7 +6,7 @@
 
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/session/material.h"
 #include "sim/base/text.h"
 

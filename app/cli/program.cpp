@@ -8,12 +8,11 @@
 #include <iostream>
 #include <new>
 
-#include "app/cli/usage_error.h"
-#include "app/files/io/descriptor.h"
+#include "app/cli/verb.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/memory_means.h"
+#include "app/files/io/system_file.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

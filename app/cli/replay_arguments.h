@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/replay/replay.h"
+#include "app/session/session.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
 class App;
@@ -28,5 +29,9 @@ struct ReplayArguments : ReplayOptions {
 
 /// Describes the options that set them.
 void describeReplay(CLI::App& verb, ReplayArguments& arguments);
+
+/// Throws UsageError if a replay would overwrite an input (session, models, material, hashes,
+/// reference pictures), or write two results to one file.
+void checkReplayTargets(const Session& session, const ReplayArguments& arguments);
 
 }  // namespace kerf::app

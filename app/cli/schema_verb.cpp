@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/verb.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 

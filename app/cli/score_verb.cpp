@@ -8,7 +8,6 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/exit_codes.h"
 #include "app/files/io/file_io.h"
 #include "app/practice/score_table.h"
 #include "app/session/session.h"

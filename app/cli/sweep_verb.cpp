@@ -8,9 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_checks.h"
-#include "app/cli/usage_error.h"
 #include "app/cli/verb.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/files/jobs/child_runs.h"
@@ -19,7 +18,7 @@
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"
 #include "gpu/context.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

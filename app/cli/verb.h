@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
 class App;
@@ -31,5 +32,12 @@ extern const Verb kSchemaVerb;      ///< the JSON Schema of sessions or material
 extern const Verb kScoreVerb;       ///< a table of practised cuts
 extern const Verb kSweepVerb;       ///< does the open runs of a study
 extern const Verb kTestVerb;        ///< sessions as regression tests
+
+/// A mistake on the command line: what() is one sentence that says what and what to do. Exit code
+/// 2.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
 
 }  // namespace kerf::app

@@ -18,7 +18,7 @@
 #include "gpu/program.h"
 #include "gpu/read_back.h"
 #include "gpu/traffic.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -14,7 +14,7 @@
 #include "app/tools/measure_tool.h"
 #include "app/tools/move_tool.h"
 #include "gpu/buffer.h"
-#include "gpu/context_loss.h"
+#include "gpu/context.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::app {

@@ -11,7 +11,7 @@
 #include "render/scene/image.h"
 #include "ui/base/cursor.h"
 #include "ui/base/input.h"
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::app {

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/editor/storage/plot_export.h"
+#include "app/editor/storage/file_saving.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"

@@ -12,7 +12,6 @@
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/boxes.h"
-#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "ui/base/unit_text.h"
 #include "ui/state/action_table.h"

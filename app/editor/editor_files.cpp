@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/editor/view/start_scenes.h"
+#include "app/editor/view/editor_panels.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"

@@ -9,7 +9,7 @@
 #include "app/session/scene_origin.h"
 #include "sim/base/text.h"
 #include "sim/mesh/piece_labels.h"
-#include "sim/run/parts/stroke_record.h"
+#include "sim/run/parts/step_report.h"
 
 namespace kerf::app {
 namespace {

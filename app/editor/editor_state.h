@@ -8,16 +8,14 @@
 #include <vector>
 
 #include "app/editor/editor.h"
-#include "app/editor/steps/kernel_preparation.h"
+#include "app/editor/steps/background_work.h"
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/file_chooser.h"
 #include "app/editor/storage/file_work.h"
-#include "app/editor/storage/left_work.h"
 #include "app/editor/storage/material_shelf.h"
-#include "app/editor/storage/session_file.h"
 #include "app/editor/storage/work_keeping.h"
 #include "app/editor/view/editor_panels.h"
 #include "app/editor/view/editor_picture.h"

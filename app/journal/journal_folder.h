@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/files/io/descriptor.h"
+#include "app/files/io/system_file.h"
 #include "app/journal/journal_text.h"
 #include "render/scene/image.h"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/free_file.h"
-#include "app/files/io/sha256.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "app/session/session_change.h"
+#include "app/session/session.h"
 
 namespace kerf::app {
 

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "app/practice/series.h"
+#include "app/practice/hand_path.h"
 #include "sim/base/boxes.h"
-#include "sim/mesh/cavities.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/piece_figures.h"

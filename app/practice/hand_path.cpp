@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/practice/series.h"
-
 namespace kerf::app {
 
 namespace {

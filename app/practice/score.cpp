@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/practice/series.h"
+#include "app/practice/hand_path.h"
 #include "sim/base/boxes.h"
 
 namespace kerf::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/region.h"
+#include "sim/base/placement.h"
 
 namespace kerf::app {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/temporary_folder.h"
+#include "app/files/io/output_folder.h"
 #include "app/regression/expectation_writer.h"
 #include "app/regression/test_session.h"
 

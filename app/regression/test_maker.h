@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/files/jobs/work_progress.h"
+#include "app/files/jobs/background_job.h"
 #include "app/session/session.h"
 
 namespace kerf::app {

@@ -45,4 +45,9 @@ std::string formatJUnit(const std::vector<TestResult>& results);
 /// The results as one JSON object with its line break.
 std::string formatJson(const std::vector<TestResult>& results);
 
+/// The results as a self-contained HTML page: each picture expected, actual, and the difference,
+/// with a slider between them, and plots of deviations. Throws InputError if the page's template or
+/// a picture can't be read.
+std::string formatTestReport(const std::vector<TestResult>& results);
+
 }  // namespace kerf::app

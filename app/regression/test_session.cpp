@@ -5,7 +5,6 @@
 #include <map>
 
 #include "app/files/io/errors.h"
-#include "app/files/io/exit_codes.h"
 #include "app/files/io/output_folder.h"
 #include "app/regression/expectation_writer.h"
 #include "app/session/session.h"

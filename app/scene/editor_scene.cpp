@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/scene/document/editor_budgets.h"
+#include "app/scene/document/editor_document.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/timeline/scene_recorder.h"
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"
 
 namespace kerf::app {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {

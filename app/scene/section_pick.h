@@ -5,7 +5,7 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/cut_preview.h"
 #include "render/scene/camera.h"
-#include "render/scene/section_plane.h"
+#include "render/scene/overlays.h"
 
 namespace kerf::app {
 

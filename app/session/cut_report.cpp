@@ -8,7 +8,7 @@
 
 #include "sim/base/text.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/wall_edge.h"
+#include "sim/cut/wall_copies.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/crossings.h"

@@ -8,7 +8,7 @@
 
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_quality.h"
-#include "sim/run/parts/stroke_record.h"
+#include "sim/run/parts/step_report.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

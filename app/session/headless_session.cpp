@@ -11,7 +11,7 @@
 #include "render/renderer.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

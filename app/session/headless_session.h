@@ -11,7 +11,7 @@
 #include "app/session/simulation_driver.h"
 #include "app/session/skin_follower.h"
 #include "render/scene/image.h"
-#include "render/scene/quality.h"
+#include "render/scene/scene.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::render {

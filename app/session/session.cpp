@@ -13,9 +13,9 @@
 #include "app/files/import/import_protocol.h"
 #include "app/files/import/joined_models.h"
 #include "app/files/import/model_units.h"
-#include "app/files/io/sha256.h"
-#include "sim/base/quantity_text.h"
+#include "app/files/io/encodings.h"
 #include "sim/base/size_params.h"
+#include "sim/base/text.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,12 +14,13 @@
 #include "app/files/import/mending.h"
 #include "app/practice/task.h"
 #include "render/scene/body_look.h"
-#include "render/scene/camera_path.h"
+#include "render/scene/camera.h"
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
 #include "sim/run/parts/command.h"
 
 namespace kerf {
+
 class SurfaceMesh;
 }
 
@@ -227,6 +229,19 @@ class SessionSchedule {
 
     const Session* session_;
     std::vector<KeyMove> moves_;  ///< the blade's first
+};
+
+}  // namespace kerf::app
+
+namespace kerf::app {
+
+/// A change of the events of a session being made, with positions as in its file.
+struct SessionChange {
+    std::size_t at = 0;       ///< number of unchanged events before
+    std::size_t dropped = 0;  ///< number of removed events there
+    /// Their replacement. None for an entry that is not saved.
+    std::vector<std::optional<SessionEvent>> added;
+    int steps = 0;  ///< of the present session
 };
 
 }  // namespace kerf::app

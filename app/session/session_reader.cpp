@@ -5,9 +5,9 @@
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/io/file_io.h"
-#include "app/session/material_table.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
+#include "app/session/session_table.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

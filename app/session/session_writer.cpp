@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "app/files/io/errors.h"
-#include "app/session/material_table.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session_json.h"
+#include "app/session/session_table.h"
 
 namespace kerf::app {
 

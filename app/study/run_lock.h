@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/files/io/descriptor.h"
+#include "app/files/io/system_file.h"
 
 namespace kerf::app {
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/sha256.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"

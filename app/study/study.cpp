@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/sha256.h"
 #include "app/session/session.h"
 #include "app/session/session_json.h"
 #include "sim/base/text.h"

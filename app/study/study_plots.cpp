@@ -10,7 +10,7 @@
 #include "app/files/io/csv.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "ui/plots/plot_picture.h"
 
 namespace kerf::app {

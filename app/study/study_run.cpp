@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/files/export/export.h"
-#include "app/files/io/exit_codes.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/files/jobs/child_runs.h"

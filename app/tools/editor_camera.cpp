@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/scene/camera_path.h"
+#include "render/scene/camera.h"
 
 namespace kerf::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "render/scene/camera.h"
 #include "ui/base/input.h"
-#include "ui/base/mouse_scheme.h"
+#include "ui/base/settings.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "app/tools/gizmo_math.h"
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -3,8 +3,8 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/cut_preview.h"
+#include "app/tools/tool.h"
 #include "app/tools/tool_marks.h"
-#include "app/tools/tool_table.h"
 
 namespace kerf::app {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/section_pick.h"
-#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/mesh/piece_figures.h"
 #include "sim/run/simulation.h"

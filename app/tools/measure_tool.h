@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/scene/readout/surface_anchor.h"
-#include "app/tools/tool_table.h"
+#include "app/tools/tool.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
 #include "sim/base/placement.h"
-#include "sim/mesh/ray_box.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/run/simulation.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"

@@ -6,7 +6,7 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/tools/gizmo.h"
-#include "app/tools/tool_table.h"
+#include "app/tools/tool.h"
 
 namespace kerf::app {
 

@@ -5,8 +5,8 @@
 #include "app/scene/readout/cut_preview.h"
 #include "app/session/event_table.h"
 #include "app/tools/box_placement.h"
+#include "app/tools/tool.h"
 #include "app/tools/tool_marks.h"
-#include "app/tools/tool_table.h"
 
 namespace kerf::app {
 namespace {

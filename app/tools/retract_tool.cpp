@@ -8,7 +8,7 @@
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool_marks.h"
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

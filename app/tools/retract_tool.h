@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/tools/tool_table.h"
+#include "app/tools/tool.h"
 
 namespace kerf::app {
 

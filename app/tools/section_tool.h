@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/tools/view_frame.h"
-#include "render/scene/section_plane.h"
+#include "render/scene/overlays.h"
 
 namespace kerf::app {
 

@@ -1,8 +1,13 @@
+#include "app/tools/stroke_tool.h"
+
+#include <cmath>
+#include <numbers>
+
 #include "app/scene/editor_stroke.h"
-#include "app/tools/ruler.h"
-#include "app/tools/tool_table.h"
+#include "app/tools/tool.h"
 
 namespace kerf::app {
+
 namespace {
 
 /// Leads the blade along the line of sight; with Shift along a line of the view.
@@ -49,10 +54,24 @@ class StrokeTool : public Tool {
     std::optional<Ruler> ruler_;  ///< while the blade is held
 };
 
+constexpr double kStep = std::numbers::pi / 12;
+
 }  // namespace
 
 std::unique_ptr<Tool> makeStrokeTool() {
     return std::make_unique<StrokeTool>();
+}
+
+std::optional<Vec2> Ruler::along(const Vec2& pixel) {
+    const Vec2 way = pixel - start_;
+    if (!direction_) {
+        if (way.norm() < kTell) {
+            return std::nullopt;
+        }
+        const double angle = kStep * std::round(std::atan2(way.y(), way.x()) / kStep);
+        direction_ = Vec2(std::cos(angle), std::sin(angle));
+    }
+    return start_ + direction_->dot(way) * *direction_;
 }
 
 }  // namespace kerf::app

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/tools/view_frame.h"
-#include "render/scene/section_plane.h"
+#include "render/scene/overlays.h"
 #include "sim/cut/blade.h"
 #include "ui/base/cursor.h"
 #include "ui/base/input.h"
@@ -74,5 +76,27 @@ class Tool {
         return ui::Cursor::crosshair;
     }
 };
+
+// What makes each tool, in the file of its name.
+using MakeTool = std::unique_ptr<Tool>();
+MakeTool makeStrokeTool, makeScalpelTool, makeGuillotineTool, makeGrabTool, makePinTool,
+    makeRetractTool, makeMoveTool, makeMeasureTool;
+
+/// The part of a row of ui::kToolRows unknown to the panels.
+struct ToolMaker {
+    ui::Tool tool;
+    MakeTool* make;
+};
+inline constexpr std::array kToolMakers{
+    ToolMaker{ui::Tool::stroke, makeStrokeTool},
+    ToolMaker{ui::Tool::scalpel, makeScalpelTool},
+    ToolMaker{ui::Tool::guillotine, makeGuillotineTool},
+    ToolMaker{ui::Tool::grab, makeGrabTool},
+    ToolMaker{ui::Tool::pin, makePinTool},
+    ToolMaker{ui::Tool::retract, makeRetractTool},
+    ToolMaker{ui::Tool::move, makeMoveTool},
+    ToolMaker{ui::Tool::measure, makeMeasureTool},
+};
+static_assert(ui::coversTools(kToolMakers), "a ui::Tool has no maker, or not at its place");
 
 }  // namespace kerf::app

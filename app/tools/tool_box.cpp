@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/scene/editor_stroke.h"
-#include "app/tools/blade_preview.h"
-#include "app/tools/tool_table.h"
+#include "app/tools/tool.h"
+#include "app/tools/tool_marks.h"
 
 namespace kerf::app {
 namespace {

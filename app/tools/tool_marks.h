@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "app/scene/readout/cut_preview.h"
+#include "app/tools/tool.h"
 #include "app/tools/view_frame.h"
 
 namespace kerf::app {
@@ -31,5 +33,14 @@ bool isOnHandle(const ui::Overlay& overlay);
 
 /// Adds a circle about a point of the surface; the radius is in metres.
 void addRing(ui::Overlay& overlay, const ViewFrame& view, const SurfacePoint& point, double radius);
+
+/// Adds the outline of a blade's path.
+void addSwept(ui::Overlay& overlay, const std::vector<Blade>& way, const ViewFrame& view);
+
+/// Adds the way from where the body is cut up to where the blade is led.
+void addLag(ui::Overlay& overlay, const std::vector<Blade>& way, const ViewFrame& view);
+
+/// Adds that of a coming cut, if any; between two steps also its intersection with the body.
+void addPreview(ui::Overlay& overlay, const std::vector<Blade>& way, const ToolContext& c);
 
 }  // namespace kerf::app

@@ -1,3 +1,5 @@
+#include "app/window/editor_run.h"
+
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -6,20 +8,18 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/storage/driver_check.h"
-#include "app/editor/storage/recent_files.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/journal/journal_folder.h"
 #include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
-#include "app/window/editor_loop.h"
 #include "app/window/window.h"
 #include "gpu/context.h"
-#include "gpu/context_loss.h"
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
+
 namespace {
 
 constexpr double kLongestWait = 1;  // between two looks at what the system wants, and at files [s]

@@ -1,17 +1,40 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <tuple>
 #include <utility>
+#include <vector>
 
+#include "gpu/gl_name.h"
 #include "gpu/program.h"
 #include "render/passes/frame.h"
 #include "render/passes/normals_pass.h"
-#include "render/passes/skin_textures.h"
+#include "render/scene/appearance.h"
 #include "render/scene/depth_field.h"
 
 namespace kerf::render {
+
+/// The images of a model as textures (move only), with mipmaps and, if supported, anisotropic
+/// filtering.
+class SkinTextures {
+  public:
+    SkinTextures() = default;
+    /// Uploads the images; reduces those that are larger than the driver allows.
+    explicit SkinTextures(std::shared_ptr<const Appearance> appearance);
+
+    /// Whether these are the images of that appearance.
+    bool areOf(const std::shared_ptr<const Appearance>& appearance) const {
+        return appearance == appearance_;
+    }
+    /// Binds one, which must exist.
+    void bind(int image, std::uint32_t unit) const;
+
+  private:
+    std::shared_ptr<const Appearance> appearance_;
+    std::vector<gpu::TextureName> ids_;  // by image; none for one that can't be shown
+};
 
 /// Binds the buffers of a body for the shaders that draw it.
 void bindBody(const BodyView& body, const NormalsPass& shape);

@@ -57,4 +57,11 @@ Image decodeImage(std::string_view bytes);
 /// some writers of MTL files leave it, counts as white.
 Eigen::Vector4f shownColor(const SurfaceMaterial& material);
 
+/// The size of a JPEG image from its header. Throws std::runtime_error with a clause if that is
+/// damaged.
+PixelRect sizeOfJpeg(std::string_view bytes);
+/// Decodes a JPEG image of sizeOfJpeg(). Throws std::runtime_error with a clause if anything in it
+/// is damaged or missing, or if it has too many scans (500), which would take long.
+Image decodeJpeg(std::string_view bytes);
+
 }  // namespace kerf::render

@@ -1,15 +1,21 @@
 #include "render/scene/environment.h"
 
 #include <glad/gl.h>
+#include <spdlog/spdlog.h>
 #include <stb_image.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <exception>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
 
+#include "gpu/data_path.h"
+
 namespace kerf::render {
+
 namespace {
 
 constexpr int kMostSide = 8192;  // [px]
@@ -138,6 +144,28 @@ std::array<Vec3f, 4> mattOf(const std::vector<Sample>& samples) {
     return matt;
 }
 
+std::filesystem::path fileOf(bool bright) {
+    const char* chosen = std::getenv("KERF_ENVIRONMENT");
+    if (chosen != nullptr && *chosen != '\0') {
+        return chosen;
+    }
+    return gpu::dataPath(bright ? "assets/environments/studio-bright.hdr"
+                                : "assets/environments/studio-dark.hdr");
+}
+
+Panorama evenLight() {
+    return {2, 1, {Vec3f::Constant(0.3F), Vec3f::Constant(0.3F)}};
+}
+
+Environment environmentOf(bool bright) {
+    try {
+        return prefilter(readPanorama(fileOf(bright)));
+    } catch (const std::exception& problem) {
+        spdlog::warn("{} The light is even instead.", problem.what());
+        return prefilter(evenLight());
+    }
+}
+
 }  // namespace
 
 Panorama readPanorama(const std::filesystem::path& file) {
@@ -204,6 +232,14 @@ EnvironmentTexture::EnvironmentTexture(const Environment& environment)
 
 void EnvironmentTexture::bind(std::uint32_t unit) const {
     glBindTextureUnit(unit, id_.get());
+}
+
+const EnvironmentTexture& Studios::of(bool bright) {
+    std::optional<EnvironmentTexture>& texture = textures_[bright ? 1 : 0];
+    if (!texture) {
+        texture.emplace(environmentOf(bright));
+    }
+    return *texture;
 }
 
 }  // namespace kerf::render

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,17 @@ class EnvironmentTexture {
   private:
     gpu::TextureName id_;
     std::array<Vec3f, 4> matt_{};
+};
+
+/// The light around the scene: a studio for the dark theme and one for the bright, or for both the
+/// panorama of $KERF_ENVIRONMENT. If it can't be read, the log says so, and the light is uniform.
+class Studios {
+  public:
+    /// The one of a theme, read on first use.
+    const EnvironmentTexture& of(bool bright);
+
+  private:
+    std::array<std::optional<EnvironmentTexture>, 2> textures_;
 };
 
 }  // namespace kerf::render

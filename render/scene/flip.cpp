@@ -5,12 +5,74 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-
-#include "render/scene/plane_filter.h"
+#include <vector>
 
 namespace kerf::render {
+
 namespace {
+
+/// One number per pixel, top row first.
+struct Plane {
+    Plane() = default;
+    Plane(int columns, int rows)
+        : width(columns), height(rows), values(std::size_t(columns) * rows) {}
+    float* row(int y) { return &values[std::size_t(y) * width]; }
+    const float* row(int y) const { return &values[std::size_t(y) * width]; }
+
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;
+};
+
+/// The weights of a filter along one axis: an odd number, the middle one for the pixel itself.
+using Kernel = std::vector<float>;
+
+int radiusOf(const Kernel& kernel) {
+    return static_cast<int>(kernel.size() / 2);
+}
+
+void addScaled(float* out, const float* in, float weight, int count) {
+    for (int x = 0; x < count; ++x) {
+        out[x] += weight * in[x];
+    }
+}
+
+/// A row with `radius` copies of its ends on either side.
+void pad(const float* row, int width, int radius, std::vector<float>& padded) {
+    padded.assign(std::size_t(width) + 2 * std::size_t(radius), row[0]);
+    std::copy(row, row + width, padded.begin() + radius);
+    std::fill(padded.end() - radius, padded.end(), row[width - 1]);
+}
+
+Plane filteredAlongRows(const Plane& plane, const Kernel& kernel) {
+    Plane out(plane.width, plane.height);
+    std::vector<float> padded;
+    for (int y = 0; y < plane.height; ++y) {
+        pad(plane.row(y), plane.width, radiusOf(kernel), padded);
+        for (std::size_t k = 0; k < kernel.size(); ++k) {
+            addScaled(out.row(y), &padded[k], kernel[k], plane.width);
+        }
+    }
+    return out;
+}
+
+Plane filteredAlongColumns(const Plane& plane, const Kernel& kernel) {
+    Plane out(plane.width, plane.height);
+    for (int y = 0; y < plane.height; ++y) {
+        for (int k = 0; k < static_cast<int>(kernel.size()); ++k) {
+            const int from = std::clamp(y + k - radiusOf(kernel), 0, plane.height - 1);
+            addScaled(out.row(y), plane.row(from), kernel[k], plane.width);
+        }
+    }
+    return out;
+}
+
+/// Filters along the rows, then along the columns. The pixels at the border are repeated beyond it.
+Plane filtered(const Plane& plane, const Kernel& alongRows, const Kernel& alongColumns) {
+    return filteredAlongColumns(filteredAlongRows(plane, alongRows), alongColumns);
+}
 
 using Eigen::Matrix3f;
 using Eigen::Vector3f;

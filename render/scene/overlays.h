@@ -2,6 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/base/math.h"
 
 namespace kerf::render {
 
@@ -38,5 +42,24 @@ inline constexpr DisplayColor kRestColor{235, 235, 235};
 inline constexpr DisplayColor kLongColor{213, 94, 0};
 /// Errors from here on have the full colour: share of the rest length, or bend [rad].
 inline constexpr float kFullError = 0.2F;
+
+/// Lines and dots of one colour over a body, such as one kind of fault of its model. Hidden ones
+/// are fainter.
+struct Marks {
+    std::string label;  ///< what they are, for the legend: "12 open edges"
+    DisplayColor color{};
+    std::vector<std::uint32_t> lines;  ///< pairs of vertices of the body
+    std::vector<std::uint32_t> dots;   ///< vertices of the body
+};
+
+/// A plane that opens the view of the body, without cutting it.
+struct SectionPlane {
+    Vec3 point = Vec3::Zero();    ///< on the plane [m]
+    Vec3 normal = Vec3::UnitZ();  ///< unit; the body is hidden on its side
+    bool operator==(const SectionPlane&) const = default;
+
+    /// The distance of a point on the hidden side [m]; negative on the other.
+    double distance(const Vec3& at) const { return normal.dot(at - point); }
+};
 
 }  // namespace kerf::render

@@ -7,9 +7,7 @@
 
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
-#include "render/scene/marks.h"
 #include "render/scene/overlays.h"
-#include "render/scene/section_plane.h"
 #include "render/scene/skin_paint.h"
 #include "render/scene/surface_field.h"
 #include "sim/base/boxes.h"
@@ -68,5 +66,8 @@ struct SceneView {
     /// Further marks, such as faults; null for none. A change needs another pointer.
     std::shared_ptr<const std::vector<Marks>> marks;
 };
+
+/// What the light tier leaves out: multisampling, the soft edge of the shadow, ambient occlusion.
+enum class Quality { light, full };
 
 }  // namespace kerf::render

@@ -47,4 +47,17 @@ struct Bounds {
     double diagonal() const { return empty() ? 0.0 : (high - low).norm(); }
 };
 
+/// The float nearest to `x`, as the GPU will hold it. Through a volatile: with optimisation GCC 12
+/// (12.2, its vectoriser of straight-line code) leaves (double)(float)x as x where two of them
+/// stand side by side.
+inline double nearestFloat(double x) {
+    const volatile float rounded = static_cast<float>(x);
+    return rounded;
+}
+
+/// The vector of floats nearest to `a`, component by component.
+inline Vec3 nearestFloats(const Vec3& a) {
+    return {nearestFloat(a.x()), nearestFloat(a.y()), nearestFloat(a.z())};
+}
+
 }  // namespace kerf

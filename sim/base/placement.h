@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "sim/base/math.h"
 
@@ -76,5 +77,22 @@ std::string checkRoom(const Bounds& placed, const Vec3& origin = Vec3::Zero());
 Eigen::Matrix3d turnOf(const Vec3& degrees);
 /// The angles of such turns that give a rotation, each from -180 to 180 [degrees].
 Vec3 turnsOf(const Eigen::Matrix3d& rotation);
+
+/// All points within `radius` of `center` [m].
+struct Ball {
+    Vec3 center = Vec3::Zero();
+    double radius = 0;
+};
+
+/// A part of space: that of a brush or a box.
+using Region = std::variant<Ball, Bounds>;
+
+inline bool contains(const Region& region, const Vec3& p) {
+    if (const auto* ball = std::get_if<Ball>(&region)) {
+        return (p - ball->center).squaredNorm() <= ball->radius * ball->radius;
+    }
+    const Bounds& box = std::get<Bounds>(region);
+    return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
+}
 
 }  // namespace kerf

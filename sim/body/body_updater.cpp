@@ -4,7 +4,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "sim/body/constraint_builder.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/body/surface_tag.h"
 #include "sim/cut/cut_change.h"

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
+#include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
 
@@ -150,5 +152,30 @@ Incidence buildIncidence(const std::vector<Element>& elements, std::size_t verte
 inline std::uint32_t valence(const Incidence& incidence, std::size_t v) {
     return incidence.ranges[v].end - incidence.ranges[v].first;
 }
+
+/// Whether at least one of the two triangles beside the edge is part of the body's surface.
+inline bool isPresentEdge(const SurfaceMesh& mesh, int h) {
+    return !mesh.absent(h / 3) || !mesh.absent(mesh.twin(h) / 3);
+}
+
+/// Calls f(h) for one half-edge of each present edge: the lower one.
+template <class F>
+void forEachEdge(const SurfaceMesh& mesh, F&& f) {
+    for (int h = 0; h < 3 * mesh.triangleSlots(); ++h) {
+        if (mesh.alive(h / 3) && h < mesh.twin(h) && isPresentEdge(mesh, h)) {
+            f(h);
+        }
+    }
+}
+
+/// The stretching constraint of the edge of a half-edge, in the rest shape. `thickness`: of the
+/// shell [m]; `skin`: extra thickness where it is no wall [m].
+EdgeConstraint edgeConstraint(const SurfaceMesh& mesh, int halfEdge, double thickness,
+                              double skin = 0);
+
+/// The bending constraint of the edge of a half-edge; none where a triangle beside it is absent or
+/// a sliver (height below 5 % of its longest edge), whose normal is noise.
+std::optional<BendConstraint> bendConstraint(const SurfaceMesh& mesh, int halfEdge,
+                                             double thickness);
 
 }  // namespace kerf

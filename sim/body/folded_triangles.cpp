@@ -5,8 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "sim/base/sort_unique.h"
-#include "sim/body/dihedral.h"
+#include "sim/base/containers.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"
 

@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <optional>
 
+#include "sim/base/boxes.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
 
 namespace {
+
+constexpr double kLeastCosine = 1e-6;  // rays closer to a triangle's plane miss it
 
 constexpr double kLeastFlatness = 0.3;  // below: a slit front, whose normal means nothing
 constexpr double kLeastLength = 1e-3;   // of the mean edge
@@ -31,6 +36,46 @@ bool touches(const Triangle& triangle, int vertex) {
 }
 
 }  // namespace
+
+RayTree::RayTree(const SurfaceMesh& mesh, std::span<const int> triangles)
+    : mesh_(mesh), tree_(triangles, [this](int t) { return boundsOf(t); }) {}
+
+void RayTree::update(std::span<const int> triangles) {
+    tree_.erase(triangles);
+    std::vector<int> alive;
+    std::ranges::copy_if(triangles, std::back_inserter(alive),
+                         [this](int t) { return mesh_.alive(t); });
+    tree_.insert(alive, [this](int t) { return boundsOf(t); });
+}
+
+Bounds RayTree::boundsOf(int triangle) const {
+    const Bounds box = boxOf(restCornersOf(mesh_, triangle));
+    return widened(box, 4 * kHitBorder * box.diagonal());
+}
+
+RayHit RayTree::intersect(const BoxRay& ray, int triangle) const {
+    const std::optional<LineHit> hit =
+        hitOf(restCornersOf(mesh_, triangle), ray.origin, ray.direction, kLeastCosine);
+    return hit ? RayHit{triangle, hit->distance, hit->b1, hit->b2} : RayHit{};
+}
+
+bool RayTree::facesAway(int triangle, const Vec3& direction) const {
+    return areaNormal(restCornersOf(mesh_, triangle)).dot(direction) > 0;
+}
+
+bool RayTree::crosses(const Vec3& from, const Vec3& to) const {
+    const BoxRay ray(from, to - from);
+    double farthest = 1;
+    bool crossed = false;
+    traverse(ray, farthest, [&](int slot) {
+        const RayHit hit = intersect(ray, slot);
+        if (hit.triangle >= 0 && hit.distance > 0 && hit.distance < 1) {
+            crossed = true;
+            farthest = -1;
+        }
+    });
+    return crossed;
+}
 
 IspcCaster::IspcCaster(const SurfaceMesh& mesh, const RayTree& tree,
                        const std::vector<int>& pieceOfVertex, double edgeLength, IspcRays rays)

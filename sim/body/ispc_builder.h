@@ -1,13 +1,116 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "shaders/shared/constraints.h"
-#include "sim/body/ray_tree.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {
+
+/// Where a ray leaves the body: p = (1 - b1 - b2) t0 + b1 t1 + b2 t2.
+struct RayHit {
+    int triangle = -1;  ///< mesh slot, -1 for none
+    double distance = 0;
+    double b1 = 0;
+    double b2 = 0;
+};
+
+/// A bounding-volume tree over triangles of the rest shape, for rays, which refine it lazily.
+/// Results do not depend on the shape of the tree, so an edited one gives those of a new one.
+///
+/// A triangle reaches 2e-5 of its edges beyond its border, so that a ray aimed at an edge or a
+/// corner (the rule on symmetric meshes) hits something.
+class RayTree {
+  public:
+    /// `triangles`: living mesh slots. The mesh must outlive the tree and keep its rest shape.
+    RayTree(const SurfaceMesh& mesh, std::span<const int> triangles);
+
+    /// Does in advance what the first update would do. O(n).
+    void prepareToUpdate() { tree_.prepareToEdit(); }
+    /// Follows a change of the mesh. `triangles`: the slots that were added or removed, or of which
+    /// a corner or its rest position changed; each once.
+    void update(std::span<const int> triangles);
+
+    /// The first back face along `direction` (unit) at `minDistance` or farther of which
+    /// accept(slot) holds; of equal distances the lowest slot.
+    template <class Accept>
+    RayHit castToBackFace(const Vec3& origin, const Vec3& direction, double minDistance,
+                          Accept&& accept) const;
+
+    /// Whether the open segment crosses a triangle, from either side.
+    bool crosses(const Vec3& from, const Vec3& to) const;
+
+  private:
+    /// Intersection with the plane of a triangle, within its widened border; triangle -1 if none.
+    RayHit intersect(const BoxRay& ray, int triangle) const;
+    Bounds boundsOf(int triangle) const;
+    bool facesAway(int triangle, const Vec3& direction) const;
+    /// Calls visit(slot) for triangles of boxes that the ray enters before `farthest`, which visit
+    /// may shrink.
+    template <class Visit>
+    void traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const;
+
+    const SurfaceMesh& mesh_;
+    mutable BoxTree tree_;  ///< divided by rays: not for two threads at once
+};
+
+template <class Visit>
+void RayTree::traverse(const BoxRay& ray, const double& farthest, Visit&& visit) const {
+    struct Entered {
+        int node;
+        double entry;
+    };
+    std::array<Entered, BoxTree::kMostInSearch> stack;
+    int size = 0;
+    const auto enter = [&](int node) {
+        return Entered{node, entryInto(tree_.node(node).bounds, ray, farthest)};
+    };
+    for (const int root : tree_.roots()) {
+        stack[size++] = enter(root);
+    }
+    while (size > 0) {
+        const auto [node, entry] = stack[--size];
+        if (entry > farthest || tree_.node(node).count == 0) {
+            continue;
+        }
+        const int left = tree_.childrenOf(node);
+        if (left < 0) {
+            tree_.forEach(tree_.node(node), visit);
+            continue;
+        }
+        stack[size] = enter(left);
+        stack[size + 1] = enter(left + 1);
+        if (stack[size].entry <= stack[size + 1].entry) {
+            std::swap(stack[size], stack[size + 1]);
+        }
+        size += 2;
+    }
+}
+
+template <class Accept>
+RayHit RayTree::castToBackFace(const Vec3& origin, const Vec3& direction, double minDistance,
+                               Accept&& accept) const {
+    const BoxRay ray(origin, direction);
+    RayHit best;
+    best.distance = 1e300;
+    traverse(ray, best.distance, [&](int slot) {
+        if (!facesAway(slot, direction) || !accept(slot)) {
+            return;
+        }
+        const RayHit hit = intersect(ray, slot);
+        const bool nearer =
+            hit.distance < best.distance || (hit.distance == best.distance && slot < best.triangle);
+        if (hit.triangle >= 0 && hit.distance >= minDistance && nearer) {
+            best = hit;
+        }
+    });
+    return best;
+}
 
 /// An internal shape-preserving constraint and the mesh slot of the triangle that it ends on.
 struct CastIspc {

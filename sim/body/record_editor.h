@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/body/body_model.h"
 
 namespace kerf {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/body/dihedral.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -29,5 +34,62 @@ VertexNormal restNormal(const SurfaceMesh& mesh, int vertex);
 /// beside it is degenerate.
 std::optional<double> edgeAngle(const SurfaceMesh& mesh, int h);
 std::optional<double> restEdgeAngle(const SurfaceMesh& mesh, int h);
+
+template <class Scalar>
+struct Dihedral {
+    Scalar angle = 0;  ///< [rad], flat 0, convex > 0, in (-pi, pi]
+    /// The gradient of the angle by x0 .. x3 [rad/m].
+    std::array<Eigen::Matrix<Scalar, 3, 1>, 4> gradient;
+    bool valid = false;  ///< false where a triangle is degenerate; the rest is not set then
+};
+
+/// Signed angle between the triangles A = (x0, x1, x2) and B = (x1, x0, x3), counter-clockwise from
+/// outside, and its gradient (Bridson et al. 2003, Tamstorf and Grinspun 2013; our sign: convex
+/// edges are positive). Taken as differences, so that floats keep their digits:
+/// `edge` = x1 - x0, `left` = x2 - x0, `right` = x3 - x0.
+///
+///          x2
+///         /  \        A
+///        x0--x1  e ->
+///         \  /        B
+///          x3
+template <class Scalar>
+Dihedral<Scalar> dihedral(const Eigen::Matrix<Scalar, 3, 1>& edge,
+                          const Eigen::Matrix<Scalar, 3, 1>& left,
+                          const Eigen::Matrix<Scalar, 3, 1>& right) {
+    using Vector = Eigen::Matrix<Scalar, 3, 1>;
+    const Vector normalA = edge.cross(left);
+    const Vector normalB = right.cross(edge);
+    const Scalar squareA = normalA.squaredNorm();
+    const Scalar squareB = normalB.squaredNorm();
+    const Scalar squareEdge = edge.squaredNorm();
+    const Scalar degenerate = Scalar(1e-8) * squareEdge * squareEdge;
+    Dihedral<Scalar> result;
+    if (squareA <= degenerate || squareB <= degenerate) {
+        return result;
+    }
+    const Scalar length = std::sqrt(squareEdge);
+    result.valid = true;
+    result.angle = std::atan2(normalA.cross(normalB).dot(edge) / length, normalA.dot(normalB));
+    const Vector a = normalA * (length / squareA);
+    const Vector b = normalB * (length / squareB);
+    const Scalar alongA = left.dot(edge) / squareEdge;
+    const Scalar alongB = right.dot(edge) / squareEdge;
+    result.gradient[0] = (1 - alongA) * a + (1 - alongB) * b;
+    result.gradient[1] = alongA * a + alongB * b;
+    result.gradient[2] = -a;
+    result.gradient[3] = -b;
+    return result;
+}
+
+/// A difference of two angles [rad], brought into [-pi, pi].
+template <class Scalar>
+Scalar wrapAngle(Scalar angle) {
+    constexpr Scalar pi = std::numbers::pi_v<Scalar>;
+    if (angle > pi) {
+        return angle - 2 * pi;
+    }
+    return angle < -pi ? angle + 2 * pi : angle;
+}
 
 }  // namespace kerf

@@ -9,8 +9,8 @@
 
 #include "shaders/shared/roundness.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/nearest_triangle.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 

@@ -11,7 +11,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "sim/body/solver_uniforms.h"
-#include "sim/cut/wall_edge.h"
+#include "sim/cut/wall_copies.h"
 
 namespace kerf {
 

@@ -10,7 +10,7 @@
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "shaders/shared/contact_records.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/body/body_model.h"
 #include "sim/contact/contact_solver.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/base/predicates.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_pose.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 
 namespace kerf {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sim/mesh/surface_mesh.h"
@@ -25,3 +26,14 @@ Triangle pointsOf(const SurfaceMesh& mesh, int t);
 int mirrorOf(const SurfaceMesh& mesh, int t);
 
 }  // namespace kerf::cut
+
+namespace kerf {
+
+/// The default edge length of walls [m]: the mean of the skin, at most a twelfth of the body's
+/// diagonal, so that coarse bodies get walls finer than their skin.
+inline double wallEdgeFor(double meanEdge, double diagonal) {
+    constexpr double kEdgesPerDiagonal = 12;
+    return std::min(meanEdge, diagonal / kEdgesPerDiagonal);
+}
+
+}  // namespace kerf

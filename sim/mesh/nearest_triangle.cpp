@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf {
 
 namespace {
+
 constexpr double kFirstReach = 1e-6;  // of the diagonal
 constexpr double kGrowth = 8;
+
 }  // namespace
 
 NearestTriangle::NearestTriangle(const std::vector<int>& ids, CornersOf cornersOf)

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/base/growth_room.h"
+#include "sim/base/containers.h"
 #include "sim/base/pausing.h"
-#include "sim/mesh/cavities.h"
+#include "sim/mesh/piece_figures.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "sim/base/growth_room.h"
+#include "sim/base/containers.h"
 
 namespace kerf {
 

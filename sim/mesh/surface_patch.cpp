@@ -6,7 +6,6 @@
 #include <queue>
 #include <utility>
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -6,7 +6,6 @@
 
 #include "sim/base/boxes.h"
 #include "sim/mesh/box_tree.h"
-#include "sim/mesh/ray_box.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/base/math.h"
@@ -32,5 +33,10 @@ void roundToFloats(TriangleSoup& soup);
 
 /// Reverses a triangle, with its attributes.
 void turnTriangle(TriangleSoup& soup, int t);
+
+/// The surface of an axis-parallel box around the origin, two triangles for each square of a grid
+/// of `cells` (at least 1 along each axis). Diagonals alternate (Union Jack pattern), so that faces
+/// resist shear equally in both directions. Closed, outward-oriented.
+TriangleSoup boxSurface(const Vec3& size, const std::array<int, 3>& cells);
 
 }  // namespace kerf

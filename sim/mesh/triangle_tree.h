@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/box_tree.h"
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_finder.h"
 
 namespace kerf {
 

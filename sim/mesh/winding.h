@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "sim/base/predicates.h"
-#include "sim/mesh/ray_box.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "sim/base/boxes.h"
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/surface_contact.h"

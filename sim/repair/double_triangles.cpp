@@ -4,8 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include "sim/base/mapped.h"
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "sim/base/boxes.h"
-#include "sim/base/mapped.h"
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/box_tree.h"
-#include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 

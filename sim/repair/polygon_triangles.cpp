@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/cut/exact/triangulation.h"
 
 namespace kerf::repair {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "sim/base/sort_unique.h"
-#include "sim/mesh/closest_point.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/nearest_triangle.h"
+#include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 
 namespace kerf::repair {

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 

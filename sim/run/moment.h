@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace kerf {
 
@@ -15,5 +18,10 @@ class Moment {
   private:
     std::shared_ptr<const Content> content_;
 };
+
+/// A moment as bytes, without its undo history, from which Simulation::goTo() continues bit for
+/// bit: in another process, too, of the same program and with the same models. Nothing while a
+/// blade is placed. On any thread.
+std::optional<std::vector<std::byte>> bytesOf(const Moment& moment);
 
 }  // namespace kerf

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/base/containers.h"
 #include "sim/base/pausing.h"
-#include "sim/base/sort_unique.h"
 #include "sim/base/text.h"
 #include "sim/body/folded_triangles.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/blade/running_stroke.h"
 #include "sim/run/simulation_state.h"
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 #include "sim/run/state_hash.h"
 
 namespace kerf {

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "gpu/buffer.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/solve/solver_body.h"
 
 namespace kerf {
 
@@ -35,5 +37,13 @@ struct ConstraintView {
     std::uint32_t pullCount = 0;
     std::uint32_t mostContacts = 0;  ///< 0 where contact is off
 };
+
+// The buffers of a body on the GPU as those see them who work on it or draw it; valid while the
+// body is neither uploaded nor updated.
+
+ContactBody contactBodyOf(const SolverBody& body);
+BodyView bodyViewOf(const SolverBody& body);
+/// The constraints to draw, with `contacts` if they are on and were searched.
+ConstraintView constraintViewOf(const SolverBody& body, const ContactSolver& contacts);
 
 }  // namespace kerf

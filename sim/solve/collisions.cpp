@@ -1,6 +1,6 @@
 #include "sim/solve/collisions.h"
 
-#include "sim/solve/solver_views.h"
+#include "sim/solve/body_view.h"
 
 namespace kerf {
 

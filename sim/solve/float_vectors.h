@@ -7,7 +7,7 @@
 
 #include "shaders/shared/shared_types.h"
 #include "sim/base/boxes.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/math.h"
 
 namespace kerf {

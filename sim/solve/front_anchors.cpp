@@ -5,7 +5,7 @@
 #include <iterator>
 #include <tuple>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 
 namespace kerf {
 

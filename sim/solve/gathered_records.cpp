@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/solve/implicit/constraint_pull.h"
 
 namespace kerf {

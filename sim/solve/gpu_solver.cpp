@@ -5,8 +5,8 @@
 
 #include "shaders/shared/bindings.h"
 #include "sim/base/pausing.h"
+#include "sim/solve/body_view.h"
 #include "sim/solve/float_vectors.h"
-#include "sim/solve/solver_views.h"
 
 namespace kerf {
 

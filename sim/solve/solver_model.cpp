@@ -2,9 +2,9 @@
 
 #include <type_traits>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/pausing.h"
-#include "sim/cut/wall_edge.h"
+#include "sim/cut/wall_copies.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gathered_records.h"
 

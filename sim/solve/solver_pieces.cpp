@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {

@@ -9,7 +9,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/storage/settings_file.h"
-#include "app/editor/view/start_scenes.h"
+#include "app/editor/view/editor_panels.h"
 #include "app/files/film/film_encoder.h"
 #include "app/files/io/file_io.h"
 #include "gpu/context.h"

@@ -1,6 +1,6 @@
-#include "render/scene/camera_path.h"
-
 #include <gtest/gtest.h>
+
+#include "render/scene/camera.h"
 
 namespace kerf::render {
 namespace {

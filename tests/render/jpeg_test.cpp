@@ -1,6 +1,4 @@
 // JPEG files, damaged ones and those that were made to harm their decoder.
-#include "render/scene/jpeg.h"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>

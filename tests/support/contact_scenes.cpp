@@ -14,7 +14,6 @@
 #include "sim/body/piece_masses.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/exact/jitter.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 #include "tests/support/self_intersections.h"

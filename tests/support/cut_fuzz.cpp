@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/stroke/cutter.h"
 #include "tests/support/cut_strokes.h"

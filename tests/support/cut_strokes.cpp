@@ -9,8 +9,7 @@
 #include <set>
 
 #include "sim/body/rest_geometry.h"
-#include "sim/cut/wall_edge.h"
-#include "sim/mesh/closest_point.h"
+#include "sim/cut/wall_copies.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::test {

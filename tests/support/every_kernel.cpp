@@ -3,7 +3,7 @@
 #include "gpu/program.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/mesh/box_surface.h"
+#include "sim/mesh/triangle_soup.h"
 #include "sim/run/start/kernel_warm_up.h"
 #include "sim/solve/float_vectors.h"
 #include "sim/solve/gpu_solver.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/body/dihedral.h"
+#include "sim/body/rest_geometry.h"
 #include "tests/support/shell_lists.h"
 
 namespace kerf::test {

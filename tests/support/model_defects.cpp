@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::test {

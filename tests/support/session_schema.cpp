@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/import/builtin_models.h"
-#include "app/session/material_table.h"
+#include "app/session/session_table.h"
 #include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
 #include "tests/support/shell_lists.h"
 
-#include "sim/body/constraint_builder.h"
+#include "sim/body/constraint_lists.h"
 
 namespace kerf::test {
 

@@ -1,10 +1,10 @@
-#include "ui/plots/series.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "ui/plots/plot_math.h"
 
 namespace kerf::ui {
 namespace {

@@ -1,9 +1,17 @@
 #include "ui/base/layout.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace kerf::ui {
+
+namespace {
+
+ItemRects* rectsNow = nullptr;
+
+}  // namespace
 
 Layout layoutPanels(float width, float height, float scale, const Settings& settings,
                     bool withTimeline) {
@@ -38,6 +46,23 @@ float largestScale(int width, int height) {
     const float room = std::min(static_cast<float>(width) / kLeastWidth,
                                 static_cast<float>(height) / kLeastHeight);
     return std::max(kLeastScale, std::floor(room / kStep) * kStep);
+}
+
+ItemNotes::ItemNotes(ItemRects& rects) {
+    rects.clear();
+    rectsNow = &rects;
+}
+
+ItemNotes::~ItemNotes() {
+    rectsNow = nullptr;
+}
+
+void noteItem(const std::string& name) {
+    if (rectsNow != nullptr) {
+        const ImVec2 low = ImGui::GetItemRectMin();
+        const ImVec2 size = ImGui::GetItemRectSize();
+        (*rectsNow)[name] = {low.x, low.y, size.x, size.y};
+    }
 }
 
 }  // namespace kerf::ui

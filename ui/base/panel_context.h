@@ -1,8 +1,16 @@
 #pragma once
 
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
 
-#include "ui/base/further_letters.h"
+#include "gpu/framebuffer.h"
+#include "render/scene/image.h"
 #include "ui/base/theme.h"
 
 struct ImGuiContext;
@@ -37,5 +45,36 @@ class PanelContext {
     Theme theme_ = Theme::dark;
     float scale_ = 1;
 };
+
+/// Draws the content of a panel into pictures without a window, for reports and exports.
+class PicturePainter {
+  public:
+    /// Needs a current OpenGL 4.5 context; text is 15 px high times `scale`.
+    explicit PicturePainter(Theme theme = Theme::dark, float scale = 1);
+
+    /// A picture of `width` x `height` pixels. `content` adds items to a panel that fills it; it is
+    /// called twice.
+    render::Image draw(int width, int height, const std::function<void()>& content);
+    /// Makes the fonts and colours of this painter current, to measure text before drawing.
+    void makeCurrent() const { context_.makeCurrent(); }
+
+  private:
+    PanelContext context_;
+};
+
+/// A texture with a picture, for Dear ImGui. Needs a current OpenGL 4.5 context.
+inline gpu::Texture textureOf(const render::Image& image) {
+    gpu::Texture texture(GL_RGBA8, image.width, image.height);
+    glTextureSubImage2D(texture.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        image.pixels.data());
+    return texture;
+}
+
+inline ImTextureID idOf(const gpu::Texture& texture) {
+    return std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
+
+/// A line of text on a panel's ground, as large as it needs, to be pasted onto a picture.
+render::Image drawCaption(PicturePainter& painter, const std::string& text);
 
 }  // namespace kerf::ui

@@ -3,10 +3,11 @@
 #include <imgui.h>
 
 #include <array>
+#include <set>
+#include <string>
+#include <string_view>
 
 namespace kerf::ui {
-
-class FurtherLetters;
 
 /// The two looks of the window.
 enum class Theme { dark, light };
@@ -44,6 +45,29 @@ ImU32 pieceColor(int index);
 void applyTheme(Theme theme, float scale);
 /// Makes palette() return the colours of a theme.
 void usePalette(Theme theme);
+
+/// Letters that texts need beyond those that are always loaded, as Chinese ones in names of files.
+/// They come from Kerf's font, or from fonts of the system, which fontconfig's fc-match finds.
+class FurtherLetters {
+  public:
+    /// Notes the letters of a text in UTF-8 that the current context lacks.
+    void note(std::string_view text);
+    /// Whether any were noted since the last merge().
+    bool wanted() const { return wanted_; }
+    /// Adds them to the last font of the atlas, from `first` and fonts of the system.
+    void merge(ImFontAtlas& atlas, const std::string& first, float pixels);
+    /// Builds the atlas. Logs once that letters have no font. Returns false if a font of the system
+    /// can't be read: none is used from then on.
+    bool build(ImFontAtlas& atlas);
+
+  private:
+    std::set<ImWchar> letters_;
+    ImVector<ImWchar> ranges_;  ///< of `letters_`; the atlas refers to it
+    std::set<int> blocks_;      ///< of letters for which a font was looked for
+    std::set<std::string> fonts_;
+    bool wanted_ = false;
+    bool told_ = false;
+};
 
 /// Loads DejaVu Sans (that of the archive, or of Debian's fonts-dejavu-core) at 15 px times
 /// `scale`, or ImGui's bitmap font if it is missing, which is logged; and further letters.

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 
 namespace kerf::ui {

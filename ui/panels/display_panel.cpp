@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
 #include "ui/state/action_table.h"
-#include "ui/state/fault_legend.h"
+#include "ui/state/legends.h"
 
 namespace kerf::ui {
 namespace {

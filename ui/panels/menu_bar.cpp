@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

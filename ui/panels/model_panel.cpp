@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "sim/base/quantity_text.h"
-#include "ui/base/item_rects.h"
+#include "sim/base/text.h"
+#include "ui/base/layout.h"
 #include "ui/base/unit_text.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim/base/text.h"
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/unit_text.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

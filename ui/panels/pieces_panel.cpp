@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/base/quantity_text.h"
-#include "ui/base/item_rects.h"
+#include "sim/base/text.h"
+#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

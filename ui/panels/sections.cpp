@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/panels/panels.h"
 
 namespace kerf::ui {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
 #include "ui/state/action_table.h"

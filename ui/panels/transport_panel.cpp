@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/base/quantity_text.h"
-#include "ui/base/item_rects.h"
+#include "sim/base/text.h"
+#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
 

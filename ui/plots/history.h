@@ -6,7 +6,6 @@
 
 #include "ui/plots/plot.h"
 #include "ui/plots/plot_math.h"
-#include "ui/plots/series.h"
 
 namespace kerf::ui {
 

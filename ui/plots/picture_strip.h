@@ -4,7 +4,7 @@
 #include <string>
 
 #include "render/scene/image.h"
-#include "ui/base/picture_painter.h"
+#include "ui/base/panel_context.h"
 
 namespace kerf::ui {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/item_rects.h"
+#include "ui/base/layout.h"
 
 namespace kerf::ui {
 namespace {

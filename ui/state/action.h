@@ -8,7 +8,6 @@
 #include "sim/run/parts/command.h"
 #include "ui/base/settings.h"
 #include "ui/plots/plot_math.h"
-#include "ui/state/display_settings.h"
 #include "ui/state/file_dialog_state.h"
 #include "ui/state/tool_settings.h"
 

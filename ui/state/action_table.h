@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ui/base/input.h"
-#include "ui/base/mouse_scheme.h"
+#include "ui/base/settings.h"
 #include "ui/state/action.h"
 
 namespace kerf::ui {

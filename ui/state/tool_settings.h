@@ -3,12 +3,45 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "render/scene/body_look.h"
+#include "render/scene/overlays.h"
+#include "render/scene/scene.h"
+#include "render/scene/surface_field.h"
+#include "sim/body/skin_normals.h"
 #include "ui/base/input.h"
-#include "ui/state/measures.h"
 
 namespace kerf::ui {
+
+/// The kind of measurement by clicks.
+enum class MeasureKind : std::uint8_t { distance, angle, piece, point };
+std::string_view nameOf(MeasureKind kind);
+
+/// One measured number.
+struct MeasureFigure {
+    std::string quantity;  ///< "distance", "angle", "skin area", "cut area", "volume", "strain"
+    double value = 0;      ///< [m, degrees, m^2, m^3, share, m/s]
+    std::string unit;      ///< of value: "m", "deg", "m2", "m3", "", "m/s"
+    double ownValue = 0;   ///< in the numbers of the model's own file
+    std::string ownUnit;   ///< "mm", "mm2"; empty if it is the same
+    std::string text;      ///< for display: "12.3 cm (123 mm in its file)"
+};
+
+/// A measurement in the list: a distance, an angle, a piece with its areas and its volume, or the
+/// point that is plotted.
+struct MeasureRow {
+    int id = 0;  ///< for RemoveMeasure
+    MeasureKind kind = MeasureKind::distance;
+    std::vector<MeasureFigure> figures;
+    bool isOld = false;  ///< the body has moved since its areas were computed
+};
+
+/// The measurements as a table: id,measure,quantity,value,unit,value_in_file,unit_in_file.
+std::string measuresAsCsv(const std::vector<MeasureRow>& measures);
 
 /// The tool of the left button in the view: it moves a blade in one of three ways, or touches the
 /// body.
@@ -110,6 +143,24 @@ struct ToolSettings {
     PinSettings pin;
     MeasureKind measure = MeasureKind::distance;
     double longest = 3;  ///< end of all sliders [m]
+};
+
+/// The display of the body. It does not affect the simulation.
+struct DisplaySettings {
+    render::Quality quality = render::Quality::full;
+    bool wireframe = false;
+    bool cutLines = true;   ///< a dark line along the rim of each cut, so that closed ones show
+    bool cutAhead = false;  ///< triangles that a stroke under way will cut
+    /// Distance at which the pieces are drawn from each other; 1 doubles that of their middles.
+    double apart = 0;
+    bool pieceDetails = false;  ///< the list of pieces has all its columns
+    render::Overlays overlays;
+    render::FieldChoice field;                    ///< shown by its colours instead of the look
+    std::optional<render::SectionPlane> section;  ///< opens the view of the body
+    render::ChosenColors colors;                  ///< look and colours instead of the model's own
+    /// Faces that meet at more than this angle have a hard edge between them [degrees].
+    double hardEdges = kHardEdgeAngle;
+    bool operator==(const DisplaySettings&) const = default;
 };
 
 }  // namespace kerf::ui

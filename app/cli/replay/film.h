@@ -3,15 +3,37 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
-#include "app/cli/replay/film_captions.h"
 #include "app/cli/replay/picture_size.h"
 #include "app/files/film/film_encoder.h"
-#include "render/scene/camera_path.h"
+#include "render/scene/camera.h"
 #include "sim/run/parts/command.h"
-#include "ui/base/picture_painter.h"
+#include "ui/base/panel_context.h"
 
 namespace kerf::app {
+
+/// Captions of a film about events of its session.
+class FilmCaptions {
+  public:
+    /// `speed`: simulated seconds in a second of the film.
+    explicit FilmCaptions(double speed);
+
+    /// Records a command at a time of the film [s].
+    void note(const Command& command, double filmTime);
+    /// The caption at a time of the film, at simulated `time` [s]: "0.65 s, 4 times slower. Cut 1".
+    /// The last event is shown for a while, a cut as long as its blade is down.
+    std::string at(double filmTime, double time) const;
+
+  private:
+    void tell(std::string words, double filmTime);
+
+    std::string pace_;   ///< ", 4 times slower"; empty in real time
+    std::string words_;  ///< empty for none
+    double since_ = 0;   ///< of the film [s]
+    bool bladeIsDown_ = false;
+    int cuts_ = 0;
+};
 
 /// Options of a film of a session.
 struct FilmOptions {

@@ -12,7 +12,7 @@
 #include "app/session/hash_trace.h"
 #include "app/session/metrics.h"
 #include "app/session/session.h"
-#include "render/scene/quality.h"
+#include "render/scene/scene.h"
 
 namespace kerf::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/files/jobs/background_job.h"
-#include "ui/state/question.h"
+#include "ui/state/window_state.h"
 
 namespace kerf::app {
 

@@ -10,12 +10,12 @@
 #include <system_error>
 
 #include "app/files/export/export.h"
-#include "app/files/film/film_formats.h"
+#include "app/files/film/film_encoder.h"
 #include "app/files/import/model_source.h"
 #include "app/regression/expectation.h"
 #include "app/session/material.h"
 #include "app/session/session.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/files/export/mesh_formats.h"
-#include "app/files/film/film_formats.h"
+#include "app/files/film/film_encoder.h"
 #include "app/files/io/free_file.h"
 #include "app/session/material.h"
 #include "app/session/session.h"

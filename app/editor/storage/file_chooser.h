@@ -8,7 +8,7 @@
 
 #include "app/editor/storage/file_browser.h"
 #include "app/editor/storage/file_preview.h"
-#include "app/editor/storage/recent_files.h"
+#include "app/editor/storage/settings_file.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::app {

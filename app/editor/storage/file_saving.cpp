@@ -1,16 +1,75 @@
 #include "app/editor/storage/file_saving.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "app/editor/storage/film_making.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/files/io/output_folder.h"
+#include "app/files/jobs/background_job.h"
+#include "app/files/jobs/child_runs.h"
 #include "app/regression/test_maker.h"
+#include "app/session/session.h"
 #include "sim/base/text.h"
+#include "sim/run/moment.h"
 #include "sim/run/start/prepared_body.h"
-#include "sim/run/stored_moment.h"
+#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
+
 namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> argumentsFor(const fs::path& session, const fs::path& film,
+                                      const ui::FilmLook& look) {
+    std::vector<std::string> words{
+        "replay",  session.string(), "--out",   (session.parent_path() / "results").string(),
+        "--movie", film.string(),    "--speed", formatNumber(look.speed),
+        "--fine",  "--keep-going",   "--jsonl"};  // a line per step
+    if (look.width > 0) {
+        words.insert(words.end(),
+                     {"--size", std::to_string(look.width) + "x" + std::to_string(look.height)});
+    }
+    if (look.rate > 0) {
+        words.insert(words.end(), {"--fps", std::to_string(look.rate)});
+    }
+    if (look.captions) {
+        words.emplace_back("--captions");
+    }
+    if (look.turntable) {
+        words.emplace_back("--turntable");
+    }
+    return words;
+}
+
+/// Makes a film of a session by a replay in a separate process; the extension of `file` is one of
+/// filmFormats(). The film appears complete or not at all. Throws OutputError, and WorkCancelled.
+void filmSession(const Session& session, const fs::path& file, const ui::FilmLook& look,
+                 WorkProgress& progress) {
+    AtomicFile output(file);
+    // All lies there until the end, so that nothing is left of a film that was given up.
+    const TemporaryFolder folder("kerf-film");
+    const fs::path copy = folder.path() / "session.kerf.json";
+    const fs::path film = folder.path() / ("film" + file.extension().string());
+    writeOutputFile(copy, formatSession(session, folder.path()));
+    const auto tell = [&](int done) {
+        progress.enter("Step " + std::to_string(std::min(done, session.steps)) + " of " +
+                           std::to_string(session.steps),
+                       done, session.steps);
+    };
+    tell(0);
+    const ChildOutcome end = runChild(argumentsFor(copy, film, look), progress, tell);
+    if (end.exitCode != kExitDone && end.exitCode != kExitCheckFailed) {
+        throw OutputError("The video could not be exported: " + sentenceAbout(end, folder.path()));
+    }
+    progress.enter("Writing");
+    output.writeAllOf(film);
+    output.commit();
+}
 
 /// The data that the thread works on: copies, so that the body may go on.
 struct ExportInput {
@@ -110,6 +169,23 @@ std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& fil
             writeOutputFile(file, formatMaterial(material));
             return "Saved material " + file.string();
         });
+}
+
+std::string formatPlots(std::span<const ui::PlotSpec> plots) {
+    std::string text = "plot,curve,time,mean,min,max,values\n";
+    for (const ui::PlotSpec& plot : plots) {
+        for (const ui::PlotCurve& curve : plot.curves) {
+            const std::string head = std::string(plot.id) + "," + curve.label;
+            for (const ui::SeriesBucket& bucket : curve.series->buckets()) {
+                text += head;
+                for (const double value : {bucket.x, bucket.mean, bucket.low, bucket.high}) {
+                    text += "," + formatNumber(value);
+                }
+                text += "," + std::to_string(bucket.count) + "\n";
+            }
+        }
+    }
+    return text;
 }
 
 }  // namespace kerf::app

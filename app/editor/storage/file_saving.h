@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "app/files/export/export.h"
@@ -9,6 +10,7 @@
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
+#include "ui/plots/plot.h"
 #include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
@@ -36,5 +38,9 @@ std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const u
                                       SavedSession saved);
 /// Begins to write a session with the expectations of a run, which takes as long as that run.
 std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, SavedSession saved);
+
+/// The values of plots as a CSV file, a row per value: `plot,curve,time,mean,min,max,values`. The
+/// last three describe values that a long run has merged into one row.
+std::string formatPlots(std::span<const ui::PlotSpec> plots);
 
 }  // namespace kerf::app

@@ -1,16 +1,49 @@
 #include "app/editor/storage/file_work.h"
 
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <regex>
 #include <utility>
 
-#include "app/editor/storage/manual.h"
+#include "app/editor/storage/file_chooser.h"
+#include "app/files/io/errors.h"
 #include "app/files/io/free_file.h"
+#include "gpu/data_path.h"
 
 namespace kerf::app {
+
 namespace {
 
 constexpr double kQuietSeconds = 0.3;  // nothing is said of work that is over sooner
 
 }  // namespace
+
+void ModelWatch::begin(const std::vector<std::filesystem::path>& files) {
+    const std::vector<Watched> before = std::exchange(files_, {});
+    changed_.clear();
+    for (const std::filesystem::path& file : files) {
+        if (std::ranges::find(files_, file, &Watched::file) != files_.end()) {
+            continue;
+        }
+        const auto known = std::ranges::find(before, file, &Watched::file);
+        files_.push_back(known != before.end() ? *known : Watched{file, stampOf(file), {}});
+    }
+}
+
+bool ModelWatch::look() {
+    const std::size_t before = changed_.size();
+    for (Watched& watched : files_) {
+        const std::optional<FileStamp> now = stampOf(watched.file);
+        const bool rests = now == std::exchange(watched.seen, now);
+        if (now && rests && now != std::exchange(watched.known, now) &&
+            std::ranges::find(changed_, watched.file) == changed_.end()) {
+            changed_.push_back(watched.file);
+        }
+    }
+    return changed_.size() > before;
+}
 
 FileWork::~FileWork() {
     if (saving_.now() != nullptr) {
@@ -72,6 +105,60 @@ ui::WorkState FileWork::state() const {
         work.seconds = file->seconds();
     }
     return work.seconds < kQuietSeconds ? ui::WorkState{} : work;
+}
+
+std::filesystem::path manualPage() {
+    const std::filesystem::path installed =
+        gpu::programFolder().parent_path() / "share/doc/kerf/html/index.html";
+    for (const std::filesystem::path& page : {installed, gpu::dataPath("out/docs/index.html")}) {
+        if (std::filesystem::exists(page)) {
+            return page;
+        }
+    }
+    return gpu::dataPath("docs/index.md");
+}
+
+std::string openOutside(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) {
+        throw OutputError("The manual is not installed: there is no " + file.string() + ".");
+    }
+    // It may become the browser and not end, which is no failure.
+    const std::string quoted =
+        "'" + std::regex_replace(file.string(), std::regex("'"), "'\\''") + "'";
+    const int status =
+        std::system(("command -v xdg-open >/dev/null || exit 127; xdg-open " + quoted +
+                     " >/dev/null 2>&1 & for i in 1 2 3 4 5 6; do sleep 0.5; "
+                     "kill -0 $! 2>/dev/null || { wait $!; exit; }; done")
+                        .c_str());
+    if (status != 0) {
+        const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
+        throw OutputError("The manual is " + file.string() + ", but " +
+                          (missing ? "xdg-open, which would show it, is not installed."
+                                   : "no program was found to show it."));
+    }
+    return "Opened " + file.string();
+}
+
+void SessionFile::begin(const std::filesystem::path& file) {
+    path_ = isOurs(file) ? std::filesystem::path() : file;
+    stamp_ = stampOf(path_);
+    ours_ = false;
+}
+
+void SessionFile::noteWritten(const std::filesystem::path& file) {
+    path_ = file;
+    stamp_ = stampOf(file);
+    ours_ = true;
+}
+
+std::string SessionFile::doubt() const {
+    const std::optional<FileStamp> now = stampOf(path_);
+    if (!now || (ours_ && now == stamp_)) {
+        return "";
+    }
+    const std::string name = path_.filename().string();
+    return now == stamp_ ? name + " is the session that you opened. Saving replaces it."
+                         : name + " was changed by another program. Saving replaces that version.";
 }
 
 }  // namespace kerf::app

@@ -5,16 +5,44 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/editor/storage/file_saving.h"
-#include "app/editor/storage/model_watch.h"
+#include "app/files/io/file_stamp.h"
 #include "app/files/jobs/current_job.h"
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/document/body_placing.h"
 #include "app/scene/document/document_loading.h"
+#include "app/scene/document/stored_ends.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::app {
+
+/// Watches the model files of the open scene for changes by other programs. Each change is told
+/// once.
+class ModelWatch {
+  public:
+    /// Begins with the files of another scene. A file that is watched already may have changed
+    /// while the scene was read, which the next look finds.
+    void begin(const std::vector<std::filesystem::path>& files);
+    /// Looks at the files. A change counts once a file is the same at two looks, since it may still
+    /// be being written. Returns whether one counts now.
+    bool look();
+    /// The files whose change is offered.
+    const std::vector<std::filesystem::path>& changed() const { return changed_; }
+    /// Drops the offer.
+    void ignore() { changed_.clear(); }
+
+  private:
+    struct Watched {
+        std::filesystem::path file;
+        std::optional<FileStamp> known;
+        std::optional<FileStamp> seen;  ///< at the last look
+    };
+    std::vector<Watched> files_;
+    std::vector<std::filesystem::path> changed_;
+};
 
 /// Background reading and writing of files: one being opened, one being saved, and a queue of
 /// pictures and plots, for which nobody waits.
@@ -76,6 +104,34 @@ class FileWork {
     CurrentJob<BodyPlacing> placing_;
     CurrentJob<FileSaving> saving_;
     SavingQueue behind_;
+};
+
+/// The first page of the documentation: the installed one, else that of the source tree.
+std::filesystem::path manualPage();
+
+/// Opens a file with the program that the desktop has for it, by xdg-open. Returns a sentence for
+/// the user. Throws OutputError if that fails within a few seconds.
+std::string openOutside(const std::filesystem::path& file);
+
+/// The session file of the open scene, which saving writes again.
+class SessionFile {
+  public:
+    const StoredEnds ends;  ///< of the sessions that were saved
+
+    explicit SessionFile(StoredEnds stored) : ends(std::move(stored)) {}
+
+    /// Begins with the file that was opened; empty for none, as for the sessions of Kerf's own.
+    void begin(const std::filesystem::path& file);
+    /// Records that this window has written the file.
+    void noteWritten(const std::filesystem::path& file);
+    const std::filesystem::path& path() const { return path_; }
+    /// Why it should not be replaced without a question: one sentence, or "".
+    std::string doubt() const;
+
+  private:
+    std::filesystem::path path_;
+    std::optional<FileStamp> stamp_;  ///< when it was opened or written
+    bool ours_ = false;               ///< written by this window
 };
 
 }  // namespace kerf::app

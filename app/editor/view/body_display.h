@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "app/editor/steps/busy_scene.h"
+#include "app/editor/steps/scene_at_work.h"
 #include "render/scene/scene.h"
 #include "ui/state/panel_model.h"
 

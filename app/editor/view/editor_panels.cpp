@@ -1,21 +1,106 @@
 #include "app/editor/view/editor_panels.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/editor/view/start_scenes.h"
+#include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
+#include "app/scene/editor_scene.h"
+#include "app/scene/readout/scene_readout.h"
+#include "app/session/paper_experiments.h"
+#include "gpu/data_path.h"
+#include "sim/run/simulation.h"
 #include "ui/base/layout.h"
 #include "ui/plots/plot_picture.h"
 
 namespace kerf::app {
+
 namespace {
+
+/// The experiment that a scene shows; null for any other.
+const PaperExperiment* experimentOf(const EditorScene* scene) {
+    if (scene == nullptr) {
+        return nullptr;
+    }
+    // Another session with the same model is no experiment, nor is one of that name that sleeps at
+    // rest, as on the start page.
+    const Document& document = scene->document();
+    const PaperExperiment* experiment = findPaperExperiment(document.session.model.builtin);
+    const bool same = experiment != nullptr && document.name == experiment->name;
+    return same && document.session.params.sleeps == 0 ? experiment : nullptr;
+}
 
 constexpr int kPlotPictureWidth = 1200;  // [px]
 constexpr int kPlotPictureHeight = 300;  // of each plot [px]
 constexpr float kPanelRounding = 8;      // [px] at scale 1, at least that of the theme
 
+using Cards = std::vector<ui::StartCard>;
+
+std::shared_ptr<const Cards> readCards() {
+    auto cards = std::make_shared<Cards>(Cards{
+        {"citrus", "Citrus", "Drag all the way across it, then press Shift+Space."},
+        {"banana", "Banana", "Cut off a few slices, then press Shift+Space."},
+        {"octopus", "Octopus", "Cut off an arm, then press D and pull at another."},
+        {"liver", "Liver",
+         "Press S and draw an incision, then Y and drag across it to hold it open."},
+        {"jelly", "Jelly cube", "Press Shift+Space: it falls and wobbles. Then cut it."},
+        {"tear", "Jelly to tear", "Press D and pull its right half away from the slit."},
+        {"orange", "Orange to open", "Press D, double the Hand, and pull its right half far off."},
+        {"incision", "Incision to tear",
+         "Press Y and drag across the slit to hold it open. Too far, and it tears on."},
+        {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
+        {"cloth", "Cloth", "Press Shift+Space: it drapes itself. Then cut it."},
+        {"../practice/incision", "Practise: incision",
+         "Press S, set 5 mm, and draw along the line. Shift+Enter scores it."},
+        {"../practice/excision", "Practise: excision",
+         "Press C and lead the blade once round, and a little farther. Then Shift+Enter."},
+        {"../practice/slice", "Practise: slice",
+         "Press C and cut down through the right line, then the left one. Then Shift+Enter."},
+    });
+    for (ui::StartCard& card : *cards) {
+        try {
+            card.picture = std::make_shared<render::Image>(
+                readPicture(gpu::dataPath("assets/start/" + card.name + ".png")));
+        } catch (const InputError& error) {
+            spdlog::warn("{}", error.what());
+        }
+    }
+    return cards;
+}
+
 }  // namespace
+
+void ExperimentBoard::note(const EditorScene& scene) {
+    const PaperExperiment* experiment = experimentOf(&scene);
+    const auto figures = scene.readout().readings().figures();
+    if (experiment != nullptr && figures) {
+        runs_[experiment->name] = {*figures, scene.simulation().report().triangles};
+    }
+}
+
+void ExperimentBoard::describe(const EditorScene* scene, ui::PanelModel& model) const {
+    const PaperExperiment* open = experimentOf(scene);
+    for (const PaperExperiment& paper : paperExperiments()) {
+        ui::ExperimentCard& card = model.experiments.emplace_back();
+        card.name = paper.name;
+        card.label = paper.label;
+        card.timeStep = paper.timeStep;
+        card.iterations = paper.iterations;
+        card.triangles = paper.triangles;
+        card.paper = {paper.meanFps, paper.meanVolume};
+        card.open = &paper == open;
+        if (const auto run = runs_.find(card.name); run != runs_.end()) {
+            card.ours = run->second.figures;
+            card.ourTriangles = run->second.triangles;
+        }
+        if (card.open) {
+            model.plots.paper = card.paper;
+        }
+    }
+}
 
 EditorPanels::EditorPanels(const EditorOptions& options)
     : displayScale(options.scale),
@@ -107,6 +192,15 @@ render::Image EditorPanels::drawPlots(std::span<const ui::PlotSpec> plots) const
     return ui::PlotPainter(settings.now.theme)
         .draw(plots, plotView, kPlotPictureWidth,
               kPlotPictureHeight * static_cast<int>(plots.size()));
+}
+
+std::shared_ptr<const Cards> startCards() {
+    static const std::shared_ptr<const Cards> cards = readCards();
+    return cards;
+}
+
+std::filesystem::path startSession(const std::string& name) {
+    return gpu::dataPath("assets/start/" + name + ".kerf.json");
 }
 
 }  // namespace kerf::app

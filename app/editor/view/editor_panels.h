@@ -1,21 +1,44 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/editor/steps/time_left.h"
+#include "app/editor/steps/step_clock.h"
 #include "app/editor/storage/editor_options.h"
 #include "app/editor/storage/settings_file.h"
-#include "app/editor/view/experiment_board.h"
 #include "app/editor/view/practice.h"
 #include "render/scene/image.h"
 #include "ui/interface.h"
 #include "ui/plots/plot.h"
+#include "ui/state/panel_model.h"
+#include "ui/state/window_state.h"
 
 namespace kerf::app {
+
+class EditorScene;
+
+/// The paper's experiments with its figures and our measurements: of the open run, or of the last
+/// one in this window.
+class ExperimentBoard {
+  public:
+    /// Takes the figures of the scene, if it is one of the experiments.
+    void note(const EditorScene& scene);
+    /// Sets the cards, and the paper's figures for the open experiment; `scene` may be null.
+    void describe(const EditorScene* scene, ui::PanelModel& model) const;
+
+  private:
+    struct Run {
+        ui::RunFigures figures;
+        int triangles = 0;
+    };
+    std::map<std::string, Run, std::less<>> runs_;  ///< by the experiment's name
+};
 
 /// An open question to the user, and the handler of the choice.
 struct Asked {
@@ -73,5 +96,10 @@ struct EditorPanels {
   private:
     void showOne();
 };
+
+/// The scenes of the start page, in its order, with their pictures, which are read once.
+std::shared_ptr<const std::vector<ui::StartCard>> startCards();
+/// The session of a scene, in assets/start; its picture lies beside it.
+std::filesystem::path startSession(const std::string& name);
 
 }  // namespace kerf::app

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 

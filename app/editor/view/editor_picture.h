@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/steps/rest_depths.h"
+#include "app/editor/steps/background_work.h"
 #include "app/editor/view/editor_view.h"
 #include "gpu/framebuffer.h"
 #include "gpu/timer.h"

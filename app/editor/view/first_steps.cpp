@@ -9,7 +9,6 @@
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/timeline/scene_timeline.h"
-#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 #include "sim/run/parts/step_report.h"
 #include "ui/state/action_table.h"

@@ -17,7 +17,7 @@
 #include "app/session/scene_origin.h"
 #include "app/session/session_json.h"
 #include "app/session/task_run.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/start/prepared_body.h"
 

@@ -15,7 +15,7 @@
 #include "sim/base/stopwatch.h"
 #include "ui/base/settings.h"
 #include "ui/state/overlay.h"
-#include "ui/state/practice_state.h"
+#include "ui/state/window_state.h"
 
 namespace kerf {
 struct UncutBody;

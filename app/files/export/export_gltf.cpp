@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/files/export/companion_names.h"
-#include "app/files/io/base64.h"
+#include "app/files/io/encodings.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {

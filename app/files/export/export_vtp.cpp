@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/io/base64.h"
+#include "app/files/io/encodings.h"
 
 namespace kerf::app {
 namespace {

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -15,6 +16,7 @@
 #include "sim/base/text.h"
 
 namespace kerf::app {
+
 namespace {
 
 constexpr char kProgram[] = "ffmpeg";
@@ -98,6 +100,29 @@ std::string logIn(int descriptor) {
 }
 
 }  // namespace
+
+std::span<const FilmFormatInfo> filmFormats() {
+    // A GIF counts in hundredths of a second, of which a picture at 25 lasts four.
+    static constexpr std::array kFormats{
+        FilmFormatInfo{FilmFormat::mp4, ".mp4", "MP4", 30, true},
+        FilmFormatInfo{FilmFormat::webm, ".webm", "WebM", 30, true},
+        FilmFormatInfo{FilmFormat::gif, ".gif", "GIF", 25, false},
+    };
+    return kFormats;
+}
+
+const FilmFormatInfo* filmFormatOf(const std::filesystem::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    const auto found = std::ranges::find(filmFormats(), extension, &FilmFormatInfo::extension);
+    return found == filmFormats().end() ? nullptr : &*found;
+}
+
+std::string filmEndings() {
+    const std::span<const FilmFormatInfo> all = filmFormats();
+    return joined(all.first(all.size() - 1), ", ", &FilmFormatInfo::extension)
+        .append(" or ")
+        .append(all.back().extension);
+}
 
 FilmEncoder::FilmEncoder(const std::filesystem::path& file, std::filesystem::path unfinished,
                          int width, int height, int rate)

@@ -12,7 +12,7 @@
 #include "app/files/io/errors.h"
 #include "render/scene/body_look.h"
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/base/placement.h"
 #include "sim/repair/polygon_triangles.h"
 

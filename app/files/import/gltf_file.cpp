@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "app/files/import/import_appearance.h"
-#include "app/files/io/base64.h"
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/files/import/import_protocol.h"
-#include "app/files/io/descriptor.h"
 #include "app/files/io/errors.h"
+#include "app/files/io/system_file.h"
 #include "app/files/jobs/process_limits.h"
 
 namespace kerf::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/files/import/model_units.h"
-#include "render/scene/marks.h"
+#include "render/scene/overlays.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/fault_finder.h"
 

@@ -13,7 +13,7 @@
 #include "app/files/import/shell_union.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/memory_means.h"
-#include "app/files/jobs/own_programs.h"
+#include "app/files/jobs/child_process.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"

@@ -13,11 +13,11 @@
 #include "app/files/import/own_looks.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
-#include "app/files/jobs/work_progress.h"
+#include "app/files/jobs/background_job.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/soup_inspection.h"
-#include "sim/run/start/placed_model.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "sim/base/boxes.h"
-#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/jobs/work_progress.h"
+#include "app/files/jobs/background_job.h"
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::app {

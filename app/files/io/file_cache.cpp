@@ -4,9 +4,9 @@
 #include <fstream>
 #include <utility>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/sha256.h"
 
 namespace kerf::app {
 

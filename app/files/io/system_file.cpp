@@ -7,9 +7,13 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
+#include <string>
 #include <utility>
 
+#include "app/files/io/file_io.h"
+
 namespace kerf::app {
+
 namespace {
 
 /// The fault of the tests, which any thread may ask for.
@@ -59,6 +63,30 @@ int opened(const std::filesystem::path& file, int flags, unsigned mode) {
 }
 
 }  // namespace
+
+bool Descriptor::close() {
+    const int number = std::exchange(number_, -1);
+    return number < 0 || ::close(number) == 0;
+}
+
+void holdStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) {
+            // It gets the lowest free number; to read what is to be written, or the other way,
+            // fails as before.
+            ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+std::array<int, 2> Pipe::open() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        throw OutputError(std::string("There is no pipe to another process (") +
+                          std::strerror(errno) + ").");
+    }
+    return ends;
+}
 
 void setFileFault(std::function<int()> ask) {
     const std::lock_guard hold(fault().mutex);
@@ -117,6 +145,15 @@ void syncFolder(const std::filesystem::path& folder) {
     const Descriptor opened(::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.get() >= 0) {
         ::fsync(opened.get());
+    }
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (::flock(folder_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        throw OutputError(shownPath(folder) +
+                          ": another run writes its results there; wait until it has ended, or "
+                          "choose another folder for --out.");
     }
 }
 

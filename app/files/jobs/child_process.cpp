@@ -9,10 +9,14 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
+#include "gpu/data_path.h"
+
 namespace kerf::app {
+
 namespace {
 
 /// As the system takes texts: `first`, which may be null, and `more`, behind it.
@@ -60,6 +64,14 @@ void readSome(Descriptor& from, const BlockReader& reader) {
         from.close();
     }
 }
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void noteSignal(int /*signal*/) {
+    interrupted = 1;
+}
+
+bool thisProgramReads = false;  // see readModelsWithThisProgram
 
 }  // namespace
 
@@ -121,6 +133,41 @@ bool readStreams(Pipe& output, const BlockReader& ofOutput, Pipe& log, const Blo
         }
     }
     return true;
+}
+
+Interruption::Interruption() {
+    interrupted = 0;
+    struct sigaction note {};
+    note.sa_handler = noteSignal;
+    note.sa_flags = SA_RESTART;
+    ::sigaction(SIGINT, &note, &earlierInterrupt_);
+    ::sigaction(SIGTERM, &note, &earlierTerminate_);
+}
+
+Interruption::~Interruption() {
+    ::sigaction(SIGINT, &earlierInterrupt_, nullptr);
+    ::sigaction(SIGTERM, &earlierTerminate_, nullptr);
+}
+
+bool Interruption::requested() {
+    return interrupted != 0;
+}
+
+void readModelsWithThisProgram() {
+    thisProgramReads = true;
+}
+
+std::filesystem::path importProgram() {
+    if (const char* chosen = std::getenv("KERF_EXECUTABLE"); chosen != nullptr) {
+        return chosen;
+    }
+    return thisProgramReads ? "/proc/self/exe" : programBeside("kerf");
+}
+
+std::filesystem::path programBeside(const std::string& name) {
+    const std::filesystem::path folder = gpu::programFolder();
+    const std::filesystem::path installed = folder.parent_path() / "libexec/kerf" / name;
+    return std::filesystem::exists(installed) ? installed : folder / name;
 }
 
 }  // namespace kerf::app

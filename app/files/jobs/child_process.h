@@ -2,12 +2,14 @@
 
 #include <sys/types.h>
 
+#include <csignal>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/files/io/descriptor.h"
+#include "app/files/io/system_file.h"
 
 namespace kerf::app {
 
@@ -53,5 +55,31 @@ using BlockReader = std::function<void(std::string_view block)>;
 /// at most [ms]; below 0 the rest is left, and it returns false.
 bool readStreams(Pipe& output, const BlockReader& ofOutput, Pipe& log, const BlockReader& ofLog,
                  const std::function<int()>& patience);
+
+/// During its lifetime Ctrl+C (SIGINT) and SIGTERM don't end this program but request a stop, so
+/// that it can report and keep what was done. One at a time.
+class Interruption {
+  public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    /// Whether a stop was requested since it was made.
+    static bool requested();
+
+  private:
+    struct sigaction earlierInterrupt_ {};
+    struct sigaction earlierTerminate_ {};
+};
+
+/// Declares that this program has the verb `import-worker`; tests don't.
+void readModelsWithThisProgram();
+/// The program with the verb `import-worker`: $KERF_EXECUTABLE if set, else this program if
+/// declared so, else kerf in gpu::programFolder().
+std::filesystem::path importProgram();
+
+/// A helper program of Kerf: in libexec/kerf of an installation, else in gpu::programFolder().
+std::filesystem::path programBeside(const std::string& name);
 
 }  // namespace kerf::app

@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "app/files/io/file_io.h"
-#include "app/files/jobs/interruption.h"
-#include "app/files/jobs/own_programs.h"
+#include "app/files/jobs/child_process.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {

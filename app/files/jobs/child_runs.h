@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_process.h"
-#include "app/files/jobs/work_progress.h"
 
 namespace kerf::app {
 

@@ -10,7 +10,7 @@
 #include "app/files/jobs/background_job.h"
 #include "app/scene/document/editor_document.h"
 #include "render/scene/depth_field.h"
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

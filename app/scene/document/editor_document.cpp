@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/scene/document/editor_budgets.h"
 #include "app/session/material.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session.h"
@@ -12,6 +11,7 @@
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {
+
 namespace {
 
 constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal

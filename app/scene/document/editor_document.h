@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -58,5 +59,10 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
 
 /// A scene of one model, whose file has `objects` objects, with a model for each.
 Session parted(Session scene, int objects);
+
+/// The memory that undo may take in the editor [bytes].
+inline constexpr std::uint64_t kUndoBudget = 512'000'000;
+/// The memory that keyframes may take there, see Keyframes [bytes].
+inline constexpr std::uint64_t kKeyframeBudget = 256'000'000;
 
 }  // namespace kerf::app

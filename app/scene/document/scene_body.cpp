@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

@@ -5,7 +5,7 @@
 
 #include "app/scene/document/rest_of_body.h"
 #include "app/session/simulation_driver.h"
-#include "sim/run/start/body_upload.h"
+#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

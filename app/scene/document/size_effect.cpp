@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/sha256.h"
 #include "gpu/data_path.h"
 #include "sim/base/byte_archive.h"
 #include "sim/run/state_hash.h"

@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "sim/base/quantity_text.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

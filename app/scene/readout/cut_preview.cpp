@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "sim/base/boxes.h"
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 #include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {

@@ -8,7 +8,7 @@
 #include "app/files/jobs/background_job.h"
 #include "app/session/cut_report.h"
 #include "sim/run/simulation.h"
-#include "ui/state/cut_rows.h"
+#include "ui/state/panel_model.h"
 
 namespace kerf::app {
 

@@ -7,7 +7,6 @@
 #include "app/scene/readout/editor_readings.h"
 #include "app/scene/readout/piece_table.h"
 #include "app/scene/readout/surface_look.h"
-#include "app/scene/readout/thickness_map.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/skin_follower.h"
 #include "app/session/task_run.h"

@@ -1,6 +1,5 @@
 #include "app/scene/readout/surface_anchor.h"
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {

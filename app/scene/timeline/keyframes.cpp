@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/scene/document/editor_budgets.h"
+#include "app/scene/document/editor_document.h"
 
 namespace kerf::app {
 

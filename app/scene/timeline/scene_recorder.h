@@ -5,7 +5,7 @@
 
 #include "app/scene/timeline/saved_session.h"
 #include "app/scene/timeline/scene_timeline.h"
-#include "app/session/session_change.h"
+#include "app/session/session.h"
 #include "render/scene/body_look.h"
 
 namespace kerf::app {

@@ -7,9 +7,9 @@
 #include "app/scene/timeline/hooks.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/run/parts/snapshot.h"
-#include "sim/run/parts/stroke_record.h"
+#include "sim/run/parts/step_report.h"
 #include "sim/run/undo/undo_history.h"
 #include "ui/state/panel_model.h"
 

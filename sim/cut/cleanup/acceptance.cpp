@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
 

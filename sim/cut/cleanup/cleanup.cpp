@@ -5,14 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/containers.h"
 #include "sim/base/pausing.h"
-#include "sim/base/sort_unique.h"
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/collapse.h"
 #include "sim/cut/cleanup/flip.h"
-#include "sim/cut/cleanup/limits.h"
 #include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/cleanup/slide.h"
+#include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/deformation_field.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 
 namespace kerf::cut {
 

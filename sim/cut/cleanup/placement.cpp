@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/base/mapped.h"
-#include "sim/cut/cleanup/limits.h"
+#include "sim/base/containers.h"
+#include "sim/cut/cleanup/workspace.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "sim/base/boxes.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/base/predicates.h"
-#include "sim/base/sort_unique.h"
 #include "sim/cut/exact/piercing.h"
 #include "sim/cut/wall_copies.h"
-#include "sim/mesh/closest_point.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 

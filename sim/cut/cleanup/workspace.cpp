@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/cut/cleanup/copies.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::cut {
 

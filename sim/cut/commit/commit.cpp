@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/cut/plan/edge_repair.h"
 
 namespace kerf::cut {

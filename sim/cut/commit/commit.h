@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/cut/cut_types.h"
-#include "sim/cut/plan/step_plan.h"
+#include "sim/cut/plan/plan.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

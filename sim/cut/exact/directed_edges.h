@@ -1,5 +1,9 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace kerf::cut {
@@ -40,6 +44,54 @@ class DirectedEdges {
     };
     std::vector<int> first_;
     std::vector<Entry> entries_;
+};
+
+/// A table of numbers of some of the vertices of a mesh.
+class VertexNumbers {
+  public:
+    /// An empty table with room for `most` vertices.
+    explicit VertexNumbers(std::size_t most = 8) : slots_(std::bit_ceil(2 * most + 1)) {}
+
+    /// The number of a vertex, -1 where it has none.
+    int find(int vertex) const { return slots_[slotFor(vertex)].number; }
+    /// Gives a vertex that has none the number `number` >= 0.
+    void add(int vertex, int number) {
+        if (2 * ++count_ > slots_.size()) {
+            grow();
+        }
+        slots_[slotFor(vertex)] = {vertex, number};
+    }
+    /// How many vertices have a number.
+    std::size_t size() const { return count_; }
+
+  private:
+    struct Slot {
+        int vertex = -1;
+        int number = -1;
+    };
+
+    /// The slot where the vertex is, or where it would go.
+    std::size_t slotFor(int vertex) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = static_cast<std::uint64_t>(vertex) * 0x9E3779B97F4A7C15ull >> 32 & mask;
+        while (slots_[at].vertex >= 0 && slots_[at].vertex != vertex) {
+            at = (at + 1) & mask;
+        }
+        return at;
+    }
+
+    void grow() {
+        const std::vector<Slot> before =
+            std::exchange(slots_, std::vector<Slot>(4 * slots_.size()));
+        for (const Slot& slot : before) {
+            if (slot.vertex >= 0) {
+                slots_[slotFor(slot.vertex)] = slot;
+            }
+        }
+    }
+
+    std::vector<Slot> slots_;  ///< a power of two of them, half empty at least
+    std::size_t count_ = 0;
 };
 
 }  // namespace kerf::cut

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

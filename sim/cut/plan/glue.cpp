@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/cut/exact/directed_edges.h"
-#include "sim/cut/exact/vertex_numbers.h"
 
 namespace kerf::cut {
 

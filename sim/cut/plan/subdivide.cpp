@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/exact/triangulation.h"
-#include "sim/cut/exact/vertex_numbers.h"
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

@@ -11,8 +11,8 @@
 #include "sim/cut/surface/edge_length_field.h"
 #include "sim/cut/surface/piece_groups.h"
 #include "sim/cut/surface/stroke_surface.h"
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_finder.h"
 #include "sim/mesh/triangle_tree.h"
 
 namespace kerf::cut {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/cut/stroke/cut_body.h"
 #include "sim/cut/stroke/stroke.h"
 #include "sim/cut/surface/broad_phase.h"

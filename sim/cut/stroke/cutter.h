@@ -7,8 +7,8 @@
 #include "sim/base/byte_archive.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_finder.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/plan/strip/new_rung.h"
 #include "sim/cut/wall_copies.h"
 

@@ -13,19 +13,16 @@
 #include <string>
 #include <utility>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/commit/commit.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/plan/air_edges.h"
-#include "sim/cut/plan/bridges.h"
 #include "sim/cut/plan/input/slit_opening.h"
-#include "sim/cut/plan/mirrors.h"
 #include "sim/cut/plan/plan.h"
 #include "sim/cut/stroke/group_rung.h"
+#include "sim/cut/stroke/group_stroke.h"
 #include "sim/cut/stroke/ladder.h"
-#include "sim/cut/stroke/resume.h"
 #include "sim/cut/stroke/rung_parts.h"
-#include "sim/cut/stroke/step_result.h"
 
 namespace kerf::cut {
 

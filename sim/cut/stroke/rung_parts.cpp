@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "sim/base/mapped.h"
-#include "sim/cut/blade_line.h"
+#include "sim/base/containers.h"
+#include "sim/cut/blade.h"
 
 namespace kerf::cut {
 

@@ -10,7 +10,7 @@
 
 #include "sim/cut/stroke/group_rung.h"
 #include "sim/cut/stroke/group_step.h"
-#include "sim/cut/stroke/step_result.h"
+#include "sim/cut/stroke/ladder.h"
 
 namespace kerf::cut {
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/cut/surface/broad_phase.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sim/cut/cut_types.h"
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_finder.h"
 
 namespace kerf::cut {
 

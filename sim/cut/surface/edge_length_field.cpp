@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cut/wall_edge.h"
+#include "sim/cut/wall_copies.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/base/pausing.h"
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/invariants.h"

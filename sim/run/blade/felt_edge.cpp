@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/mesh/ray_box.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/parts/led_blade.h"
 

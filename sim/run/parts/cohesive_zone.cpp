@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

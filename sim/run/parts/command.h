@@ -6,7 +6,6 @@
 
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
-#include "sim/base/region.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"
 

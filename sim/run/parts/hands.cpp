@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/base/region.h"
+#include "sim/base/placement.h"
 #include "sim/mesh/surface_patch.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 
 namespace kerf {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
+#include "sim/base/containers.h"
 #include "sim/base/pausing.h"
-#include "sim/base/sort_unique.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

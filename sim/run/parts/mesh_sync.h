@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/mesh/triangle_finder.h"
 #include "sim/solve/gpu_solver.h"
 
 namespace kerf {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shaders/shared/body_records.h"
-#include "sim/base/region.h"
+#include "sim/base/placement.h"
 #include "sim/body/body_model.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"

@@ -7,10 +7,10 @@
 
 #include "shaders/shared/constraints.h"
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/base/pausing.h"
 #include "sim/base/placement.h"
-#include "sim/base/sort_unique.h"
 #include "sim/base/text.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/impact_zones.h"

@@ -12,10 +12,10 @@
 #include "sim/run/parts/hands.h"
 #include "sim/run/parts/pins.h"
 #include "sim/run/parts/shape_recovery.h"
-#include "sim/run/parts/stroke_record.h"
+#include "sim/run/parts/step_report.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/solve/body_measure.h"
-#include "sim/solve/implicit/energy_guard.h"
+#include "sim/solve/implicit/step_choice.h"
 #include "sim/solve/volume_targets.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include "sim/base/boxes.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
-#include "sim/mesh/box_surface.h"
+#include "sim/mesh/triangle_soup.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {

@@ -1,10 +1,11 @@
 #include "sim/run/start/prepared_body.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf {
@@ -78,6 +79,23 @@ PreparedBody::PreparedBody(SurfaceMesh atRest, const StageListener& enter,
       body(std::make_unique<BodyUpdater>(uncut->body)),
       cutter(std::make_unique<Cutter>(uncut->cutter)) {
     pages.assign(body->model().pieceOfVertex, body->model().pieces.size());
+}
+
+BodyUpload::BodyUpload(PreparedBody prepared)
+    : prepared_(std::move(prepared)),
+      state_(stateOf(prepared_.uncut->mesh)),
+      solver_(std::make_unique<GpuSolver>()) {}
+
+void BodyUpload::advance() {
+    assert(!done());
+    solver_->setModelPortion(next_, prepared_.body->model(), state_, prepared_.pages);
+    ++next_;
+}
+
+void BodyUpload::finish() {
+    while (!done()) {
+        advance();
+    }
 }
 
 }  // namespace kerf

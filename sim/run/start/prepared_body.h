@@ -5,13 +5,22 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/placement.h"
+#include "sim/body/body_model.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/surface_mesh.h"
-#include "sim/run/start/placed_model.h"
+#include "sim/solve/gpu_solver.h"
 #include "sim/solve/solver_pieces.h"
 
 namespace kerf {
+
+/// A model of a scene within the common mesh.
+struct PlacedModel {
+    Placement placement = {};  ///< from its file to metres of the scene
+    int firstVertex = 0;       ///< of the uncut mesh; those of the next model follow its own
+    bool operator==(const PlacedModel&) const = default;
+};
 
 /// Called with the name of each stage of long work before it begins; may throw to cancel.
 using StageListener = std::function<void(const char* stage)>;
@@ -51,6 +60,27 @@ struct PreparedBody {
     std::unique_ptr<BodyUpdater> body;
     std::unique_ptr<Cutter> cutter;
     VertexPages pages;
+};
+
+/// The upload of a prepared body to the GPU, in portions, so that frames can be drawn in between.
+/// Then a Simulation takes it over.
+class BodyUpload {
+  public:
+    /// Compiles the kernels for the OpenGL context that is current. Throws gpu::ShaderError.
+    explicit BodyUpload(PreparedBody prepared);
+
+    bool done() const { return next_ == GpuSolver::kModelPortions; }
+    /// Uploads the next portion; not once it is done. Throws gpu::OutOfMemory.
+    void advance();
+    void finish();
+
+  private:
+    friend class Simulation;
+
+    PreparedBody prepared_;
+    BodyState state_;
+    std::unique_ptr<GpuSolver> solver_;
+    int next_ = 0;
 };
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/parts/led_blade.h"
 #include "sim/run/tear/tear_blade.h"

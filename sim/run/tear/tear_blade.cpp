@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/mesh/ray_box.h"
+#include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

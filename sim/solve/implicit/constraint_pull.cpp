@@ -6,8 +6,8 @@
 
 #include "shaders/shared/implicit_records.h"
 #include "shaders/shared/solver_uniforms.h"
-#include "sim/base/mapped.h"
-#include "sim/body/dihedral.h"
+#include "sim/base/containers.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf {
 

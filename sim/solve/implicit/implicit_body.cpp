@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "shaders/shared/body_records.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 
 namespace kerf {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/cli/usage_error.h"
+#include "app/cli/verb.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "tests/support/png_head.h"

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "app/doctor/findings.h"
+#include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "gpu/limits.h"
 #include "gpu/program.h"
 #include "render/renderer.h"
 #include "tests/support/every_kernel.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/editor/storage/manual.h"
+#include "app/editor/storage/file_work.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"

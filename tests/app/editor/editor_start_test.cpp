@@ -1,8 +1,8 @@
 // The start page: scenes and recent files to begin with.
 #include <algorithm>
 
-#include "app/editor/storage/recent_files.h"
-#include "app/editor/view/start_scenes.h"
+#include "app/editor/storage/settings_file.h"
+#include "app/editor/view/editor_panels.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"
 #include "app/session/material.h"

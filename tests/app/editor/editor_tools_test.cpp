@@ -5,7 +5,7 @@
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/tools/box_placement.h"
-#include "app/tools/ruler.h"
+#include "app/tools/stroke_tool.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/app/session/replayed_session.h"
 

@@ -1,7 +1,6 @@
-#include "app/editor/steps/kernel_preparation.h"
-
 #include <array>
 
+#include "app/editor/steps/background_work.h"
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"

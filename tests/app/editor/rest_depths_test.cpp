@@ -1,7 +1,6 @@
-#include "app/editor/steps/rest_depths.h"
-
 #include <gtest/gtest.h>
 
+#include "app/editor/steps/background_work.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -1,8 +1,8 @@
-#include "app/editor/steps/time_left.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "app/editor/steps/step_clock.h"
 
 namespace kerf::app {
 namespace {

@@ -1,11 +1,10 @@
 // Work that rests between two portions, on a stack of its own.
-#include "app/editor/steps/work_in_portions.h"
-
 #include <gmock/gmock.h>
 
 #include <stdexcept>
 #include <vector>
 
+#include "app/editor/steps/scene_at_work.h"
 #include "sim/base/pausing.h"
 
 namespace kerf::app {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "app/files/io/folder_lock.h"
+#include "app/files/io/system_file.h"
 #include "render/scene/image.h"
 #include "tests/paths.h"
 #include "tests/support/run_kerf.h"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/editor/storage/plot_export.h"
+#include "app/editor/storage/file_saving.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -12,7 +12,7 @@
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/quantity_text.h"
+#include "sim/base/text.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

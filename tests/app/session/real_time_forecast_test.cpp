@@ -1,7 +1,6 @@
-#include "app/session/real_time_forecast.h"
-
 #include <gtest/gtest.h>
 
+#include "app/session/real_time_factor.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/import/model_source.h"
-#include "app/files/io/sha256.h"
+#include "app/files/io/encodings.h"
 #include "app/session/session.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/session_samples.h"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/sha256.h"
 #include "app/study/run_record.h"
 #include "app/study/study_plots.h"
 #include "tests/support/shapes.h"

@@ -1,8 +1,8 @@
-#include "sim/base/float_rounding.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "sim/base/math.h"
 
 namespace kerf {
 namespace {

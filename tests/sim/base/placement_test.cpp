@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/quantity_text.h"
 #include "sim/base/size_params.h"
+#include "sim/base/text.h"
 
 namespace kerf {
 namespace {

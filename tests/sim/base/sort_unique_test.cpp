@@ -1,10 +1,10 @@
-#include "sim/base/sort_unique.h"
-
 #include <gtest/gtest.h>
 
 #include <climits>
 #include <random>
 #include <string>
+
+#include "sim/base/containers.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "sim/body/body_updater.h"
 #include "sim/body/ispc_builder.h"
-#include "sim/body/ray_tree.h"
 #include "tests/sim/body/ispc_bits.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -1,10 +1,9 @@
-#include "sim/body/constraint_builder.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shell_lists.h"

@@ -1,10 +1,9 @@
-#include "sim/body/dihedral.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "sim/base/math.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf {
 namespace {

@@ -1,10 +1,9 @@
-#include "sim/body/ray_tree.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
+#include "sim/body/ispc_builder.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -1,9 +1,9 @@
-#include "sim/body/segment_grid.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "sim/body/ispc_set.h"
 
 namespace kerf {
 namespace {

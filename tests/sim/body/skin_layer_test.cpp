@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/body/body_model.h"
-#include "sim/body/constraint_builder.h"
+#include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

@@ -1,6 +1,6 @@
-#include "sim/cut/plan/bridges.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/cut/plan/air_edges.h"
 
 namespace kerf::cut {
 namespace {

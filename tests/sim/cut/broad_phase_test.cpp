@@ -6,7 +6,6 @@
 #include <random>
 
 #include "sim/cut/exact/directed_edges.h"
-#include "sim/cut/exact/vertex_numbers.h"
 #include "sim/mesh/triangle_tree.h"
 #include "tests/support/shapes.h"
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/cavities.h"
 #include "sim/mesh/invariants.h"
+#include "sim/mesh/piece_figures.h"
 #include "sim/mesh/piece_labels.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "sim/cut/cleanup/limits.h"
+#include "sim/cut/cleanup/workspace.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"

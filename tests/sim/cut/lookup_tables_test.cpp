@@ -4,7 +4,6 @@
 #include <random>
 
 #include "sim/cut/exact/directed_edges.h"
-#include "sim/cut/exact/vertex_numbers.h"
 #include "tests/support/fuzz_seed.h"
 
 namespace kerf::cut {

@@ -1,7 +1,6 @@
-#include "sim/cut/plan/mirrors.h"
-
 #include <gtest/gtest.h>
 
+#include "sim/cut/plan/plan.h"
 #include "tests/support/facing_walls.h"
 
 namespace kerf::cut {

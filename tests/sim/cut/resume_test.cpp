@@ -1,9 +1,8 @@
-#include "sim/cut/stroke/resume.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "sim/cut/stroke/group_stroke.h"
 #include "tests/support/sound_strokes.h"
 
 namespace kerf::cut {

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "sim/cut/plan/mirrors.h"
+#include "sim/cut/plan/plan.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/facing_walls.h"

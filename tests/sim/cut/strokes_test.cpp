@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"

@@ -1,5 +1,3 @@
-#include "sim/mesh/cavities.h"
-
 #include <gtest/gtest.h>
 
 #include "sim/mesh/invariants.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sim/body/piece_masses.h"
-#include "sim/run/stored_moment.h"
+#include "sim/run/moment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

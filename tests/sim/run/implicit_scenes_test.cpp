@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "sim/run/stored_moment.h"
+#include "sim/run/moment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

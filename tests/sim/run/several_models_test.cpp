@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "sim/run/start/body_upload.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"

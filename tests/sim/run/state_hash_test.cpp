@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {

@@ -1,10 +1,9 @@
 // Moments that another simulation continues from: bit for bit, as if it had done it all.
-#include "sim/run/stored_moment.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "sim/run/moment.h"
 #include "sim/run/state_hash.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"

@@ -1,5 +1,3 @@
-#include "sim/solve/unfolding.h"
-
 #include <algorithm>
 #include <random>
 
@@ -7,6 +5,7 @@
 #include "sim/body/rest_geometry.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/gpu_solver.h"
+#include "sim/solve/time_stepper.h"
 #include "tests/support/folds.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/reference/reference_solver.h"

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include "app/editor/storage/recent_files.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/files/io/errors.h"
 #include "tests/support/fuzz/refusal.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/body/dihedral.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf {
 

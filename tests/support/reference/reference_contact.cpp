@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim/mesh/box_tree.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

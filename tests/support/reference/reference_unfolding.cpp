@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "shaders/shared/unfold_records.h"
-#include "sim/body/dihedral.h"
+#include "sim/body/rest_geometry.h"
 #include "sim/body/rest_pose.h"
 #include "sim/mesh/triangle.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/cut/cut_types.h"
-#include "sim/cut/exact/vertex_numbers.h"
+#include "sim/cut/exact/directed_edges.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/base/sort_unique.h"
+#include "sim/base/containers.h"
 #include "sim/cut/plan/curves/curve_nodes.h"
 #include "sim/cut/plan/strip/front_profile.h"
 #include "sim/cut/wall_copies.h"

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/plan/input/step.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/exact/jitter.h"
 
 namespace kerf::cut {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/plan/strip/new_rung.h"
 

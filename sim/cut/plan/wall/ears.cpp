@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 
 namespace kerf::cut {
 

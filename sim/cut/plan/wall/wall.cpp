@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "sim/cut/plan/curves/rest_guess.h"
+#include "sim/cut/plan/curves/outline.h"
 #include "sim/cut/plan/strip/strip.h"
 #include "sim/cut/plan/wall/ears.h"
 #include "sim/cut/plan/wall/sheet_border.h"

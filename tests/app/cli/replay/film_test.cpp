@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/cli/replay/film_captions.h"
 #include "app/files/io/csv.h"
 #include "render/scene/image.h"
 #include "tests/support/program_output.h"

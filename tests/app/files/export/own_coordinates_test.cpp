@@ -13,7 +13,7 @@
 #include "app/files/io/file_io.h"
 #include "app/scene/document/editor_document.h"
 #include "sim/base/boxes.h"
-#include "sim/base/float_rounding.h"
+#include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

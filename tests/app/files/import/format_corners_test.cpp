@@ -13,7 +13,7 @@
 #include "app/files/import/import_process.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
-#include "app/files/jobs/own_programs.h"
+#include "app/files/jobs/child_process.h"
 #include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/import/readers.h"
-#include "app/files/io/base64.h"
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
 #include "sim/base/boxes.h"
 #include "sim/repair/soup_inspection.h"

@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "app/cli/replay/replay.h"
-#include "app/editor/storage/recent_files.h"
 #include "app/editor/storage/settings_file.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"

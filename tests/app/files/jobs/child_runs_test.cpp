@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/files/jobs/work_progress.h"
+#include "app/files/jobs/background_job.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/variable.h"
 

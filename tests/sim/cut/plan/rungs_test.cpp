@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/cut/blade_line.h"
+#include "sim/cut/blade.h"
 #include "sim/cut/plan/strip/new_rung.h"
 #include "sim/cut/plan/strip/strip.h"
 #include "sim/cut/plan/strip/swept_strip.h"

@@ -1,7 +1,6 @@
-#include "sim/cut/plan/curves/triangle_pair.h"
-
 #include <gtest/gtest.h>
 
+#include "sim/cut/plan/curves/curve_nodes.h"
 #include "tests/support/step_bench.h"
 
 namespace kerf::cut {

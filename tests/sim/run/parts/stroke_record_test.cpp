@@ -1,6 +1,6 @@
-#include "sim/run/parts/stroke_record.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/run/parts/step_report.h"
 
 namespace kerf {
 namespace {

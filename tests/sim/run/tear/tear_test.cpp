@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/mesh/invariants.h"
-#include "sim/run/parts/stroke_record.h"
+#include "sim/run/parts/step_report.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -1,6 +1,6 @@
-#include "sim/solve/implicit/energy_guard.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/solve/implicit/step_choice.h"
 
 namespace kerf {
 namespace {

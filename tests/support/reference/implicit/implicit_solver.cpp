@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "shaders/shared/implicit_records.h"
-#include "sim/base/mapped.h"
+#include "sim/base/containers.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/contact/contact_solver.h"
-#include "sim/mesh/closest_point.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {
