@@ -5,16 +5,11 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <list>
-#include <map>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "app/files/import/shell_protocol.h"
 #include "app/files/jobs/process_limits.h"

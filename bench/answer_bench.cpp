@@ -4,16 +4,11 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "app/editor/editor.h"
 #include "app/editor/view/editor_panels.h"

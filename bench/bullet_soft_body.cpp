@@ -3,8 +3,6 @@
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 
-#include <vector>
-
 namespace kerf {
 
 struct BulletSoftBody::State {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "sim/body/body_model.h"
 
 namespace kerf {

@@ -8,8 +8,6 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 namespace kerf {

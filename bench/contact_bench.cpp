@@ -5,13 +5,9 @@
 //   [--seconds S] [--NAME VALUE ...]
 // where NAME is a parameter of the simulation.
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
-#include <string>
 
 #include "gpu/context.h"
 #include "tests/support/bar_falls.h"

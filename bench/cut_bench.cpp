@@ -8,16 +8,10 @@
 // The sizes take turns, several rounds of them, so that whatever else keeps the machine busy falls
 // on all.
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <string>
-#include <vector>
 
 #include "bench/timing.h"
 #include "gpu/context.h"

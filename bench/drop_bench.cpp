@@ -9,11 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"

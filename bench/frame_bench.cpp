@@ -4,13 +4,9 @@
 #include <glad/gl.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "app/editor/editor.h"
 #include "app/files/import/builtin_models.h"

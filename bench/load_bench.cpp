@@ -4,15 +4,12 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <thread>
-#include <vector>
 
 #include "app/editor/editor.h"
 #include "app/editor/view/editor_panels.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <filesystem>
-#include <string>
-
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"
 #include "sim/mesh/surface_mesh.h"

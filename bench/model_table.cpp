@@ -3,15 +3,9 @@
 // are searched for models. Prints a JSON object per model, and the sums. "--write-spoilt FOLDER"
 // writes a ball with each defect of tests/support, alone and with each other one, instead.
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"

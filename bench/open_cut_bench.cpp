@@ -2,13 +2,9 @@
 // paper's models, and open-cut, is played for up to 400 steps, both ways. One JSON object per row.
 //   kerf_open_cut_bench [NAME...]
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "app/files/import/model_source.h"
 #include "app/session/session.h"

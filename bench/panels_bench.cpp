@@ -4,12 +4,9 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "app/editor/editor.h"
 #include "bench/timing.h"

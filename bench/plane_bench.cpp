@@ -6,9 +6,6 @@
 // profiler. A folder instead gets the spheres as OBJ files, and walls are graded:
 // bench/vtk_plane_cut.py runs VTK on these beside.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -16,8 +13,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "bench/cgal_plane_cut.h"
 #include "bench/timing.h"

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "bench/bullet_soft_body.h"
 #include "bench/timing.h"

@@ -8,16 +8,11 @@
 // many (8) of the clock. The load is that of the machine over the last minute, this program
 // included.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/files/import/model_source.h"
 #include "app/session/cut_report.h"

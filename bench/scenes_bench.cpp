@@ -9,8 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
-#include <string>
 
 #include "gpu/context.h"
 #include "tests/support/moving_scenes.h"

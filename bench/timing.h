@@ -1,9 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <vector>
 
 namespace kerf {
 

@@ -5,15 +5,10 @@
 //   kerf_traffic_bench [MODEL | TRIANGLES]...    all builtin models, or these, or spheres of about
 //                                                so many triangles
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/model_source.h"

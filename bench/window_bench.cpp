@@ -9,8 +9,6 @@
 #include <cstdlib>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "app/editor/editor.h"
 #include "app/scene/editor_scene.h"

@@ -48,6 +48,7 @@ function(kerf_own_code target)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
 endfunction()
 
 # For what nobody waits for when it runs, such as panels and command lines: a fifth less time to
@@ -56,20 +57,19 @@ function(kerf_lightly_optimised target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# What most of our sources read, compiled once: kerf_headers_once(TARGET <MORE HEADERS>) for the
-# target, kerf_headers_of(TARGET OTHER) takes what was compiled for another one with the same flags.
-# Sources include them all the same.
+# What most of our sources read besides the prelude, compiled once: kerf_headers_once(TARGET <MORE
+# HEADERS>) for the target, kerf_headers_of(TARGET OTHER) takes what was compiled for another one
+# with the same flags. Sources include them all the same.
 function(kerf_headers_once target)
   if(KERF_TOGETHER)
-    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional>
-                              <map> <memory> <optional> <set> <span> <sstream> <string>
-                              <unordered_map> <variant> <vector> <Eigen/Core> <Eigen/Geometry>
-                              <spdlog/spdlog.h> <spdlog/fmt/fmt.h> ${ARGN})
+    target_precompile_headers(${target} PRIVATE <sstream> <unordered_map> <Eigen/Core>
+                              <Eigen/Geometry> <spdlog/spdlog.h> <spdlog/fmt/fmt.h> ${ARGN})
   endif()
 endfunction()
 
 function(kerf_headers_of target other)
   if(KERF_TOGETHER)
+    set_property(TARGET ${target} PROPERTY PRECOMPILE_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
 endfunction()

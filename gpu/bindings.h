@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace kerf::gpu {
 
 /// Prepares the OpenGL context for other users, for checks at pauses. Returns what is still bound

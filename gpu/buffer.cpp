@@ -3,10 +3,8 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
 #include <bit>
 #include <cassert>
-#include <utility>
 
 #include "gpu/context.h"
 #include "gpu/gl_name.h"

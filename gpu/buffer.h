@@ -1,11 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <stdexcept>
-#include <vector>
 
 namespace kerf::gpu {
 

@@ -4,12 +4,8 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <atomic>
 #include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <string_view>
 
 #include "gpu/driver_threads.h"
 #include "gpu/kernel_way.h"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace kerf::gpu {
 

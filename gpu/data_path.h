@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string_view>
-
 namespace kerf::gpu {
 
 /// The path of data such as "assets/models": below $KERF_DATA_DIR if set, else beside or one above

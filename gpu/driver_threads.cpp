@@ -2,13 +2,8 @@
 
 #include <sched.h>
 
-#include <filesystem>
 #include <fstream>
-#include <map>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace kerf::gpu {
 

@@ -2,8 +2,6 @@
 
 #include <sys/types.h>
 
-#include <vector>
-
 namespace kerf::gpu {
 
 /// Processors that this process may use, ascending.

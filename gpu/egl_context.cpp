@@ -2,10 +2,7 @@
 #include <EGL/eglext.h>
 #include <spdlog/spdlog.h>
 
-#include <array>
 #include <cstdlib>
-#include <string_view>
-#include <vector>
 
 #include "gpu/context.h"
 #include "gpu/traffic.h"

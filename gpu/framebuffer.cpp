@@ -3,12 +3,10 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cassert>
 
 #include "gpu/buffer.h"
 #include "gpu/context.h"
-#include "gpu/gl_name.h"
 
 namespace kerf::gpu {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "gpu/gl_name.h"
 
 namespace kerf::gpu {

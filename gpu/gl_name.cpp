@@ -3,8 +3,6 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-
 #include "gpu/buffer.h"
 
 namespace kerf::gpu {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <utility>
-
 namespace kerf::gpu {
 
 /// Owns an object that OpenGL knows by a number (move only). `Delete` deletes it; 0 is no object.

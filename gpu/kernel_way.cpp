@@ -1,9 +1,6 @@
 #include "gpu/kernel_way.h"
 
 #include <cstdlib>
-#include <optional>
-#include <string>
-#include <string_view>
 
 namespace kerf::gpu {
 namespace {

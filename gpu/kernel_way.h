@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "gpu/context.h"
 
 namespace kerf::gpu {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <map>
-
 namespace kerf::gpu {
 
 /// Words that a kernel gets with a dispatch: the block of shaders/sim/numbers.glsl.

@@ -3,13 +3,9 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdlib>
-#include <optional>
 
-#include "gpu/buffer.h"
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"

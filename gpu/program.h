@@ -1,14 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <map>
-#include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/numbers_table.h"

@@ -6,10 +6,7 @@
 
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include "gpu/context.h"
 #include "gpu/data_path.h"

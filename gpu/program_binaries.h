@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-
 namespace kerf::gpu {
 
 /// A cache of the driver's program binaries in files of a folder, so that a start need not

@@ -6,8 +6,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <utility>
-#include <vector>
 
 #include "gpu/driver_threads.h"
 

@@ -6,10 +6,8 @@
 #include <atomic>
 #include <cassert>
 #include <chrono>
-#include <limits>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 
 #include "gpu/context.h"
 #include "gpu/gl_name.h"

@@ -2,12 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
 #include <fstream>
-#include <optional>
 #include <regex>
-#include <set>
 #include <sstream>
 
 namespace kerf::gpu {

@@ -3,7 +3,6 @@
 #include <glad/gl.h>
 
 #include <cassert>
-#include <utility>
 
 #include "gpu/context.h"
 

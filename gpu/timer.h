@@ -1,8 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <vector>
 
 namespace kerf::gpu {
 

@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <optional>
-
 namespace kerf::gpu {
 
 Traffic operator-(const Traffic& now, const Traffic& before) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 namespace kerf::gpu {
 
 /// Counts of driver calls, to estimate the cost on a GPU.

@@ -2,9 +2,6 @@
 
 #include <pybind11/numpy.h>
 
-#include <utility>
-#include <vector>
-
 #include "python/scripted_run.h"
 
 namespace kerf::python {

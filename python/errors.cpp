@@ -1,7 +1,6 @@
 #include "python/errors.h"
 
 #include <exception>
-#include <string>
 
 #include "app/cli/program.h"
 #include "app/files/io/errors.h"

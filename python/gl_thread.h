@@ -4,12 +4,9 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
-#include <functional>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 namespace kerf::python {
 

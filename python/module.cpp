@@ -1,9 +1,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <string>
-#include <vector>
-
 #include "app/files/import/builtin_models.h"
 #include "app/session/material.h"
 #include "app/session/paper_experiments.h"

@@ -1,10 +1,7 @@
 #include <pybind11/stl.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "app/cli/replay/replay.h"
 #include "app/files/import/model_source.h"

@@ -1,9 +1,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <optional>
-#include <string>
-
 #include "app/session/metrics.h"
 #include "python/bindings.h"
 

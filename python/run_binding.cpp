@@ -1,12 +1,6 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <memory>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
 #include "app/files/io/errors.h"
 #include "python/arrays.h"
 #include "python/bindings.h"

@@ -1,9 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/files/io/output_folder.h"
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"

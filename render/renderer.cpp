@@ -2,9 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <array>
-
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "render/passes/blade_pass.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "gpu/framebuffer.h"
 #include "render/scene/camera.h"
 #include "render/scene/depth_field.h"

@@ -1,9 +1,5 @@
 #include "render/soup_body.h"
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "shaders/shared/shared_types.h"
 
 namespace kerf::render {

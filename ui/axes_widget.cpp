@@ -1,8 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <string>
-
 #include "ui/over_view.h"
 #include "ui/state/action_table.h"
 

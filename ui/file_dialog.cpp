@@ -3,10 +3,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "ui/state/action.h"
 
 namespace kerf::ui {

@@ -4,10 +4,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
-#include <array>
-
-#include "ui/base/layout.h"
 #include "ui/over_view.h"
 #include "ui/panels/panels.h"
 #include "ui/state/overlay.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "gpu/framebuffer.h"
 #include "ui/base/cursor.h"
 #include "ui/base/input.h"

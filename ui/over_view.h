@@ -1,10 +1,6 @@
 // What is drawn over the view and around the panels.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/state/action.h"

@@ -2,10 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <utility>
-
-#include "ui/base/layout.h"
 #include "ui/base/panel_context.h"
 #include "ui/base/widgets.h"
 

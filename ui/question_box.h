@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
 #include "ui/base/layout.h"

@@ -1,9 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/over_view.h"

@@ -2,12 +2,8 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 
-#include "ui/base/layout.h"
 #include "ui/base/panel_context.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"

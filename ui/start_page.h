@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "gpu/framebuffer.h"
 #include "ui/base/layout.h"
 #include "ui/state/action.h"

@@ -1,9 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "ui/base/theme.h"
 #include "ui/over_view.h"
 

@@ -1,12 +1,7 @@
 #include "app/cli/cli.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cctype>
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
 
 #include "app/cli/program.h"
 #include "app/cli/verb.h"

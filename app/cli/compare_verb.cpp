@@ -3,11 +3,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_checks.h"

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <filesystem>
 #include <iosfwd>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "render/scene/picture_comparison.h"
 

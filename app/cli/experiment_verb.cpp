@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <string>
 
 #include "app/cli/program.h"
 #include "app/cli/verb.h"

@@ -1,16 +1,10 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
-#include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include "app/cli/option_checks.h"
 #include "app/cli/program.h"

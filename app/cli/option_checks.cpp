@@ -1,11 +1,8 @@
 #include "app/cli/option_checks.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <thread>
-#include <utility>
 
 #include "app/files/io/errors.h"
 #include "app/session/session.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "app/cli/replay/picture_size.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors

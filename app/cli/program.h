@@ -1,9 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
-#include <optional>
-#include <string>
 
 // How the program kerf begins and ends.
 namespace kerf::app {

@@ -1,10 +1,6 @@
 #include "app/cli/replay_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"

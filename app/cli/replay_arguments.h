@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/cli/replay/replay.h"
 #include "app/session/session.h"
 

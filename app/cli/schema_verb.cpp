@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <memory>
-#include <string>
 
 #include "app/cli/verb.h"
 #include "app/files/io/errors.h"

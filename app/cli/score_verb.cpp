@@ -1,9 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"

@@ -2,10 +2,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
-#include <memory>
-#include <optional>
 
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors

@@ -2,16 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <span>
-#include <utility>
-
-#include "app/doctor/findings.h"
 #include "app/files/import/model_source.h"
 #include "app/session/headless_session.h"
 #include "app/session/paper_experiments.h"
 #include "gpu/buffer.h"
-#include "gpu/context.h"
 #include "gpu/data_path.h"
 #include "gpu/program.h"
 #include "sim/base/containers.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "app/doctor/findings.h"
 #include "app/session/real_time_factor.h"
 #include "gpu/context.h"

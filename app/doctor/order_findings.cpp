@@ -3,16 +3,8 @@
 #include <glad/gl.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdint>
 #include <deque>
-#include <functional>
-#include <iterator>
-#include <set>
-#include <span>
-#include <utility>
 
 #include "app/doctor/findings.h"
 #include "gpu/program.h"

@@ -1,7 +1,5 @@
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-
 #include "app/doctor/findings.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"

@@ -2,10 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <array>
 #include <new>
-#include <utility>
 
 #include "app/editor/editor_state.h"
 #include "app/scene/held_hands.h"

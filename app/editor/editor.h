@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/editor/storage/editor_options.h"
 #include "app/scene/document/editor_document.h"
 #include "gpu/framebuffer.h"

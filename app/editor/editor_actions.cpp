@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "app/editor/editor_state.h"
 #include "app/editor/storage/file_saving.h"
 #include "app/files/io/file_io.h"

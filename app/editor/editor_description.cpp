@@ -1,8 +1,5 @@
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <string>
-
 #include "app/editor/editor_state.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/section_pick.h"

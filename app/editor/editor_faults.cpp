@@ -3,10 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 #include "app/editor/editor_state.h"
 #include "app/files/import/model_units.h"
 #include "app/scene/document/triangle_text.h"

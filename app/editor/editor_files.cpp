@@ -1,8 +1,6 @@
 #include <spdlog/spdlog.h>
 
-#include <memory>
 #include <new>
-#include <utility>
 
 #include "app/editor/editor_state.h"
 #include "app/editor/view/editor_panels.h"

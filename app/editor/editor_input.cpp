@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <limits>
-
 #include "app/editor/editor_state.h"
 #include "app/scene/held_hands.h"
 #include "ui/state/action_table.h"

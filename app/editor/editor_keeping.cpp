@@ -1,8 +1,6 @@
 // What keeps work from being lost: the journal, what windows left behind, questions before it goes.
 #include <spdlog/spdlog.h>
 
-#include <utility>
-
 #include "app/editor/editor_state.h"
 #include "app/scene/document/editor_document.h"
 

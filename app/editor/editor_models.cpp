@@ -1,10 +1,6 @@
 // The scene on other models: what was done so far is repeated on them.
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <memory>
-#include <utility>
-
 #include "app/editor/editor_state.h"
 #include "app/session/scene_origin.h"
 #include "sim/base/text.h"

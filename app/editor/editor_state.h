@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/editor/editor.h"
 #include "app/editor/steps/background_work.h"
 #include "app/editor/steps/scene_at_work.h"

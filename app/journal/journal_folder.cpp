@@ -4,12 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <chrono>
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include "app/files/io/file_io.h"
 #include "app/journal/journal_writer.h"

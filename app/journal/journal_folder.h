@@ -1,9 +1,6 @@
 #pragma once
 
 #include <ctime>
-#include <filesystem>
-#include <memory>
-#include <vector>
 
 #include "app/files/io/system_file.h"
 #include "app/journal/journal_text.h"

@@ -1,12 +1,6 @@
 #include "app/journal/journal_text.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 #include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <string>
-
 #include "app/session/session.h"
 
 namespace kerf::app {

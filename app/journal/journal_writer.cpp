@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <ctime>
-#include <utility>
 
 #include "app/journal/journal_text.h"
 

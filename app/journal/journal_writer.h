@@ -2,12 +2,7 @@
 
 #include <condition_variable>
 #include <deque>
-#include <filesystem>
-#include <functional>
-#include <memory>
 #include <mutex>
-#include <optional>
-#include <string>
 #include <thread>
 
 #include "app/files/io/system_file.h"

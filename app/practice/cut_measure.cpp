@@ -1,9 +1,5 @@
 #include "app/practice/cut_measure.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "app/practice/hand_path.h"
 #include "sim/base/boxes.h"
 #include "sim/mesh/invariants.h"

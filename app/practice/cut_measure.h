@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/practice/task.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,9 +1,5 @@
 #include "app/practice/hand_path.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace kerf::app {
 
 namespace {

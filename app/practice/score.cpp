@@ -2,11 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/practice/hand_path.h"
 #include "sim/base/boxes.h"
 
 namespace kerf::app {

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "app/practice/cut_measure.h"
 #include "app/practice/hand_path.h"

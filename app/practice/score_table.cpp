@@ -1,7 +1,5 @@
 #include "app/practice/score_table.h"
 
-#include <algorithm>
-
 #include "app/files/io/csv.h"
 #include "app/files/io/data_page.h"
 #include "app/practice/score.h"

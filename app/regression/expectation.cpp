@@ -1,7 +1,5 @@
 #include "app/regression/expectation.h"
 
-#include <algorithm>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session.h"

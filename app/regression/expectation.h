@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "render/scene/picture_comparison.h"
 
 namespace kerf::app {

@@ -1,7 +1,5 @@
 #include "app/regression/expectation_writer.h"
 
-#include <algorithm>
-
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 

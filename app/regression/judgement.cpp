@@ -2,12 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"

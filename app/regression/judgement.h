@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/regression/expectation.h"
 #include "app/regression/picture_check.h"
 #include "app/regression/run_trace.h"

@@ -2,11 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <optional>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/output_folder.h"
 
 namespace kerf::app {
 

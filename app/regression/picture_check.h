@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/files/io/output_folder.h"
 #include "app/regression/expectation.h"
 

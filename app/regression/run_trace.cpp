@@ -1,8 +1,5 @@
 #include "app/regression/run_trace.h"
 
-#include <algorithm>
-#include <array>
-
 #include "app/files/io/csv.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"

@@ -1,9 +1,5 @@
 #include "app/regression/test_maker.h"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"

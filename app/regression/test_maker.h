@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/files/jobs/background_job.h"
 #include "app/session/session.h"
 

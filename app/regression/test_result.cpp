@@ -3,10 +3,7 @@
 #include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
 #include <ctime>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/data_page.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/regression/judgement.h"
 
 namespace kerf::app {

@@ -1,9 +1,5 @@
 #include "app/regression/test_session.h"
 
-#include <algorithm>
-#include <functional>
-#include <map>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/output_folder.h"
 #include "app/regression/expectation_writer.h"

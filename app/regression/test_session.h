@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/child_runs.h"
 #include "app/regression/test_result.h"
 

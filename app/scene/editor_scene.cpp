@@ -1,8 +1,5 @@
 #include "app/scene/editor_scene.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/scene/document/editor_document.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"

@@ -1,9 +1,5 @@
 #include "app/scene/editor_stroke.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace kerf::app {
 namespace {
 

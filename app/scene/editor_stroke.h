@@ -1,9 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <limits>
-#include <optional>
-#include <vector>
 
 #include "render/scene/camera.h"
 #include "sim/run/parts/command.h"

@@ -1,9 +1,5 @@
 #include "app/scene/held_hands.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "app/scene/timeline/scene_timeline.h"
 
 namespace kerf::app {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-#include <map>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "app/scene/incision.h"
 #include "app/scene/timeline/hooks.h"
 

@@ -1,9 +1,6 @@
 #include "app/scene/incision.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <limits>
-#include <vector>
 
 #include "sim/mesh/triangle.h"
 

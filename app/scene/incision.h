@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "app/scene/readout/cut_preview.h"
 
 namespace kerf::app {

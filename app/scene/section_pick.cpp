@@ -1,6 +1,5 @@
 #include "app/scene/section_pick.h"
 
-#include "app/scene/readout/cut_preview.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 

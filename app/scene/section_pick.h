@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/cut_preview.h"
 #include "render/scene/camera.h"

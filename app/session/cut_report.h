@@ -1,10 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_quality.h"

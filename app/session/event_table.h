@@ -4,10 +4,7 @@
 #pragma once
 
 #include <initializer_list>
-#include <span>
 #include <type_traits>
-#include <variant>
-#include <vector>
 
 #include "app/files/export/mesh_formats.h"
 #include "app/session/session.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "sim/run/state_hash.h"
 
 namespace kerf::app {

@@ -1,7 +1,5 @@
 #include "app/session/headless_session.h"
 
-#include <utility>
-
 #include "app/files/export/export.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/errors.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/io/output_folder.h"
 #include "app/session/session.h"
 #include "app/session/simulation_driver.h"

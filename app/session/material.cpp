@@ -2,9 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
-#include <iterator>
 #include <tuple>
 
 #include "app/files/io/errors.h"

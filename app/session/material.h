@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/session/session.h"
 #include "render/scene/body_look.h"
 #include "sim/base/params.h"

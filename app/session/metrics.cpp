@@ -1,7 +1,5 @@
 #include "app/session/metrics.h"
 
-#include <algorithm>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/file_io.h"

@@ -1,8 +1,5 @@
 #include "app/session/paper_experiments.h"
 
-#include <algorithm>
-#include <array>
-
 namespace kerf::app {
 
 namespace {

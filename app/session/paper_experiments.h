@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
 namespace kerf::app {
 
 /// One of the paper's five experiments as described in the paper (docs/architecture.md, Sources).

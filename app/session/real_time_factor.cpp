@@ -2,10 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <utility>
 
 #include "sim/base/stopwatch.h"
 #include "sim/base/text.h"

@@ -1,8 +1,5 @@
 #include "app/session/scene_origin.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/session/session_table.h"
 
 namespace kerf::app {

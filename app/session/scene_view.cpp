@@ -1,7 +1,5 @@
 #include "app/session/scene_view.h"
 
-#include <algorithm>
-
 namespace kerf::app {
 
 render::BodyLook lookOf(const Session& session) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "app/session/session.h"
 #include "render/scene/scene.h"
 #include "sim/run/simulation.h"

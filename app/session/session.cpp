@@ -2,12 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <iterator>
-#include <map>
-#include <set>
 #include <type_traits>
-#include <utility>
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/import_protocol.h"

@@ -1,15 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
-
 #include "app/files/export/mesh_formats.h"
 #include "app/files/import/mending.h"
 #include "app/practice/task.h"

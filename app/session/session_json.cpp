@@ -1,8 +1,6 @@
 #include "app/session/session_json.h"
 
-#include <algorithm>
 #include <cctype>
-#include <vector>
 
 #include "app/files/io/errors.h"
 

@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <set>
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/io/file_io.h"

@@ -5,8 +5,6 @@
 // editors are made from it, as of session_table.h, whose words mean the same here.
 #pragma once
 
-#include <algorithm>
-
 #include "app/session/event_table.h"
 #include "app/session/material.h"
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "app/files/io/errors.h"
 #include "app/session/scene_origin.h"
 #include "app/session/session_json.h"

@@ -1,8 +1,5 @@
 #include "app/session/simulation_driver.h"
 
-#include <cmath>
-#include <utility>
-
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <type_traits>
-#include <variant>
-#include <vector>
 
 #include "app/session/session.h"
 #include "sim/run/simulation.h"

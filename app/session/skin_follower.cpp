@@ -1,7 +1,5 @@
 #include "app/session/skin_follower.h"
 
-#include <algorithm>
-
 #include "sim/body/body_model.h"
 #include "sim/run/start/prepared_body.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "app/files/import/own_looks.h"
 #include "render/scene/skin_paint.h"
 #include "sim/mesh/triangle.h"

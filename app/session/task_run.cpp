@@ -1,9 +1,5 @@
 #include "app/session/task_run.h"
 
-#include <algorithm>
-#include <span>
-#include <utility>
-
 #include "app/files/import/model_source.h"
 #include "app/session/headless_session.h"
 #include "sim/run/simulation.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "app/practice/score.h"
 #include "app/session/session.h"
 

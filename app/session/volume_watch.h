@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "sim/mesh/invariants.h"
 
 namespace kerf::app {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/files/io/system_file.h"
 
 namespace kerf::app {

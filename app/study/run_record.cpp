@@ -1,6 +1,5 @@
 #include "app/study/run_record.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-
 #include "app/study/study.h"
 
 namespace kerf::app {

@@ -1,10 +1,6 @@
 #include "app/study/study.h"
 
-#include <algorithm>
-#include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"

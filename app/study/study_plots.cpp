@@ -2,10 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 
 #include "app/files/io/csv.h"
 #include "app/files/io/file_io.h"

@@ -1,7 +1,5 @@
 #include "app/study/study_run.h"
 
-#include <algorithm>
-
 #include "app/files/export/export.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"

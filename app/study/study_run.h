@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/study/run_record.h"
 
 namespace kerf::app {

@@ -1,8 +1,5 @@
 #include "app/study/study_table.h"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/files/io/csv.h"

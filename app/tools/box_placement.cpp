@@ -1,10 +1,5 @@
 #include "app/tools/box_placement.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-
 #include "sim/base/boxes.h"
 
 namespace kerf::app {

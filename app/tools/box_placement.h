@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/tools/view_frame.h"
 #include "sim/contact/static_box.h"
 #include "ui/base/layout.h"

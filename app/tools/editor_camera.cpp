@@ -1,10 +1,5 @@
 #include "app/tools/editor_camera.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "render/scene/camera.h"
-
 namespace kerf::app {
 namespace {
 

@@ -3,10 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 #include "app/tools/gizmo_math.h"
 #include "sim/base/text.h"

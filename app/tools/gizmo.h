@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/tools/view_frame.h"
 #include "ui/state/overlay.h"

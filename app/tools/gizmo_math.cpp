@@ -1,9 +1,6 @@
 #include "app/tools/gizmo_math.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace kerf::app {
 namespace {

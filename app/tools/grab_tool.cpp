@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/cut_preview.h"

@@ -1,8 +1,6 @@
 #include "app/tools/guillotine.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <utility>
 
 #include "app/scene/editor_stroke.h"
 #include "app/tools/gizmo.h"

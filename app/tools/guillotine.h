@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "sim/base/math.h"
 #include "sim/cut/blade.h"

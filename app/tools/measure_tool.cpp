@@ -3,10 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "app/scene/readout/scene_readout.h"
 #include "app/scene/section_pick.h"

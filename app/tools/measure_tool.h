@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/scene/readout/surface_anchor.h"
 #include "app/tools/tool.h"
 

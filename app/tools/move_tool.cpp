@@ -1,9 +1,6 @@
 #include "app/tools/move_tool.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <limits>
-#include <utility>
 
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/readout/cut_preview.h"

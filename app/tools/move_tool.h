@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/scene/editor_scene.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/cut_preview.h"
 #include "app/session/event_table.h"

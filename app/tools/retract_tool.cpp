@@ -1,8 +1,5 @@
 #include "app/tools/retract_tool.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"

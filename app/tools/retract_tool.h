@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "app/tools/tool.h"
 
 namespace kerf::app {

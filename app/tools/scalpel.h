@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "app/scene/readout/cut_preview.h"
 #include "sim/cut/blade.h"
 

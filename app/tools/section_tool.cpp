@@ -1,7 +1,6 @@
 #include "app/tools/section_tool.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "app/tools/gizmo_math.h"
 #include "app/tools/tool_marks.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "app/tools/view_frame.h"
 #include "render/scene/overlays.h"
 

@@ -1,8 +1,5 @@
 #include "app/tools/stroke_tool.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "app/scene/editor_stroke.h"
 #include "app/tools/tool.h"
 

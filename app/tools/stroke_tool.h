@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "sim/base/math.h"
 
 namespace kerf::app {

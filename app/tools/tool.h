@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/tools/view_frame.h"
 #include "render/scene/overlays.h"
 #include "sim/cut/blade.h"

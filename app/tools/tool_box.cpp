@@ -1,10 +1,6 @@
 #include "app/tools/tool_box.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/scene/editor_stroke.h"
-#include "app/tools/tool.h"
 #include "app/tools/tool_marks.h"
 
 namespace kerf::app {

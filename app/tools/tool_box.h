@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-
 #include "app/tools/tool.h"
 
 namespace kerf::app {

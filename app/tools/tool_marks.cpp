@@ -1,11 +1,6 @@
 #include "app/tools/tool_marks.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "app/scene/editor_scene.h"
-#include "app/scene/readout/cut_preview.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 

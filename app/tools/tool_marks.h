@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "app/scene/readout/cut_preview.h"
 #include "app/tools/tool.h"
 #include "app/tools/view_frame.h"

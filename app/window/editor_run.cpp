@@ -2,10 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <string>
-#include <utility>
-
 #include "app/editor/editor.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/settings_file.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 namespace kerf::app {
 
 class Editor;

@@ -1,8 +1,5 @@
 #include "app/window/monitor.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kerf::app {
 
 float scaleOf(int width, int height, int wide, int high) {

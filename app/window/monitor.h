@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "ui/base/settings.h"
 
 namespace kerf::app {

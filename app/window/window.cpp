@@ -3,11 +3,7 @@
 #include <dlfcn.h>
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <array>
 #include <cstring>
-#include <utility>
-#include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

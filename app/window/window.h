@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
 #include "ui/base/cursor.h"

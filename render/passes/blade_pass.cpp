@@ -2,9 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <array>
-
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {

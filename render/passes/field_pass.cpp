@@ -2,9 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <string>
-
 #include "render/passes/surface_pass.h"
 #include "shaders/shared/render_bindings.h"
 

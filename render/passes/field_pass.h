@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "render/passes/frame.h"

@@ -1,8 +1,5 @@
 #include "render/passes/frame.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {

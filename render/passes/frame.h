@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "gpu/program.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"

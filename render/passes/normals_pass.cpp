@@ -1,10 +1,5 @@
 #include "render/passes/normals_pass.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "shaders/shared/render_bindings.h"
 
 namespace kerf::render {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/solve/body_view.h"

@@ -2,9 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
 #include "shaders/shared/render_bindings.h"

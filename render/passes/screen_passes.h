@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "gpu/framebuffer.h"
 #include "gpu/program.h"
 #include "render/passes/frame.h"

@@ -3,8 +3,6 @@
 #include <glad/gl.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <string>
 
 #include "shaders/shared/render_bindings.h"
 

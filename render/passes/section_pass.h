@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-
 #include "gpu/program.h"
 #include "render/passes/frame.h"
 #include "render/passes/surface_pass.h"

@@ -2,11 +2,8 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
-#include <string>
-#include <utility>
 
 #include "gpu/context.h"
 #include "render/scene/environment.h"

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <memory>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "gpu/gl_name.h"
 #include "gpu/program.h"

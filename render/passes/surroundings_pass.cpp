@@ -3,9 +3,6 @@
 #include <glad/gl.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "shaders/shared/render_bindings.h"
 

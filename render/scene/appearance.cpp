@@ -3,7 +3,6 @@
 #include <stb_image.h>
 #include <turbojpeg.h>
 
-#include <memory>
 #include <stdexcept>
 
 namespace kerf::render {

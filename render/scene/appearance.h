@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "render/scene/image.h"
 #include "sim/base/math.h"
 

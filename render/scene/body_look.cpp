@@ -1,7 +1,5 @@
 #include "render/scene/body_look.h"
 
-#include <cmath>
-
 namespace kerf::render {
 namespace {
 

@@ -1,10 +1,5 @@
 #include "render/scene/camera.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 namespace kerf::render {
 
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/math.h"
 
 namespace kerf::render {

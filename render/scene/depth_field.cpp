@@ -2,10 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
 

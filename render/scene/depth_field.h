@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "gpu/gl_name.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -4,12 +4,8 @@
 #include <spdlog/spdlog.h>
 #include <stb_image.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
-#include <memory>
-#include <numbers>
 #include <stdexcept>
 
 #include "gpu/data_path.h"

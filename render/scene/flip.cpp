@@ -2,12 +2,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <vector>
 
 namespace kerf::render {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "render/scene/image.h"
 
 namespace kerf::render {

@@ -3,15 +3,10 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <stdexcept>
-#include <string_view>
 
 namespace kerf::render {
 namespace {

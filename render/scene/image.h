@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace kerf::render {
 
 /// A rectangle of pixels, from the top left corner of the picture.

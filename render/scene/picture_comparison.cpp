@@ -1,8 +1,5 @@
 #include "render/scene/picture_comparison.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 
 #include "render/scene/flip.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "render/scene/image.h"
 
 namespace kerf::render {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "render/scene/body_look.h"
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"

@@ -1,8 +1,5 @@
 #include "render/scene/skin_paint.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace kerf::render {
 namespace {
 

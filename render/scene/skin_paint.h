@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <vector>
-
 #include "render/scene/appearance.h"
 #include "shaders/shared/skin_records.h"
 #include "sim/mesh/skin_attributes.h"

@@ -1,9 +1,5 @@
 #include "render/scene/surface_field.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 namespace kerf::render {
 namespace {
 

@@ -1,17 +1,9 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstring>
-#include <map>
-#include <optional>
-#include <set>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace kerf {
 

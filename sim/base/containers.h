@@ -1,12 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <type_traits>
-#include <vector>
 
 namespace kerf {
 

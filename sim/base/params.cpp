@@ -1,9 +1,6 @@
 #include "sim/base/params.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "sim/base/text.h"

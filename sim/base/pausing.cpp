@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <exception>
-#include <utility>
 
 namespace kerf {
 

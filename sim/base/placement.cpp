@@ -1,9 +1,6 @@
 #include "sim/base/placement.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <sstream>
 
 namespace kerf {

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
 
 #include "sim/base/math.h"
 

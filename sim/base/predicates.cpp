@@ -1,7 +1,5 @@
 #include "sim/base/predicates.h"
 
-#include <array>
-
 namespace kerf {
 
 namespace {

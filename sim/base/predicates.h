@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "sim/base/math.h"
 
 namespace kerf {

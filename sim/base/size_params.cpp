@@ -1,7 +1,5 @@
 #include "sim/base/size_params.h"
 
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
 
 namespace kerf {

@@ -1,10 +1,6 @@
 #include "sim/base/text.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <span>
 
 namespace kerf {
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <iterator>
-#include <string>
-#include <string_view>
-
 namespace kerf {
 
 /// A number with its noun: "1 piece", "3 pieces".

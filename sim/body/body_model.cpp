@@ -1,7 +1,5 @@
 #include "sim/body/body_model.h"
 
-#include <numeric>
-
 namespace kerf {
 
 BodyState stateOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices) {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/mesh/invariants.h"

@@ -1,8 +1,6 @@
 #include "sim/body/body_updater.h"
 
-#include <algorithm>
 #include <cassert>
-#include <numeric>
 
 #include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "sim/base/pausing.h"
 #include "sim/body/body_model.h"
 #include "sim/body/ispc_set.h"

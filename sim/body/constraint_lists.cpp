@@ -1,7 +1,5 @@
 #include "sim/body/constraint_lists.h"
 
-#include <algorithm>
-
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/constraints.h"
 #include "sim/mesh/surface_mesh.h"

@@ -1,10 +1,5 @@
 #include "sim/body/folded_triangles.h"
 
-#include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <optional>
-
 #include "sim/base/containers.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"

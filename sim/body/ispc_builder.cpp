@@ -1,11 +1,5 @@
 #include "sim/body/ispc_builder.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <numbers>
-#include <optional>
-
 #include "sim/base/boxes.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "shaders/shared/constraints.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"

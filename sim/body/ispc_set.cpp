@@ -1,10 +1,5 @@
 #include "sim/body/ispc_set.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/base/byte_archive.h"
 #include "sim/base/math.h"
 #include "sim/body/body_model.h"

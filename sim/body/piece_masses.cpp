@@ -1,8 +1,5 @@
 #include "sim/body/piece_masses.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace kerf {
 
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "sim/body/body_model.h"
 
 namespace kerf {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "sim/base/containers.h"
 #include "sim/body/body_model.h"
 

@@ -1,7 +1,5 @@
 #include "sim/body/rest_geometry.h"
 
-#include <cmath>
-
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

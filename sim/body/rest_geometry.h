@@ -2,11 +2,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <optional>
-#include <vector>
 
 #include "sim/mesh/surface_mesh.h"
 

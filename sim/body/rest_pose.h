@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "sim/base/math.h"
 
 namespace kerf {

@@ -1,12 +1,5 @@
 #include "sim/body/skin_normals.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <utility>
-
 #include "shaders/shared/roundness.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/nearest_triangle.h"

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <memory>
-#include <span>
 #include <unordered_map>
-#include <vector>
 
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,9 +1,5 @@
 #include "sim/body/solver_uniforms.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace kerf {
 
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <span>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/cut/blade.h"
 

@@ -1,11 +1,5 @@
 #include "sim/contact/contact_solver.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <span>
-#include <utility>
-
 #include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"

@@ -1,12 +1,5 @@
 #include "sim/contact/contact_tree.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numeric>
-#include <span>
-#include <utility>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"
 #include "shaders/shared/contact_records.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 

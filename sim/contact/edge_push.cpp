@@ -1,7 +1,5 @@
 #include "sim/contact/edge_push.h"
 
-#include <span>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/edge_records.h"
 #include "shaders/shared/implicit_records.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "gpu/read_back.h"

@@ -1,11 +1,6 @@
 #include "sim/contact/impact_zones.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/math.h"

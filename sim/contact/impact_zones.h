@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/body/body_model.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,9 +1,6 @@
 #include "sim/contact/obstacle_contact.h"
 
-#include <algorithm>
 #include <bit>
-#include <span>
-#include <utility>
 
 #include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"

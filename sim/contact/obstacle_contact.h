@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"

@@ -1,8 +1,5 @@
 #include "sim/contact/obstacles.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "shaders/shared/blade_records.h"
 
 namespace kerf {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "shaders/shared/box_records.h"

@@ -1,10 +1,5 @@
 #include "sim/contact/paper_contact.h"
 
-#include <algorithm>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/contact_bindings.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "sim/contact/contact_solver.h"

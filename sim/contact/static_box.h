@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
-#include <string>
 
 #include "sim/base/math.h"
 

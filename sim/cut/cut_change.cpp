@@ -1,9 +1,5 @@
 #include "sim/cut/cut_change.h"
 
-#include <algorithm>
-#include <iterator>
-#include <set>
-
 #include "sim/base/containers.h"
 
 namespace kerf {

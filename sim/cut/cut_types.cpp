@@ -1,7 +1,5 @@
 #include "sim/cut/cut_types.h"
 
-#include <numeric>
-
 namespace kerf {
 
 const char* nameOf(SubdivisionPattern pattern) {

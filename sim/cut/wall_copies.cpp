@@ -1,7 +1,5 @@
 #include "sim/cut/wall_copies.h"
 
-#include <algorithm>
-
 namespace kerf::cut {
 
 Vec3 commonPosition(const SurfaceMesh& mesh, int v, double distance) {

@@ -1,7 +1,5 @@
 #include "sim/mesh/box_tree.h"
 
-#include <utility>
-
 namespace kerf {
 
 namespace {

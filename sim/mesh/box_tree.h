@@ -1,13 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
 
 #include "sim/base/containers.h"
 #include "sim/base/math.h"

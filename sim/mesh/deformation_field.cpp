@@ -2,8 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <array>
-#include <cmath>
 
 #include "sim/mesh/triangle.h"
 

@@ -1,9 +1,5 @@
 #include "sim/mesh/invariants.h"
 
-#include <algorithm>
-#include <numeric>
-#include <optional>
-
 #include "sim/mesh/piece_labels.h"
 #include "sim/mesh/triangle.h"
 

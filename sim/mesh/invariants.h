@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

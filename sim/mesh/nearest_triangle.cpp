@@ -1,12 +1,8 @@
 #include "sim/mesh/nearest_triangle.h"
 
-#include <algorithm>
 #include <cassert>
-#include <limits>
-#include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/mesh/triangle.h"
 
 namespace kerf {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/oriented_box.h"

@@ -1,7 +1,6 @@
 #include "sim/mesh/oriented_box.h"
 
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "sim/base/boxes.h"
 

@@ -1,11 +1,5 @@
 #include "sim/mesh/piece_figures.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <vector>
-
 #include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/union_find.h"

@@ -1,11 +1,5 @@
 #include "sim/mesh/piece_labels.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <numeric>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/base/pausing.h"
 #include "sim/mesh/piece_figures.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/union_find.h"
 

@@ -1,7 +1,5 @@
 #include "sim/mesh/skin_attributes.h"
 
-#include <algorithm>
-
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"
 

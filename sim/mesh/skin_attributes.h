@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/mesh/nearest_triangle.h"
 

@@ -1,6 +1,5 @@
 #include "sim/mesh/surface_mesh.h"
 
-#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <unordered_map>

@@ -1,10 +1,6 @@
 #include "sim/mesh/surface_patch.h"
 
-#include <algorithm>
-#include <functional>
-#include <limits>
 #include <queue>
-#include <utility>
 
 #include "sim/mesh/triangle.h"
 

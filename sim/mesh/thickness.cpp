@@ -1,9 +1,5 @@
 #include "sim/mesh/thickness.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "sim/base/boxes.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"

@@ -1,7 +1,5 @@
 #include "sim/mesh/triangle.h"
 
-#include <algorithm>
-
 namespace kerf {
 
 Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {

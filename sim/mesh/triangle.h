@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "sim/base/math.h"
 #include "sim/mesh/surface_mesh.h"
 

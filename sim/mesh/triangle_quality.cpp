@@ -1,9 +1,5 @@
 #include "sim/mesh/triangle_quality.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace kerf {
 
 namespace {

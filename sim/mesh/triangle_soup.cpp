@@ -1,14 +1,9 @@
 #include "sim/mesh/triangle_soup.h"
 
-#include <algorithm>
 #include <bit>
-#include <iterator>
-#include <numeric>
 #include <unordered_map>
-#include <utility>
 
 #include "sim/base/boxes.h"
-#include "sim/base/math.h"
 #include "sim/base/placement.h"
 #include "sim/mesh/union_find.h"
 

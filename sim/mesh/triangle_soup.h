@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/mesh/skin_attributes.h"
 

@@ -1,9 +1,5 @@
 #include "sim/mesh/triangle_tree.h"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 namespace kerf {
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh) : mesh_(mesh) {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "sim/base/containers.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/nearest_triangle.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <numeric>
-#include <vector>
-
 namespace kerf {
 
 /// Disjoint sets of the numbers 0 to size - 1; the lowest member of a set is its root.

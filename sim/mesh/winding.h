@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <limits>
-
 #include "sim/base/predicates.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"

@@ -1,8 +1,6 @@
 #include "sim/repair/crossings.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <numeric>
 
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"

@@ -1,9 +1,5 @@
 #include "sim/repair/double_triangles.h"
 
-#include <algorithm>
-#include <numeric>
-#include <vector>
-
 #include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

@@ -1,10 +1,5 @@
 #include "sim/repair/edge_pairing.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "sim/base/containers.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"

@@ -1,9 +1,5 @@
 #include "sim/repair/fault_finder.h"
 
-#include <algorithm>
-#include <numeric>
-#include <utility>
-
 #include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"

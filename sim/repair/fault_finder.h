@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "sim/mesh/triangle_soup.h"
 #include "sim/repair/soup_inspection.h"
 

@@ -1,9 +1,5 @@
 #include "sim/repair/hole_filling.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -1,9 +1,5 @@
 #include "sim/repair/near_borders.h"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/mesh/box_tree.h"

@@ -1,8 +1,5 @@
 #include "sim/repair/polygon_triangles.h"
 
-#include <map>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/cut/exact/triangulation.h"
 

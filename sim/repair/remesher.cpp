@@ -1,13 +1,7 @@
 #include "sim/repair/remesher.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "sim/base/containers.h"
 #include "sim/mesh/nearest_triangle.h"
-#include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 
 namespace kerf::repair {

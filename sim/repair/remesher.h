@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_soup.h"
 

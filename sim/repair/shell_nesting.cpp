@@ -1,13 +1,6 @@
 #include "sim/repair/shell_nesting.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numeric>
-#include <set>
 #include <tuple>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/mesh/box_tree.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::repair {

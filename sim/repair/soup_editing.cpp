@@ -1,6 +1,5 @@
 #include "sim/repair/soup_editing.h"
 
-#include <algorithm>
 #include <tuple>
 
 #include "sim/base/boxes.h"

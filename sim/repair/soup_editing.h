@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_soup.h"
 

@@ -1,9 +1,5 @@
 #include "sim/repair/soup_inspection.h"
 
-#include <algorithm>
-#include <iterator>
-#include <numeric>
-
 #include "sim/base/boxes.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf {

@@ -1,9 +1,5 @@
 #include "sim/repair/soup_repair.h"
 
-#include <algorithm>
-#include <numeric>
-#include <utility>
-
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

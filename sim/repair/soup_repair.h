@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::repair {

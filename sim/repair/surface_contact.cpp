@@ -1,9 +1,5 @@
 #include "sim/repair/surface_contact.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "sim/base/predicates.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/wedge.h"

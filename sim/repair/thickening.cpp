@@ -3,14 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <set>
-#include <utility>
-#include <vector>
 
 #include "sim/base/boxes.h"
 #include "sim/base/text.h"

@@ -1,11 +1,5 @@
 #include "sim/repair/vertex_parting.h"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <set>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"

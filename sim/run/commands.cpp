@@ -1,6 +1,4 @@
 // How each kind of command is carried out.
-#include <algorithm>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/size_params.h"

@@ -1,8 +1,6 @@
 #include "sim/run/moment.h"
 
-#include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "sim/base/byte_archive.h"
 #include "sim/run/simulation_state.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <vector>
-
 namespace kerf {
 
 /// A checkpoint of a simulation between two steps, with its undo history, for seeking. Only for the

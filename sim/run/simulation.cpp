@@ -1,8 +1,5 @@
 #include "sim/run/simulation.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/base/pausing.h"
 #include "sim/base/text.h"

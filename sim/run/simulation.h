@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/run/moment.h"
 #include "sim/run/parts/command.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "sim/base/byte_archive.h"
 #include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/box_edit.h"

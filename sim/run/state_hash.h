@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/blade.h"

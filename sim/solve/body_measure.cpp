@@ -1,10 +1,6 @@
 #include "sim/solve/body_measure.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/implicit_records.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "gpu/buffer.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/solve/solver_body.h"

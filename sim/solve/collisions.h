@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "gpu/read_back.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/edge_push.h"

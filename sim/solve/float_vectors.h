@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "shaders/shared/shared_types.h"
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"

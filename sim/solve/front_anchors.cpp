@@ -1,8 +1,6 @@
 #include "sim/solve/front_anchors.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <iterator>
 #include <tuple>
 
 #include "sim/base/containers.h"

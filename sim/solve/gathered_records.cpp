@@ -1,8 +1,5 @@
 #include "sim/solve/gathered_records.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/base/containers.h"
 #include "sim/solve/implicit/constraint_pull.h"
 

@@ -1,11 +1,9 @@
 #include "sim/solve/gpu_solver.h"
 
 #include <cassert>
-#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "sim/base/pausing.h"
-#include "sim/solve/body_view.h"
 #include "sim/solve/float_vectors.h"
 
 namespace kerf {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "gpu/program.h"
 #include "shaders/shared/solver_uniforms.h"

@@ -1,9 +1,6 @@
 #include "sim/solve/implicit_stepper.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "sim/body/solver_uniforms.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "gpu/program.h"
 #include "sim/base/params.h"
 #include "sim/solve/collisions.h"

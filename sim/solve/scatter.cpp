@@ -1,6 +1,5 @@
 #include "sim/solve/scatter.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "shaders/shared/bindings.h"

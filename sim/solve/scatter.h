@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <cstring>
-#include <span>
-#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"

@@ -1,8 +1,6 @@
 #include "sim/solve/solver_body.h"
 
-#include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"

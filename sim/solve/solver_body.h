@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"
 #include "gpu/program.h"

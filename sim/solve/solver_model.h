@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "shaders/shared/bindings.h"
 #include "sim/body/body_updater.h"

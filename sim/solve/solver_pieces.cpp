@@ -1,8 +1,6 @@
 #include "sim/solve/solver_pieces.h"
 
-#include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "sim/base/containers.h"
 #include "sim/solve/float_vectors.h"

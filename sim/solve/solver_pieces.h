@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "gpu/buffer.h"
 #include "shaders/shared/body_records.h"
 #include "sim/body/body_model.h"

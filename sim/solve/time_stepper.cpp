@@ -1,8 +1,5 @@
 #include "sim/solve/time_stepper.h"
 
-#include <string>
-#include <utility>
-
 #include "gpu/prompt_waits.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
 #include "gpu/buffer.h"
 #include "gpu/context.h"
 #include "gpu/program.h"

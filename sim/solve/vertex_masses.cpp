@@ -1,7 +1,6 @@
 #include "sim/solve/vertex_masses.h"
 
 #include <cassert>
-#include <utility>
 
 #include "shaders/shared/bindings.h"
 #include "sim/solve/float_vectors.h"

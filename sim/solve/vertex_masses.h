@@ -1,11 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "gpu/program.h"
 #include "sim/base/math.h"
 #include "sim/solve/solver_body.h"

@@ -1,9 +1,6 @@
 #include "sim/solve/volume_targets.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <utility>
 
 namespace kerf {
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "sim/body/body_model.h"
 #include "sim/solve/solver_pieces.h"
 

@@ -1,8 +1,6 @@
 // The checks of tests/fuzz/fuzzer.cpp on so many random texts, for which no libFuzzer is needed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include "tests/paths.h"

@@ -5,15 +5,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
-#include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "tests/support/fuzz/fuzz_target.h"
 #include "tests/support/fuzz/targets.h"

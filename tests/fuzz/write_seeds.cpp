@@ -1,11 +1,8 @@
 // Writes what libFuzzer starts from, for each target: DIR/TARGET/corpus with a text a file,
 // DIR/TARGET/words.dict with the words; the same for each format of models, with the files of the
 // folder MODELS. Prints the names of the targets.
-#include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <iostream>
-#include <optional>
 
 #include "tests/support/fuzz/fuzz_target.h"
 #include "tests/support/fuzz/targets.h"

@@ -3,8 +3,6 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <numeric>
-
 #include "gpu/context.h"
 #include "tests/support/gl_fixture.h"
 

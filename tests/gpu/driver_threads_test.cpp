@@ -4,11 +4,8 @@
 #include <pthread.h>
 #include <sched.h>
 
-#include <cstddef>
 #include <latch>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace kerf::gpu {
 namespace {

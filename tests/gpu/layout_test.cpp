@@ -1,15 +1,9 @@
 // C++ and the driver must agree on where each member of a shared record lies.
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "gpu/program.h"
 #include "shaders/shared/blade_records.h"

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <optional>
-
 #include "gpu/data_path.h"
 #include "gpu/program.h"
 #include "tests/support/gl_fixture.h"

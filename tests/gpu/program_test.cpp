@@ -3,8 +3,6 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <limits>
-
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
 #include "gpu/program_binaries.h"

@@ -6,12 +6,9 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <cstddef>
 #include <fstream>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace kerf::gpu {
 namespace {

@@ -2,11 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <optional>
 #include <random>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/program.h"

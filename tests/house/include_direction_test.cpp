@@ -2,13 +2,8 @@
 // benchmarks may include everything and nobody includes them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <optional>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "tests/paths.h"
 

@@ -1,9 +1,7 @@
 // What scripts/format holds in C++ holds in shaders too, which it does not read.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
-#include <string>
 
 #include "tests/paths.h"
 

@@ -1,11 +1,7 @@
 // The data of the figures of the cut in docs/architecture.md, as JSON: each scene is the last step
 // of some strokes that the real cutter makes through a small body. scripts/figures draws them.
-#include <array>
-#include <cmath>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "sim/cut/plan/plan.h"
 #include "sim/cut/plan/strip/swept_strip.h"

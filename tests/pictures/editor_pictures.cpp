@@ -2,10 +2,6 @@
 // scales and in both themes. Usage: kerf_pictures DIR
 // Or a film of a task that is practised, DIR/practice.gif: kerf_pictures --practice DIR
 #include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include "app/editor/editor.h"
 #include "app/editor/storage/settings_file.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <filesystem>
-#include <string>
-
 #include "gpu/data_path.h"
 
 namespace kerf::render {

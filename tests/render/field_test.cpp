@@ -1,8 +1,6 @@
 // Quantities as colours on the surface: their numbers against what analysis says.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "render/renderer.h"
 #include "sim/mesh/invariants.h"
 #include "tests/render/light_renderer_test.h"

@@ -1,9 +1,7 @@
 // JPEG files, damaged ones and those that were made to harm their decoder.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "render/scene/appearance.h"
 #include "tests/support/fuzz/targets.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "render/renderer.h"
 #include "tests/support/gl_fixture.h"
 

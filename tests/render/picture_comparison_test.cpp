@@ -2,11 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <memory>
-#include <numbers>
 #include <ostream>
 #include <random>
 

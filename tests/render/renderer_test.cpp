@@ -3,13 +3,7 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <memory>
-#include <utility>
 
 #include "gpu/context.h"
 #include "render/passes/normals_pass.h"

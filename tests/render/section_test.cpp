@@ -1,10 +1,6 @@
 // A plane that opens the picture of a body: what is hidden, and what is filled.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <memory>
-#include <numbers>
-
 #include "render/renderer.h"
 #include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"

@@ -1,9 +1,6 @@
 // A body before a camera, small enough to draw many times.
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "render/renderer.h"
 #include "tests/support/body_upload.h"
 

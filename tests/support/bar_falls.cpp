@@ -1,10 +1,6 @@
 #include "tests/support/bar_falls.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <utility>
-#include <vector>
 
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/mesh/surface_mesh.h"

@@ -1,8 +1,5 @@
 #include "tests/support/body_upload.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/shared_types.h"
 #include "sim/body/surface_tag.h"

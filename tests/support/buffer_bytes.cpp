@@ -2,9 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <map>
-
 namespace kerf::test {
 
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 namespace kerf::test {
 
 /// While it lives, counts the bytes of all OpenGL buffers that are made and deleted. One at a time,

@@ -1,13 +1,7 @@
 #include "tests/support/contact_scenes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <functional>
-#include <numbers>
-#include <numeric>
-#include <vector>
 
 #include "sim/base/stopwatch.h"
 #include "sim/body/body_model.h"

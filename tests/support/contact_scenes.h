@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 #include "sim/base/params.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,16 +1,12 @@
 #include "tests/support/cut_fuzz.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <random>
 #include <sstream>
-#include <utility>
 
 #include "sim/base/math.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/stroke/cutter.h"
-#include "tests/support/cut_strokes.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 

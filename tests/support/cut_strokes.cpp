@@ -1,12 +1,8 @@
 #include "tests/support/cut_strokes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
-#include <map>
-#include <set>
 
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/wall_copies.h"

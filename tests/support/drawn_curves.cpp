@@ -1,6 +1,5 @@
 #include "tests/support/drawn_curves.h"
 
-#include <algorithm>
 #include <tuple>
 
 namespace kerf::test {

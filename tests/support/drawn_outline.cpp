@@ -1,7 +1,5 @@
 #include "tests/support/drawn_outline.h"
 
-#include <algorithm>
-
 namespace kerf::test {
 
 int DrawnOutline::node(const Vec2& layout) {

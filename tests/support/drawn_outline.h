@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/curves/outline.h"
 
 namespace kerf::test {

@@ -1,7 +1,5 @@
 #include "tests/support/drop_scene.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "sim/mesh/invariants.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "sim/base/params.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,7 +1,5 @@
 #include "tests/support/facing_walls.h"
 
-#include <algorithm>
-#include <array>
 #include <random>
 
 #include "sim/mesh/triangle.h"

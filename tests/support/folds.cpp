@@ -1,9 +1,5 @@
 #include "tests/support/folds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "sim/body/rest_geometry.h"
 #include "tests/support/shell_lists.h"
 

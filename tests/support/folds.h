@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::test {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 namespace kerf::test {
 
 /// The seed of a random test: KERF_FUZZ_SEED, or `otherwise` where that is not set. Prints it, so

@@ -1,7 +1,6 @@
 #include "tests/support/gl_fixture.h"
 
 #include <cstdlib>
-#include <memory>
 
 #include "gpu/context.h"
 

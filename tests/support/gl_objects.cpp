@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-
 namespace kerf::test {
 namespace {
 

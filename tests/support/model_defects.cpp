@@ -1,9 +1,5 @@
 #include "tests/support/model_defects.h"
 
-#include <algorithm>
-#include <utility>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "tests/support/shapes.h"
 

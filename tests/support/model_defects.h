@@ -1,9 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <map>
 #include <random>
-#include <string>
 
 #include "sim/mesh/triangle_soup.h"
 

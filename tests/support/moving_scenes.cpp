@@ -1,14 +1,7 @@
 #include "tests/support/moving_scenes.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <functional>
-#include <map>
-#include <numbers>
-#include <set>
 #include <stdexcept>
 
 #include "sim/mesh/invariants.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 namespace kerf::test {
 
 /// One run of a scene: a body is cut while the solver moves it.

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/mesh/invariants.h"
 
 namespace kerf::test {

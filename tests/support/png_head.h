@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 namespace kerf::test {
 
 /// A PNG of grey levels whose head says how large it is, with no pixels behind it.

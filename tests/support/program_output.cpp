@@ -1,6 +1,5 @@
 #include "tests/support/program_output.h"
 
-#include <array>
 #include <cstdio>
 
 namespace kerf::test {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace kerf::test {
 
 /// What a command of the shell prints on standard output, with a line "failed" behind it where its

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace kerf::test {
 
 /// A text with all of one part replaced by another.

@@ -1,10 +1,6 @@
 #include "tests/support/scene_player.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <stdexcept>
 
 #include "sim/mesh/triangle.h"

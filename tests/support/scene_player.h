@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "sim/cut/exact/jitter.h"
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"

@@ -1,7 +1,6 @@
 #include "tests/support/self_intersections.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "sim/cut/exact/piercing.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 namespace kerf::test {
 
 /// A session of 100 steps with these keys behind the ones that every session needs.

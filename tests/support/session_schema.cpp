@@ -1,6 +1,5 @@
 #include "tests/support/session_schema.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace kerf::app {
 
 /// The JSON Schema (draft 7) of session files for text editors, made from the tables of the reader.

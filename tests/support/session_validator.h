@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 namespace kerf::test {
 
 /// Whether the validator is installed: Debian's python3-jsonschema.

@@ -1,7 +1,5 @@
 #include "tests/support/shape_error.h"
 
-#include <cmath>
-
 #include "sim/body/rest_pose.h"
 
 namespace kerf::test {

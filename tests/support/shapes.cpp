@@ -1,12 +1,7 @@
 #include "tests/support/shapes.h"
 
-#include <cmath>
 #include <fstream>
-#include <functional>
-#include <map>
-#include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include "gpu/data_path.h"
 

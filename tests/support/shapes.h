@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle_soup.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::test {

@@ -1,7 +1,5 @@
 #include "tests/support/shell_lists.h"
 
-#include "sim/body/constraint_lists.h"
-
 namespace kerf::test {
 
 std::vector<EdgeConstraint> buildEdges(const SurfaceMesh& mesh, double thickness) {

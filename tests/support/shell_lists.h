@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/body/constraint_lists.h"
 #include "sim/mesh/surface_mesh.h"
 

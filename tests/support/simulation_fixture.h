@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 

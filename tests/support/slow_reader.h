@@ -2,9 +2,6 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
-#include <string>
-
 namespace kerf::test {
 
 /// While one lives, models are read by a program that never answers.

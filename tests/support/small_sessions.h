@@ -1,8 +1,6 @@
 // Sessions short enough to be run several times in a test.
 #pragma once
 
-#include <string>
-
 namespace kerf::test {
 
 /// A small sphere, cut in two while it rests, then dropped.

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "tests/support/cut_fuzz.h"
 
 namespace kerf::test {

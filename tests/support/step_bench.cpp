@@ -3,13 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <utility>
 
-#include "sim/cut/plan/seams.h"
 #include "sim/cut/stroke/group_stroke.h"
 #include "sim/cut/stroke/ladder.h"
 #include "sim/mesh/invariants.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "sim/cut/commit/commit.h"
 #include "sim/cut/plan/curves/intersections.h"
 #include "sim/cut/plan/plan.h"

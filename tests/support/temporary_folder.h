@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-
 namespace kerf::test {
 
 /// An empty folder of its own, gone with everything in it at the end of the scope.

@@ -1,11 +1,6 @@
 #include "tests/support/thin_walls.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <functional>
-#include <map>
 
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "render/scene/image.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
-#include <set>
 #include <sstream>
-#include <string>
 
 #include "tests/paths.h"
 

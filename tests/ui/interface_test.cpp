@@ -4,10 +4,6 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "tests/support/gl_fixture.h"
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"

@@ -1,7 +1,6 @@
 // Strips of pictures.
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <stdexcept>
 
 #include "tests/support/gl_fixture.h"

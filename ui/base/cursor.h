@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 namespace kerf::ui {
 
 /// The shape of the pointer: what a click or a drag would do.

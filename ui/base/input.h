@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <variant>
-#include <vector>
-
 namespace kerf::ui {
 
 /// The keys that the editor knows: its own list, so that neither the table of actions nor a test

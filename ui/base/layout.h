@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
-
 #include "ui/base/settings.h"
 
 namespace kerf::ui {

@@ -1,13 +1,9 @@
 #include "ui/base/panel_context.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <glad/gl.h>
-#include <imgui.h>
 
-#include <cmath>
 #include <stdexcept>
 
-#include "gpu/framebuffer.h"
 #include "ui/base/widgets.h"
 
 namespace kerf::ui {

@@ -4,10 +4,6 @@
 #include <imgui.h>
 
 #include <bit>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <string_view>
 
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "ui/base/input.h"
 #include "ui/base/theme.h"
 

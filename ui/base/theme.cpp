@@ -4,12 +4,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <utility>
 
 #include "gpu/data_path.h"
 

@@ -2,11 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <set>
-#include <string>
-#include <string_view>
-
 namespace kerf::ui {
 
 /// The two looks of the window.

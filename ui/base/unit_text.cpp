@@ -1,6 +1,5 @@
 #include "ui/base/unit_text.h"
 
-#include <algorithm>
 #include <cctype>
 
 namespace kerf::ui {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
 namespace kerf::ui {
 
 /// A text with superscripts in units: "m/s^2" with a raised 2.

@@ -4,14 +4,8 @@
 #include <imgui_internal.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <map>
-#include <string>
-#include <utility>
 
-#include "ui/base/layout.h"
 #include "ui/base/theme.h"
 
 namespace kerf::ui {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "render/scene/overlays.h"
 #include "ui/base/layout.h"
 

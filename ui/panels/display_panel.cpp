@@ -1,11 +1,6 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
 #include <cfloat>
-#include <cmath>
-#include <optional>
-#include <string>
 
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"

@@ -1,8 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <string>
-
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"

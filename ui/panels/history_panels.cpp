@@ -1,9 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "sim/base/text.h"
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"

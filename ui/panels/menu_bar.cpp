@@ -1,11 +1,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
-#include <array>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"

@@ -1,11 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <optional>
-#include <span>
-#include <string>
-
 #include "sim/base/text.h"
 #include "ui/base/layout.h"
 #include "ui/base/unit_text.h"

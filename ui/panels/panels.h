@@ -2,9 +2,6 @@
 // and adds what is asked for to the actions.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/base/params.h"
 #include "ui/base/layout.h"
 #include "ui/plots/plot.h"

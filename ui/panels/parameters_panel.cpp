@@ -1,11 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "sim/base/text.h"
 #include "ui/base/layout.h"
 #include "ui/base/unit_text.h"

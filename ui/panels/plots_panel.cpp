@@ -1,10 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

@@ -1,8 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <string>
-
 #include "ui/base/layout.h"
 #include "ui/panels/panels.h"
 

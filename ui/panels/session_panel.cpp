@@ -1,8 +1,5 @@
 #include <imgui.h>
 
-#include <array>
-#include <string>
-
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

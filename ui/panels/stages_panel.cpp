@@ -1,10 +1,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
-#include <span>
-#include <string>
-
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"
 

@@ -1,9 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "ui/base/layout.h"
 #include "ui/base/theme.h"
 #include "ui/base/widgets.h"

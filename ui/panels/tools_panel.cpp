@@ -1,9 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
-#include <array>
-#include <string>
-
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/panels/panels.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "ui/plots/plot.h"
 #include "ui/plots/plot_math.h"
 

@@ -2,12 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <stdexcept>
-
-#include "render/scene/image.h"
 
 namespace kerf::ui {
 namespace {

@@ -3,9 +3,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "ui/base/layout.h"
 
 namespace kerf::ui {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "ui/base/theme.h"
 #include "ui/plots/plot_math.h"
 

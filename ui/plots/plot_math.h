@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 namespace kerf::ui {
 
 /// Values of neighbouring x: lowest, highest and mean.

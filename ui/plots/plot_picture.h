@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string>
-
 #include "render/scene/image.h"
 #include "ui/base/panel_context.h"
 #include "ui/plots/plot.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <variant>
-
 #include "sim/run/parts/command.h"
 #include "ui/base/settings.h"
 #include "ui/plots/plot_math.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "ui/base/input.h"
 #include "ui/base/settings.h"
 #include "ui/state/action.h"

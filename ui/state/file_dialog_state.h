@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <variant>
-#include <vector>
-
 namespace kerf::ui {
 
 /// The purpose of a file dialog.

@@ -3,9 +3,6 @@
 #include <imgui.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/base/containers.h"
 #include "sim/base/text.h"
 #include "ui/base/layout.h"

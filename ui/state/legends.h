@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "render/scene/image.h"
 #include "render/scene/overlays.h"
 #include "render/scene/surface_field.h"

@@ -2,9 +2,6 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <cmath>
-
 #include "ui/base/theme.h"
 
 namespace kerf::ui {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
 #include "ui/plots/plot_math.h"
 
 namespace kerf::ui {

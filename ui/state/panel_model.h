@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/base/params.h"
 #include "sim/base/placement.h"

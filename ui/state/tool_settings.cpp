@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
-
 namespace kerf::ui {
 
 std::string_view nameOf(MeasureKind kind) {

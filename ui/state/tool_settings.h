@@ -1,13 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "render/scene/body_look.h"
 #include "render/scene/overlays.h"
 #include "render/scene/scene.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "render/scene/image.h"
 #include "ui/plots/history.h"
 #include "ui/state/action.h"

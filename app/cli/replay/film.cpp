@@ -2,15 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <numbers>
-#include <utility>
-#include <variant>
-
 #include "app/session/session.h"
 #include "render/scene/image.h"
 #include "sim/run/undo/undo_history.h"
-#include "ui/base/panel_context.h"
 #include "ui/base/unit_text.h"
 
 namespace kerf::app {

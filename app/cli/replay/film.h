@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "app/cli/replay/picture_size.h"
 #include "app/files/film/film_encoder.h"
 #include "render/scene/camera.h"

@@ -2,10 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 namespace kerf::app {
 namespace {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/cli/replay/film.h"
 #include "app/cli/replay/picture_size.h"
 #include "app/files/io/file_io.h"

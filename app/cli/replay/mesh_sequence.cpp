@@ -2,9 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "app/files/export/export.h"
 #include "app/files/io/file_io.h"

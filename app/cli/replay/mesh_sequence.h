@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/files/export/export_mesh.h"
 #include "app/files/export/mesh_formats.h"
 #include "app/files/io/output_folder.h"

@@ -3,10 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "app/files/export/export.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
@@ -14,7 +10,6 @@
 #include "app/files/io/system_file.h"
 #include "app/session/headless_session.h"
 #include "app/session/scene_view.h"
-#include "app/session/session.h"
 #include "app/session/task_run.h"
 #include "app/session/volume_watch.h"
 #include "gpu/context.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/cli/replay/film.h"
 #include "app/cli/replay/film_strip.h"
 #include "app/cli/replay/mesh_sequence.h"

@@ -1,7 +1,5 @@
 #include "app/editor/steps/background_work.h"
 
-#include <utility>
-
 #include "sim/run/simulation.h"
 
 namespace kerf::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <memory>
-
 #include "app/scene/editor_scene.h"
 #include "gpu/program.h"
 #include "render/scene/depth_field.h"

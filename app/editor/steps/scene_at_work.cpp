@@ -2,9 +2,6 @@
 
 #include <boost/context/protected_fixedsize_stack.hpp>
 #include <cassert>
-#include <limits>
-#include <memory>
-#include <utility>
 
 #include "sim/base/freed_memory.h"
 #include "sim/base/pausing.h"

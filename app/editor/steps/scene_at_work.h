@@ -1,14 +1,8 @@
 #pragma once
 
 #include <boost/context/fiber.hpp>
-#include <cstddef>
 #include <deque>
 #include <exception>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"

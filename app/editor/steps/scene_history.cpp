@@ -1,8 +1,5 @@
 #include "app/editor/steps/scene_history.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "sim/run/simulation.h"
 #include "sim/run/undo/undo_history.h"
 #include "ui/base/unit_text.h"

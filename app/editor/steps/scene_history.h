@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/scene/document/document_loading.h"
 #include "app/scene/editor_scene.h"
 #include "ui/state/panel_model.h"

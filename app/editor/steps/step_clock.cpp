@@ -1,10 +1,5 @@
 #include "app/editor/steps/step_clock.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "app/scene/editor_scene.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "sim/base/pausing.h"

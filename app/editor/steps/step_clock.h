@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <string>
 
 #include "app/scene/readout/editor_readings.h"
 #include "sim/base/stopwatch.h"

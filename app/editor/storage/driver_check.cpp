@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "app/files/io/file_io.h"
 #include "app/files/jobs/child_runs.h"

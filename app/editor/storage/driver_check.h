@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/files/jobs/background_job.h"
 #include "ui/state/window_state.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "render/renderer.h"
 
 namespace kerf::app {

@@ -2,11 +2,9 @@
 
 #include <spdlog/fmt/chrono.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <span>
 #include <system_error>
 
 #include "app/files/export/export.h"

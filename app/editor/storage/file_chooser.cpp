@@ -1,10 +1,7 @@
 #include "app/editor/storage/file_chooser.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <regex>
-#include <utility>
 
 #include "app/files/export/mesh_formats.h"
 #include "app/files/film/film_encoder.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-
 #include "app/editor/storage/file_browser.h"
 #include "app/editor/storage/file_preview.h"
 #include "app/editor/storage/settings_file.h"

@@ -1,11 +1,7 @@
 #include "app/editor/storage/file_preview.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <sstream>
 
 #include "app/files/import/model_source.h"

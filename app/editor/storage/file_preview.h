@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "app/files/jobs/current_job.h"
 

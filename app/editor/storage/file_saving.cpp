@@ -1,22 +1,14 @@
 #include "app/editor/storage/file_saving.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
-#include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_runs.h"
 #include "app/regression/test_maker.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
 #include "sim/run/moment.h"
 #include "sim/run/start/prepared_body.h"
-#include "ui/state/file_dialog_state.h"
 
 namespace kerf::app {
 

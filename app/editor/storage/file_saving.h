@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string>
-
 #include "app/files/export/export.h"
 #include "app/files/jobs/background_job.h"
 #include "app/scene/document/editor_document.h"

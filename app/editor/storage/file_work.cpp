@@ -2,10 +2,8 @@
 
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <regex>
-#include <utility>
 
 #include "app/editor/storage/file_chooser.h"
 #include "app/files/io/errors.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/editor/storage/file_saving.h"
 #include "app/files/io/file_stamp.h"
 #include "app/files/jobs/current_job.h"

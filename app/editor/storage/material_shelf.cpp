@@ -1,8 +1,5 @@
 #include "app/editor/storage/material_shelf.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/files/io/errors.h"
 
 namespace kerf::app {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/session/material.h"
 #include "ui/state/panel_model.h"
 

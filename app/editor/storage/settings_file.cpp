@@ -1,12 +1,8 @@
 #include "app/editor/storage/settings_file.h"
 
-#include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
 #include <system_error>
-#include <utility>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"

@@ -2,10 +2,6 @@
 
 #include <spdlog/fmt/chrono.h>
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 #include "app/files/io/file_io.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "sim/base/text.h"

@@ -1,11 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "app/files/jobs/background_job.h"
 #include "app/journal/journal_folder.h"

@@ -1,9 +1,5 @@
 #include "app/editor/view/body_display.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "app/scene/readout/scene_readout.h"
 #include "sim/base/boxes.h"
 #include "ui/base/theme.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <set>
-#include <vector>
-
 #include "app/editor/steps/scene_at_work.h"
 #include "render/scene/scene.h"
 #include "ui/state/panel_model.h"

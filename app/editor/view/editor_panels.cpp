@@ -2,10 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_scene.h"

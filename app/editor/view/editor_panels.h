@@ -1,14 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "app/editor/steps/step_clock.h"
 #include "app/editor/storage/editor_options.h"
 #include "app/editor/storage/settings_file.h"

@@ -2,11 +2,6 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "app/editor/steps/background_work.h"
 #include "app/editor/view/editor_view.h"
 #include "gpu/framebuffer.h"

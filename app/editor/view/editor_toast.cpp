@@ -1,8 +1,5 @@
 #include "app/editor/view/editor_toast.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "ui/state/action_table.h"
 
 namespace kerf::app {

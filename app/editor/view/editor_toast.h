@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/timeline/session_journal.h"
 #include "ui/state/panel_model.h"

@@ -1,10 +1,5 @@
 #include "app/editor/view/editor_view.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_stroke.h"
 #include "app/tools/measure_tool.h"

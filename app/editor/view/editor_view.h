@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/editor/view/body_display.h"
 #include "app/scene/document/document_loading.h"
 #include "app/scene/document/faulty_scene.h"

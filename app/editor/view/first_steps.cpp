@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cmath>
-
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"

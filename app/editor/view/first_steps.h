@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "app/editor/view/editor_view.h"
 #include "ui/state/panel_model.h"
 

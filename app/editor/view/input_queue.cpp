@@ -1,8 +1,5 @@
 #include "app/editor/view/input_queue.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace kerf::app {
 namespace {
 

@@ -3,9 +3,7 @@
 #include <spdlog/fmt/chrono.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <ctime>
 
 #include "app/files/io/errors.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/practice/score.h"
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/surface_anchor.h"

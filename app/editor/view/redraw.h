@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <utility>
-
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {

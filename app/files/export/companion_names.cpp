@@ -1,10 +1,7 @@
 #include "app/files/export/companion_names.h"
 
-#include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <functional>
-#include <string_view>
 
 #include "app/files/io/file_io.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-
 namespace kerf::app {
 
 /// Chooses the names of files beside an export that it refers to: materials, buffers, images. Since

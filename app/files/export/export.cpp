@@ -1,11 +1,7 @@
 #include "app/files/export/export.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <iterator>
 #include <tuple>
-#include <vector>
 
 #include "app/files/export/companion_names.h"
 #include "app/files/export/export_gltf.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/files/export/export_mesh.h"
 #include "app/files/export/mesh_formats.h"
 #include "sim/base/placement.h"

@@ -1,12 +1,7 @@
 #include "app/files/export/export_gltf.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/files/export/companion_names.h"
 #include "app/files/io/encodings.h"

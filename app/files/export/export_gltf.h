@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "app/files/export/export_mesh.h"
 
 namespace kerf::app {

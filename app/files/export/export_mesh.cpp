@@ -1,10 +1,6 @@
 #include "app/files/export/export_mesh.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/placement.h"

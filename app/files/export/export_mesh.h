@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "app/files/import/own_looks.h"
 #include "render/scene/appearance.h"
 #include "render/scene/body_look.h"

@@ -3,9 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <bit>
-#include <cstdint>
-#include <string_view>
-#include <vector>
 
 #include "app/files/io/encodings.h"
 

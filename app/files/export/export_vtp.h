@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/files/export/export_mesh.h"
 
 namespace kerf::app {

@@ -1,8 +1,5 @@
 #include "app/files/export/mesh_formats.h"
 
-#include <algorithm>
-#include <array>
-
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string_view>
-
 namespace kerf::app {
 
 /// Formats of mesh files.

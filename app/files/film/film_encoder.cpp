@@ -4,14 +4,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <initializer_list>
-#include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "sim/base/text.h"
 

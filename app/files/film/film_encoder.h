@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/files/io/file_io.h"
 #include "app/files/io/system_file.h"
 #include "app/files/jobs/child_process.h"

@@ -1,7 +1,5 @@
 #include "app/files/import/builtin_models.h"
 
-#include <algorithm>
-
 #include "app/files/io/errors.h"
 #include "gpu/data_path.h"
 #include "sim/base/text.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace kerf::app {
 
 /// Names of the builtin models: sphere20, sphere80, sphere768, banana, octopus.

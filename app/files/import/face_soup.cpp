@@ -2,12 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <utility>
-
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/errors.h"
 #include "render/scene/body_look.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <map>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::app {

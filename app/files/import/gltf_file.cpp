@@ -1,15 +1,10 @@
 #include "app/files/import/gltf_file.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstring>
-#include <limits>
-#include <optional>
 
 #include "app/files/import/import_appearance.h"
 #include "app/files/io/encodings.h"
-#include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
 #include "sim/base/text.h"

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "app/files/io/errors.h"
 

@@ -1,12 +1,6 @@
 // From top to bottom: places of nodes; materials; primitives; the scene.
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <map>
-#include <optional>
-#include <utility>
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/gltf_file.h"

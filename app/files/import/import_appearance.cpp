@@ -3,12 +3,6 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <string_view>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 

@@ -1,10 +1,8 @@
 #include "app/files/import/import_process.h"
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <system_error>
-#include <vector>
 
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/errors.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_process.h"
 

@@ -1,9 +1,6 @@
 #include "app/files/import/import_protocol.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 

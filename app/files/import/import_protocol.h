@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/files/import/model_units.h"
 #include "render/scene/appearance.h"
 #include "sim/mesh/triangle_soup.h"

@@ -3,23 +3,13 @@
 #include <assimp/scene.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstring>
-#include <iterator>
-#include <map>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"

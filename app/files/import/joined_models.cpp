@@ -1,9 +1,5 @@
 #include "app/files/import/joined_models.h"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 #include "render/scene/body_look.h"
 
 namespace kerf::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/files/import/model_source.h"
 
 namespace kerf::app {

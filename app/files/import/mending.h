@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 namespace kerf::app {
 
 /// The repairs of a model before it is cut, in this order.

@@ -1,8 +1,5 @@
 #include "app/files/import/model_faults.h"
 
-#include <array>
-#include <utility>
-
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/import/model_units.h"
 #include "render/scene/overlays.h"
 #include "sim/mesh/triangle_soup.h"

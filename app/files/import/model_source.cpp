@@ -3,16 +3,12 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <csignal>
-#include <iterator>
-#include <map>
 
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
 #include "app/files/import/shell_union.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/memory_means.h"
 #include "app/files/jobs/child_process.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_quality.h"

@@ -1,13 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "app/files/import/mending.h"
 #include "app/files/import/model_faults.h"
 #include "app/files/import/own_looks.h"

@@ -1,8 +1,5 @@
 #include "app/files/import/model_units.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "sim/base/boxes.h"
 #include "sim/base/text.h"
 

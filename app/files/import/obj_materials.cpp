@@ -1,9 +1,5 @@
 #include "app/files/import/obj_materials.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "app/files/import/import_appearance.h"
 #include "app/files/io/text_lines.h"
 

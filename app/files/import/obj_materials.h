@@ -1,9 +1,5 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "render/scene/appearance.h"
 
 namespace kerf::app {

@@ -1,10 +1,4 @@
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"

@@ -1,6 +1,3 @@
-#include <cmath>
-#include <vector>
-
 #include "app/files/import/face_soup.h"
 #include "app/files/import/readers.h"
 #include "app/files/io/errors.h"

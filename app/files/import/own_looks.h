@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "render/scene/appearance.h"
 #include "sim/mesh/skin_attributes.h"
 

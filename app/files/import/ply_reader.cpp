@@ -1,15 +1,9 @@
 // From top to bottom: the header; numbers; elements; what becomes of them.
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 #include <sstream>
 #include <type_traits>
-#include <utility>
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "app/files/import/import_protocol.h"
 
 namespace kerf::app {

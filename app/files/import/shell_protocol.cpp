@@ -1,8 +1,5 @@
 #include "app/files/import/shell_protocol.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 

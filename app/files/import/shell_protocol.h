@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace kerf::app {
 
 /// Messages between Kerf and `kerf-unite`. Simple on purpose: that program shares no other code

@@ -2,13 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <string_view>
-#include <utility>
-
 #include "app/files/import/import_process.h"
 #include "app/files/import/shell_protocol.h"
 #include "app/files/io/file_io.h"

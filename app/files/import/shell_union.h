@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "sim/mesh/triangle_soup.h"
 

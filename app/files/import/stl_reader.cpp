@@ -1,7 +1,4 @@
-#include <array>
-#include <cstdint>
 #include <cstring>
-#include <optional>
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/readers.h"

@@ -1,8 +1,6 @@
 #include "app/files/io/csv.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"

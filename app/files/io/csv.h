@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace kerf::app {
 
 /// A text as a cell, in quotes only where it needs them (RFC 4180).

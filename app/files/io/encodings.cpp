@@ -3,11 +3,7 @@
 #include <nettle/base64.h>
 #include <nettle/sha2.h>
 
-#include <array>
-#include <cstdint>
 #include <fstream>
-#include <string_view>
-#include <vector>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
-
 namespace kerf::app {
 
 /// Bytes as letters, four for three, padded by '=' (RFC 4648).

@@ -1,8 +1,6 @@
 #include "app/files/io/file_cache.h"
 
-#include <algorithm>
 #include <fstream>
-#include <utility>
 
 #include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"

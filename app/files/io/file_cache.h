@@ -1,13 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace kerf::app {
 
 /// Files by key in a folder of their own, which may be deleted at any time. Beyond a budget those

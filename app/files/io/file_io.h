@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <string_view>
-
 #include "app/files/io/system_file.h"
 #include "render/scene/image.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-
 namespace kerf::app {
 
 /// What a version of a file is known by.

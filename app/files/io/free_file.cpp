@@ -2,7 +2,6 @@
 
 #include <spdlog/fmt/chrono.h>
 
-#include <algorithm>
 #include <ctime>
 
 #include "sim/base/text.h"

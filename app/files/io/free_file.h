@@ -1,8 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 namespace kerf::app {
 
 /// A safe file name from a foreign one: the part after the last slash, at most 200 bytes, with '_'

@@ -5,14 +5,10 @@
 #include <spdlog/spdlog.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <mutex>
-#include <optional>
-#include <string_view>
 
 #include "gpu/context.h"
 

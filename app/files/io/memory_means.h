@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <string>
-
 #include "app/files/io/errors.h"
 #include "sim/run/start/memory_need.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace kerf::app {
 
 /// The output folder of a run, and the files written. Nothing is written or removed outside it,

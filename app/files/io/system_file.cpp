@@ -7,8 +7,6 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
-#include <string>
-#include <utility>
 
 #include "app/files/io/file_io.h"
 

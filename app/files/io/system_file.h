@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <functional>
-#include <string_view>
-
 #include "app/files/io/errors.h"
 
 namespace kerf::app {

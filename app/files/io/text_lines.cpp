@@ -1,7 +1,5 @@
 #include "app/files/io/text_lines.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdlib>
 

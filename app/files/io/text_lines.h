@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <string_view>
-
 namespace kerf::app {
 
 /// The byte order mark of UTF-8.

@@ -3,8 +3,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <utility>
-
 namespace kerf::app {
 
 void WorkProgress::enter(std::string stage, int done, int all) {

@@ -2,12 +2,8 @@
 
 #include <atomic>
 #include <exception>
-#include <functional>
 #include <mutex>
-#include <optional>
-#include <string>
 #include <thread>
-#include <utility>
 
 #include "sim/base/stopwatch.h"
 

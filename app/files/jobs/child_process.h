@@ -3,11 +3,6 @@
 #include <sys/types.h>
 
 #include <csignal>
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "app/files/io/system_file.h"
 

@@ -1,16 +1,12 @@
 #include "app/files/jobs/child_runs.h"
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "app/files/io/file_io.h"
-#include "app/files/jobs/child_process.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {

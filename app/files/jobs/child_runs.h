@@ -1,10 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_process.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <utility>
-#include <vector>
-
 namespace kerf::app {
 
 /// The current job, if any, and cancelled ones, which are kept until their threads end, so that

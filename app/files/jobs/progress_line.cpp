@@ -3,7 +3,6 @@
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 
 namespace kerf::app {

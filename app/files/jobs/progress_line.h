@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {

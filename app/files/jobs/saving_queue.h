@@ -1,10 +1,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include "app/files/jobs/background_job.h"
 

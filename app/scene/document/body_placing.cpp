@@ -1,7 +1,5 @@
 #include "app/scene/document/body_placing.h"
 
-#include <utility>
-
 namespace kerf::app {
 namespace {
 

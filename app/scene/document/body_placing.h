@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include "app/files/jobs/background_job.h"
 #include "render/scene/depth_field.h"
 #include "sim/run/parts/command.h"

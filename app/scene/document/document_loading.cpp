@@ -1,8 +1,5 @@
 #include "app/scene/document/document_loading.h"
 
-#include <cstddef>
-#include <utility>
-
 namespace kerf::app {
 namespace {
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/files/import/model_source.h"
 #include "app/files/jobs/background_job.h"
 #include "app/scene/document/editor_document.h"

@@ -1,11 +1,7 @@
 #include "app/scene/document/editor_document.h"
 
-#include <algorithm>
-#include <array>
-
 #include "app/session/material.h"
 #include "app/session/scene_origin.h"
-#include "app/session/session.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
 #include "sim/mesh/invariants.h"

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
 #include "app/files/io/file_stamp.h"

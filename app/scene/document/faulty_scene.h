@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-#include <vector>
-
 #include "app/files/import/model_faults.h"
 #include "render/scene/camera.h"
 #include "render/scene/scene.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "app/scene/document/editor_document.h"
 #include "sim/mesh/triangle_quality.h"
 #include "sim/run/simulation.h"

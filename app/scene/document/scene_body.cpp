@@ -1,9 +1,5 @@
 #include "app/scene/document/scene_body.h"
 
-#include <utility>
-
-#include "sim/run/start/prepared_body.h"
-
 namespace kerf::app {
 
 SceneBody::SceneBody(Document opened, BodyUpload upload)

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/scene/document/rest_of_body.h"
 #include "app/session/simulation_driver.h"
 #include "sim/run/start/prepared_body.h"

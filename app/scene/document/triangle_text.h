@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "sim/mesh/triangle_quality.h"
 
 namespace kerf::app {

@@ -1,7 +1,6 @@
 #include "app/scene/readout/cut_preview.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "render/scene/camera.h"
 #include "sim/cut/blade.h"
 #include "sim/mesh/oriented_box.h"

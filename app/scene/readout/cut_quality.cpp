@@ -2,10 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "sim/base/text.h"
 #include "sim/run/start/prepared_body.h"
 

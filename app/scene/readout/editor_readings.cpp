@@ -1,11 +1,5 @@
 #include "app/scene/readout/editor_readings.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle_quality.h"
 

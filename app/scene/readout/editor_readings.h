@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/scene/readout/surface_anchor.h"
 #include "sim/run/simulation.h"
 #include "ui/plots/history.h"

@@ -1,7 +1,5 @@
 #include "app/scene/readout/piece_table.h"
 
-#include <utility>
-
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/piece_figures.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/run/simulation.h"
 #include "ui/state/piece_row.h"
 

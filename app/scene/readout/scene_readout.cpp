@@ -1,7 +1,5 @@
 #include "app/scene/readout/scene_readout.h"
 
-#include <utility>
-
 #include "app/scene/document/size_effect.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/hooks.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "app/scene/readout/cut_quality.h"
 #include "app/scene/readout/editor_readings.h"
 #include "app/scene/readout/piece_table.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/scene/readout/cut_preview.h"
 #include "sim/mesh/surface_mesh.h"
 

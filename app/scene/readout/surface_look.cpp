@@ -2,12 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <utility>
-
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/thickness.h"
-#include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
 

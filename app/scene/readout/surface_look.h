@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "app/scene/readout/cut_preview.h"
 #include "render/scene/surface_field.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
-
 namespace kerf::app {
 
 /// Tracks the part of a list that has changed since the last call: between the unchanged items at

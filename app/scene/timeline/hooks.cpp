@@ -1,7 +1,5 @@
 #include "app/scene/timeline/hooks.h"
 
-#include <algorithm>
-
 namespace kerf::app {
 
 std::vector<Hands::Hand> hooksOf(const std::vector<Hands::Hand>& hands) {

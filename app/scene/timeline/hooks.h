@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "sim/run/parts/hands.h"
 
 namespace kerf::app {

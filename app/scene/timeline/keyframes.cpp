@@ -1,8 +1,5 @@
 #include "app/scene/timeline/keyframes.h"
 
-#include <iterator>
-#include <utility>
-
 #include "app/scene/document/editor_document.h"
 
 namespace kerf::app {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <map>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/run/moment.h"
 

@@ -1,8 +1,5 @@
 #include "app/scene/timeline/saved_session.h"
 
-#include <utility>
-#include <vector>
-
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/scene/timeline/keyframes.h"
 #include "app/scene/timeline/session_journal.h"
 #include "app/session/simulation_driver.h"

@@ -1,8 +1,5 @@
 #include "app/scene/timeline/scene_recorder.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "app/scene/timeline/session_marks.h"
 #include "app/session/scene_origin.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/scene/timeline/saved_session.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/session.h"

@@ -1,9 +1,5 @@
 #include "app/scene/timeline/scene_timeline.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "app/scene/timeline/hooks.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/scene_origin.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/scene/document/scene_body.h"
 #include "app/scene/timeline/keyframes.h"
 #include "app/scene/timeline/session_journal.h"

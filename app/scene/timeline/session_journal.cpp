@@ -1,9 +1,5 @@
 #include "app/scene/timeline/session_journal.h"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 namespace kerf::app {
 namespace {
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <vector>
-
 #include "app/scene/timeline/changed_part.h"
 #include "app/session/session.h"
 #include "sim/run/simulation.h"

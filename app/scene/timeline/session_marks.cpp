@@ -1,9 +1,5 @@
 #include "app/scene/timeline/session_marks.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "sim/base/params.h"
 #include "sim/base/text.h"
 #include "sim/run/undo/undo_history.h"

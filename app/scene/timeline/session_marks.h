@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/files/import/model_faults.h"
 #include "app/scene/timeline/session_journal.h"
 #include "ui/state/panel_model.h"

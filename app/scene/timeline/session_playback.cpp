@@ -1,7 +1,5 @@
 #include "app/scene/timeline/session_playback.h"
 
-#include <utility>
-
 #include "sim/base/text.h"
 
 namespace kerf::app {

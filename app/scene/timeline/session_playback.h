@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
-#include <string>
-
 #include "app/session/simulation_driver.h"
 
 namespace kerf::app {

@@ -1,10 +1,5 @@
 #include "sim/cut/cleanup/acceptance.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/cut/cleanup/workspace.h"
-
 namespace kerf::cut {
 
 namespace {

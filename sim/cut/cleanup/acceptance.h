@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/workspace.h"
 

@@ -1,10 +1,5 @@
 #include "sim/cut/cleanup/cleanup.h"
 
-#include <algorithm>
-#include <numeric>
-#include <optional>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/base/pausing.h"
 #include "sim/cut/cleanup/acceptance.h"
@@ -12,7 +7,6 @@
 #include "sim/cut/cleanup/flip.h"
 #include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/cleanup/slide.h"
-#include "sim/cut/cleanup/workspace.h"
 
 namespace kerf::cut {
 

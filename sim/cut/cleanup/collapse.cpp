@@ -1,8 +1,5 @@
 #include "sim/cut/cleanup/collapse.h"
 
-#include <algorithm>
-#include <map>
-
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/deviation.h"

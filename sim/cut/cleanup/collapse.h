@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cleanup/workspace.h"
 

@@ -1,7 +1,5 @@
 #include "sim/cut/cleanup/copies.h"
 
-#include <algorithm>
-
 namespace kerf::cut {
 
 namespace {

@@ -1,11 +1,5 @@
 #include "sim/cut/cleanup/deviation.h"
 
-#include <algorithm>
-#include <limits>
-#include <map>
-#include <set>
-#include <utility>
-
 #include "sim/mesh/deformation_field.h"
 #include "sim/mesh/triangle.h"
 

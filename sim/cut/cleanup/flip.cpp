@@ -1,9 +1,5 @@
 #include "sim/cut/cleanup/flip.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/copies.h"
 #include "sim/cut/cleanup/self_piercing.h"

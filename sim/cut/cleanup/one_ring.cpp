@@ -1,7 +1,5 @@
 #include "sim/cut/cleanup/one_ring.h"
 
-#include <algorithm>
-
 #include "sim/base/containers.h"
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/cleanup/copies.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"

@@ -1,15 +1,9 @@
 #include "sim/cut/cleanup/placement.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <span>
 #include <tuple>
-#include <utility>
 
 #include "sim/base/containers.h"
-#include "sim/cut/cleanup/workspace.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

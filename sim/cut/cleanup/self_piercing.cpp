@@ -1,8 +1,5 @@
 #include "sim/cut/cleanup/self_piercing.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/base/predicates.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/mesh/surface_mesh.h"
 

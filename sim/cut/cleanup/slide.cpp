@@ -1,13 +1,9 @@
 #include "sim/cut/cleanup/slide.h"
 
-#include <algorithm>
-#include <array>
-
 #include "sim/cut/cleanup/acceptance.h"
 #include "sim/cut/cleanup/deviation.h"
 #include "sim/cut/cleanup/placement.h"
 #include "sim/cut/cleanup/self_piercing.h"
-#include "sim/cut/cleanup/workspace.h"
 #include "sim/mesh/deformation_field.h"
 
 namespace kerf::cut {

@@ -1,9 +1,5 @@
 #include "sim/cut/cleanup/workspace.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
 #include "sim/base/containers.h"
 #include "sim/cut/cleanup/copies.h"
 #include "sim/mesh/invariants.h"

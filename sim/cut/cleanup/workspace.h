@@ -1,8 +1,5 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
 #include "sim/cut/cleanup/one_ring.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/surface/edge_length_field.h"

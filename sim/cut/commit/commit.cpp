@@ -1,9 +1,5 @@
 #include "sim/cut/commit/commit.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "sim/base/containers.h"
 #include "sim/cut/plan/edge_repair.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/cut_types.h"
 #include "sim/cut/plan/plan.h"
 #include "sim/mesh/surface_mesh.h"

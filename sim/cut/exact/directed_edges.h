@@ -1,10 +1,6 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace kerf::cut {
 

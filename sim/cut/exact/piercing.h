@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "sim/base/math.h"
 
 namespace kerf::cut {

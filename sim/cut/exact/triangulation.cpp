@@ -1,7 +1,5 @@
 #include "sim/cut/exact/triangulation.h"
 
-#include <cmath>
-
 #include "sim/base/predicates.h"
 
 namespace kerf::cut {

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <cstddef>
 #include <initializer_list>
-#include <vector>
 
 #include "sim/base/math.h"
 

@@ -1,10 +1,5 @@
 #include "sim/cut/patch/patch_commit.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-#include <utility>
-
 #include "sim/cut/cut_change.h"
 
 namespace kerf::cut {

@@ -1,9 +1,5 @@
 #include "sim/cut/patch/patch_plan.h"
 
-#include <algorithm>
-#include <map>
-#include <utility>
-
 #include "sim/cut/plan/wall/ears.h"
 
 namespace kerf::cut {

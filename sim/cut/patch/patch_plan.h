@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/patch/patch_surface.h"
 #include "sim/cut/patch/wound.h"
 

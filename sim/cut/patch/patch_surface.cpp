@@ -1,10 +1,5 @@
 #include "sim/cut/patch/patch_surface.h"
 
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <utility>
-
 #include "sim/cut/plan/strip/strip.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
 #include <initializer_list>
-#include <set>
-#include <vector>
 
 #include "sim/cut/plan/input/step.h"
 

@@ -1,9 +1,5 @@
 #include "sim/cut/patch/wound.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

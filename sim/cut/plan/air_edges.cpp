@@ -1,10 +1,7 @@
 #include "sim/cut/plan/air_edges.h"
 
 #include <Eigen/Geometry>
-#include <array>
-#include <map>
 
-#include "sim/cut/blade.h"
 #include "sim/cut/exact/piercing.h"
 #include "sim/cut/plan/input/step.h"
 #include "sim/mesh/triangle.h"

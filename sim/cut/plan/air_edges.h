@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <set>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/plan/input/slit_opening.h"

@@ -1,9 +1,5 @@
 #include "sim/cut/plan/edge_repair.h"
 
-#include <algorithm>
-#include <span>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/cut/wall_copies.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <set>
-#include <vector>
-
 #include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {

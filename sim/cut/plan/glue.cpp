@@ -1,7 +1,5 @@
 #include "sim/cut/plan/glue.h"
 
-#include <algorithm>
-
 #include "sim/base/containers.h"
 #include "sim/cut/exact/directed_edges.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/curves/outline.h"
 #include "sim/cut/plan/subdivide.h"
 

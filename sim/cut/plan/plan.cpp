@@ -1,10 +1,5 @@
 #include "sim/cut/plan/plan.h"
 
-#include <algorithm>
-#include <array>
-#include <map>
-#include <utility>
-
 #include "sim/base/pausing.h"
 #include "sim/cut/plan/curves/intersections.h"
 #include "sim/cut/plan/seams.h"
@@ -13,7 +8,6 @@
 #include "sim/cut/plan/wall/skin_map.h"
 #include "sim/cut/plan/wall/wall.h"
 #include "sim/cut/wall_copies.h"
-#include "sim/mesh/surface_mesh.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 

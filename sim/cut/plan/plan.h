@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/glue.h"
 #include "sim/mesh/surface_mesh.h"
 

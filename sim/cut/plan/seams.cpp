@@ -1,9 +1,5 @@
 #include "sim/cut/plan/seams.h"
 
-#include <algorithm>
-#include <set>
-#include <utility>
-
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #include "sim/cut/plan/subdivide.h"
 
-#include <algorithm>
-
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/exact/triangulation.h"
 #include "sim/cut/wall_copies.h"

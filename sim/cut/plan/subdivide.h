@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/curves/cut_curves.h"
 
 namespace kerf::cut {

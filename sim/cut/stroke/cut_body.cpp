@@ -1,8 +1,5 @@
 #include "sim/cut/stroke/cut_body.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/cut/stroke/ladder.h"
 
 namespace kerf::cut {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/surface/edge_length_field.h"

@@ -1,10 +1,6 @@
 #include "sim/cut/stroke/cutter.h"
 
-#include <algorithm>
 #include <cassert>
-#include <iterator>
-#include <optional>
-#include <utility>
 
 #include "sim/base/containers.h"
 #include "sim/cut/stroke/cut_body.h"

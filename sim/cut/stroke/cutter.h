@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "sim/base/byte_archive.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"

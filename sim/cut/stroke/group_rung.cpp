@@ -1,9 +1,5 @@
 #include "sim/cut/stroke/group_rung.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "sim/cut/blade.h"
 #include "sim/cut/plan/strip/new_rung.h"
 #include "sim/cut/wall_copies.h"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/stroke/cut_body.h"
 #include "sim/cut/stroke/stroke.h"

@@ -3,16 +3,6 @@
 
 #include "sim/cut/stroke/group_step.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <optional>
-#include <set>
-#include <span>
-#include <string>
-#include <utility>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/commit/commit.h"
 #include "sim/cut/cut_change.h"

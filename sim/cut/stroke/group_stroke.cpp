@@ -1,10 +1,8 @@
 #include "sim/cut/stroke/group_stroke.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 #include "sim/base/containers.h"
-#include "sim/cut/blade.h"
 #include "sim/cut/surface/edge_length_field.h"
 
 namespace kerf::cut {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <map>
-#include <set>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/plan/input/slit_opening.h"

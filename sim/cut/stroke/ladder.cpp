@@ -1,12 +1,5 @@
 #include "sim/cut/stroke/ladder.h"
 
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <iterator>
-#include <optional>
-#include <set>
-
 namespace kerf::cut {
 
 namespace {

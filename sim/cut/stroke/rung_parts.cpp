@@ -1,9 +1,5 @@
 #include "sim/cut/stroke/rung_parts.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 #include "sim/base/containers.h"
 #include "sim/cut/blade.h"
 

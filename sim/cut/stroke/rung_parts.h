@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {

@@ -2,12 +2,6 @@
 
 #include "sim/cut/stroke/stroke.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <utility>
-
 #include "sim/cut/stroke/group_rung.h"
 #include "sim/cut/stroke/group_step.h"
 #include "sim/cut/stroke/ladder.h"

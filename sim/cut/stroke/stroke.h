@@ -1,9 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cleanup/cleanup.h"
 #include "sim/cut/stroke/cut_body.h"

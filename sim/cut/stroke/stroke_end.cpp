@@ -1,11 +1,5 @@
 // What follows the cutting: clean-up behind the front and at the end of a stroke, patches, debris.
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <set>
-#include <vector>
-
 #include "sim/cut/cut_change.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/patch/patch_commit.h"

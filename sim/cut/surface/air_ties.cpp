@@ -1,10 +1,6 @@
 #include "sim/cut/surface/air_ties.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 #include "sim/cut/surface/broad_phase.h"
 #include "sim/mesh/triangle.h"

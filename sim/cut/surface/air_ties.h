@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"

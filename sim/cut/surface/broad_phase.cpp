@@ -1,11 +1,6 @@
 #include "sim/cut/surface/broad_phase.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numeric>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/stopwatch.h"

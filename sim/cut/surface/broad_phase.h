@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <span>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/nearest_triangle.h"

@@ -1,8 +1,5 @@
 #include "sim/cut/surface/edge_length_field.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/cut/wall_copies.h"
 #include "sim/mesh/triangle.h"
 

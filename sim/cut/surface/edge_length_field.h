@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf::cut {

@@ -1,9 +1,5 @@
 #include "sim/cut/surface/piece_groups.h"
 
-#include <algorithm>
-#include <map>
-#include <utility>
-
 #include "sim/mesh/union_find.h"
 
 namespace kerf::cut {

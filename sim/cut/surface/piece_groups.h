@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <set>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/piece_labels.h"
 #include "sim/mesh/surface_mesh.h"
 

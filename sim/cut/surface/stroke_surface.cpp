@@ -1,9 +1,5 @@
 #include "sim/cut/surface/stroke_surface.h"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/surface_mesh.h"
 

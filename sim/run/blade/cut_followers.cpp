@@ -1,9 +1,5 @@
 #include "sim/run/blade/cut_followers.h"
 
-#include <algorithm>
-#include <iterator>
-#include <string>
-
 #include "sim/base/math.h"
 #include "sim/base/pausing.h"
 #include "sim/cut/cut_change.h"

@@ -1,7 +1,5 @@
 #include "sim/run/blade/felt_edge.h"
 
-#include <algorithm>
-
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/parts/led_blade.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/contact/edge_push.h"
 #include "sim/cut/blade.h"

@@ -1,9 +1,5 @@
 #include "sim/run/blade/running_stroke.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "sim/base/pausing.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/run/blade/cut_followers.h"

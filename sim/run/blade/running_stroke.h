@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "sim/contact/blade_body.h"
 #include "sim/contact/edge_push.h"
 #include "sim/run/blade/felt_edge.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/run/parts/command.h"
 
 namespace kerf {

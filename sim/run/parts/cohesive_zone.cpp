@@ -1,9 +1,5 @@
 #include "sim/run/parts/cohesive_zone.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 

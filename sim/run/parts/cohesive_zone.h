@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "sim/base/params.h"
 #include "sim/cut/cut_types.h"

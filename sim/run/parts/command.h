@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <variant>
-
 #include "sim/base/params.h"
 #include "sim/base/placement.h"
 #include "sim/contact/static_box.h"

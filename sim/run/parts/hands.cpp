@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-
 #include "sim/base/placement.h"
 #include "sim/mesh/surface_patch.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/parts/command.h"

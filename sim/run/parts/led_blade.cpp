@@ -1,10 +1,6 @@
 #include "sim/run/parts/led_blade.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
-
-#include "sim/cut/blade.h"
 
 namespace kerf {
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
 #include "sim/contact/blade_body.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"

@@ -1,9 +1,5 @@
 #include "sim/run/parts/mesh_sync.h"
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/base/pausing.h"

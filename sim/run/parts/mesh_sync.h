@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/solve/gpu_solver.h"

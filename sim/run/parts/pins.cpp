@@ -1,10 +1,5 @@
 #include "sim/run/parts/pins.h"
 
-#include <algorithm>
-#include <limits>
-#include <numeric>
-#include <utility>
-
 #include "sim/body/piece_masses.h"
 
 namespace kerf {

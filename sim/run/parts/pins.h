@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "sim/base/placement.h"
 #include "sim/body/body_model.h"

@@ -1,10 +1,5 @@
 #include "sim/run/parts/running_body.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
-
 #include "shaders/shared/constraints.h"
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-
 #include "sim/base/params.h"
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"

@@ -1,9 +1,5 @@
 #include "sim/run/parts/shape_recovery.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "sim/body/piece_masses.h"
 
 namespace kerf {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"

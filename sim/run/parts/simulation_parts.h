@@ -2,10 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/cut/cut_types.h"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <vector>
-
 #include "sim/body/body_updater.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/cut/stroke/cutter.h"

@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-
 #include "sim/base/params.h"
 #include "sim/base/text.h"
 #include "sim/body/body_model.h"

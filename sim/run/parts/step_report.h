@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "sim/contact/blade_load.h"
 #include "sim/cut/cut_types.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "sim/base/math.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"

@@ -1,10 +1,5 @@
 #include "sim/run/start/memory_need.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <vector>
-
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/box_records.h"
 #include "shaders/shared/contact_records.h"

@@ -1,8 +1,6 @@
 #include "sim/run/start/prepared_body.h"
 
-#include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "sim/base/placement.h"
 #include "sim/body/body_model.h"
 #include "sim/body/body_updater.h"

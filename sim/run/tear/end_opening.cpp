@@ -1,9 +1,5 @@
 #include "sim/run/tear/end_opening.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

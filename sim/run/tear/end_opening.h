@@ -1,10 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <map>
-#include <optional>
-#include <vector>
-
 #include "sim/mesh/deformation_field.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/run/parts/cohesive_zone.h"

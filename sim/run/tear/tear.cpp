@@ -1,8 +1,5 @@
 #include "sim/run/tear/tear.h"
 
-#include <algorithm>
-#include <optional>
-
 #include "sim/base/containers.h"
 #include "sim/run/blade/cut_followers.h"
 #include "sim/run/parts/led_blade.h"

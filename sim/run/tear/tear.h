@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/run/blade/running_stroke.h"
 #include "sim/run/parts/running_body.h"
 #include "sim/run/parts/simulation_parts.h"

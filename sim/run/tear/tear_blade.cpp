@@ -1,9 +1,5 @@
 #include "sim/run/tear/tear_blade.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 

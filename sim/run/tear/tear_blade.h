@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "sim/run/parts/running_body.h"
 #include "sim/run/tear/end_opening.h"
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 #include "sim/mesh/triangle.h"
 

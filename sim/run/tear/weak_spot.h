@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

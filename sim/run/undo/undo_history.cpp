@@ -2,10 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <iterator>
 #include <ranges>
-#include <utility>
 
 #include "sim/run/parts/snapshot.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/contact/static_box.h"
 #include "sim/run/parts/pins.h"

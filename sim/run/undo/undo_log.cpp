@@ -1,8 +1,5 @@
 #include "sim/run/undo/undo_log.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace kerf {
 
 namespace {

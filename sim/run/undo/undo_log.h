@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "sim/run/parts/box_edit.h"
 #include "sim/run/parts/running_body.h"
 #include "sim/run/parts/simulation_parts.h"

@@ -1,10 +1,5 @@
 #include "sim/solve/implicit/coarse_matrix.h"
 
-#include <algorithm>
-#include <iterator>
-#include <numeric>
-#include <utility>
-
 namespace kerf {
 
 CoarseMatrix::Inverse CoarseMatrix::invert() {

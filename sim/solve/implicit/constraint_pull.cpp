@@ -1,9 +1,5 @@
 #include "sim/solve/implicit/constraint_pull.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "shaders/shared/implicit_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/base/containers.h"

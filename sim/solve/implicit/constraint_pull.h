@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/body/body_model.h"
 

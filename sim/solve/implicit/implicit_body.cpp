@@ -1,9 +1,5 @@
 #include "sim/solve/implicit/implicit_body.h"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-
 #include "shaders/shared/body_records.h"
 #include "sim/base/containers.h"
 

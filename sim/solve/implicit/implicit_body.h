@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "gpu/buffer.h"
 #include "shaders/shared/implicit_records.h"
 #include "sim/solve/implicit/rest_inverse.h"

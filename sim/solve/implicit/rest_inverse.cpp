@@ -1,9 +1,5 @@
 #include "sim/solve/implicit/rest_inverse.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "shaders/shared/implicit_records.h"
 #include "sim/body/piece_masses.h"
 #include "sim/body/solver_uniforms.h"

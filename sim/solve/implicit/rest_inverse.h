@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <span>
-#include <vector>
 
 #include "sim/base/params.h"
 #include "sim/solve/implicit/coarse_matrix.h"

@@ -1,9 +1,5 @@
 #include "sim/solve/implicit/row_lists.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <utility>
-
 #include "shaders/shared/body_records.h"
 
 namespace kerf {

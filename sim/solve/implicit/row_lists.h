@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "shaders/shared/implicit_records.h"
 #include "sim/body/body_model.h"
 

@@ -1,10 +1,5 @@
 #include "sim/solve/implicit/step_choice.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
 #include "sim/base/size_params.h"
 
 namespace kerf {

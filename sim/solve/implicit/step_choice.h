@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
 

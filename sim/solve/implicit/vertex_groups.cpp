@@ -1,14 +1,6 @@
 #include "sim/solve/implicit/vertex_groups.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <span>
-#include <utility>
 
 #include "shaders/shared/implicit_records.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "sim/body/body_model.h"
 #include "sim/solve/implicit/constraint_pull.h"
 

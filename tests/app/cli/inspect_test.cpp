@@ -2,10 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdlib>
-#include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 

@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "tests/paths.h"
 #include "tests/support/program_output.h"
 #include "tests/support/temporary_folder.h"

@@ -1,11 +1,7 @@
 // What the verbs say of memory, and what they do where it does not do.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"

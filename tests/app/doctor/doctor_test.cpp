@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <optional>
 #include <ostream>
-#include <string_view>
 
 #include "app/doctor/findings.h"
 #include "app/files/io/file_io.h"

@@ -2,13 +2,9 @@
 // against what Kerf asks of a driver.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <filesystem>
-#include <map>
 #include <regex>
-#include <set>
 
 #include "app/doctor/findings.h"
 #include "gpu/context.h"

@@ -3,12 +3,6 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <utility>
-#include <vector>
-
 #include "app/doctor/findings.h"
 #include "tests/app/doctor/wrong_findings.h"
 #include "tests/support/gl_fixture.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/doctor/findings.h"
 
 namespace kerf::app {

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "app/editor/storage/file_work.h"

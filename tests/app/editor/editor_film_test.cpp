@@ -1,8 +1,6 @@
 // A film of what was done in the window.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "app/scene/editor_scene.h"
 #include "tests/app/editor/editor_fixture.h"
 #include "tests/support/program_output.h"

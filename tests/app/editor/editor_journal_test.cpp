@@ -2,7 +2,6 @@
 // before work goes.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cerrno>
 
 #include "app/journal/journal_folder.h"

@@ -1,7 +1,6 @@
 // Models with colours and images of their own in the editor.
 #include <gmock/gmock.h>
 
-#include <array>
 #include <regex>
 #include <sstream>
 

@@ -1,7 +1,5 @@
 // Distances, angles, areas and volumes by clicks; their points stick to the material.
-#include <cmath>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 #include "app/scene/readout/surface_anchor.h"

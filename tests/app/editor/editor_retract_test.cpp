@@ -1,5 +1,4 @@
 // Hooks that hold a cut open, and the hand that takes one lip.
-#include <set>
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/held_hands.h"

@@ -1,8 +1,6 @@
 // Pictures, checks and exports of a session, added and removed in the window.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "app/scene/editor_scene.h"
 #include "app/session/session.h"
 #include "tests/app/editor/editor_fixture.h"

@@ -7,12 +7,10 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <span>
 
 #include "app/files/import/builtin_models.h"
 #include "gpu/program.h"

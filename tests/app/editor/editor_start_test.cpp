@@ -1,5 +1,4 @@
 // The start page: scenes and recent files to begin with.
-#include <algorithm>
 
 #include "app/editor/storage/settings_file.h"
 #include "app/editor/view/editor_panels.h"

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/scene/document/editor_document.h"
 #include "app/scene/editor_scene.h"

@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
 #include "render/scene/picture_comparison.h"

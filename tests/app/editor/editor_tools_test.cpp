@@ -1,6 +1,4 @@
 // The hand that pulls, the pins, the straight stroke.
-#include <cmath>
-#include <numbers>
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/readout/scene_readout.h"

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "sim/run/parts/step_report.h"

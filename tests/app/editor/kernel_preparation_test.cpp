@@ -1,5 +1,3 @@
-#include <array>
-
 #include "app/editor/steps/background_work.h"
 #include "gpu/buffer.h"
 #include "gpu/kernel_way.h"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "app/editor/steps/step_clock.h"
 
 namespace kerf::app {

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <stdexcept>
-#include <vector>
 
 #include "app/editor/steps/scene_at_work.h"
 #include "sim/base/pausing.h"

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <future>
 #include <stdexcept>
-#include <string>
 #include <thread>
 
 #include "app/files/import/model_source.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/cut_strokes.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
 namespace kerf::app {
 namespace {
 

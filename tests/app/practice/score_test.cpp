@@ -2,10 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string>
 
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

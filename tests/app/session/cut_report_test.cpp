@@ -2,9 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "app/cli/replay/replay.h"
 #include "app/files/import/model_source.h"

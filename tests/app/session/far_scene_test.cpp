@@ -2,8 +2,6 @@
 // back with the numbers of their files.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 

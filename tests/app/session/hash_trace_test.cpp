@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 #include "app/files/io/errors.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,8 +1,6 @@
 // A cut with the paper's solver, contact and course.
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "app/files/import/model_source.h"
 #include "app/session/session.h"
 #include "app/session/simulation_driver.h"

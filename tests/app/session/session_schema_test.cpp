@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <set>
 
 #include "app/files/io/errors.h"
 #include "app/session/session.h"

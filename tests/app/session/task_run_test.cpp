@@ -3,9 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "sim/run/parts/step_report.h"
 #include "tests/support/session_samples.h"
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <numbers>
 
 #include "app/tools/gizmo_math.h"
 

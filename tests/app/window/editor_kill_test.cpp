@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <string>
 
 #include "app/files/import/model_source.h"
 #include "tests/app/session/replayed_session.h"

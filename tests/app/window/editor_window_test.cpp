@@ -2,12 +2,8 @@
 // the same editor without one.
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
-#include <optional>
-#include <string>
 
 #include "app/files/import/model_source.h"
 #include "gpu/data_path.h"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "sim/base/math.h"
 
 namespace kerf {

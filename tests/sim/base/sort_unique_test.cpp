@@ -2,7 +2,6 @@
 
 #include <climits>
 #include <random>
-#include <string>
 
 #include "sim/base/containers.h"
 

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "tests/support/shape_error.h"
 #include "tests/support/shapes.h"
 

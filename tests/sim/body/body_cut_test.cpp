@@ -1,9 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <map>
-#include <numeric>
-#include <vector>
-
 #include "sim/body/body_updater.h"
 #include "sim/body/ispc_builder.h"
 #include "tests/sim/body/ispc_bits.h"

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstring>
-#include <numeric>
 
 #include "sim/body/body_updater.h"
 #include "sim/body/constraint_lists.h"

@@ -2,13 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <memory>
 #include <random>
 
 #include "sim/base/pausing.h"

@@ -1,8 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"
 #include "tests/support/shapes.h"

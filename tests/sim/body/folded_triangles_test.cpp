@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/cut_strokes.h"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <map>
-#include <vector>
-
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/surface_mesh.h"
 

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "sim/body/folded_triangles.h"
 #include "tests/support/shapes.h"
 

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <numeric>
 #include <random>
 
 #include "sim/body/ispc_builder.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/body/body_model.h"
 #include "sim/body/constraint_lists.h"
 #include "sim/body/rest_geometry.h"

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <numbers>
 
 #include "tests/sim/body/hand_cut.h"
 #include "tests/support/shapes.h"

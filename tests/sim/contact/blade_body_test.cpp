@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 namespace kerf {
 namespace {
 

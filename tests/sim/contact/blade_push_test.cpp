@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "sim/body/body_model.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"

@@ -1,8 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <numeric>
-
 #include "sim/contact/obstacles.h"
 #include "sim/run/simulation.h"
 #include "sim/run/state_hash.h"

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <iostream>
 #include <random>
-#include <string>
 
 #include "sim/base/placement.h"
 #include "sim/body/piece_masses.h"

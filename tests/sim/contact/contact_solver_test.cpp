@@ -1,6 +1,5 @@
 #include "sim/contact/contact_solver.h"
 
-#include <algorithm>
 #include <random>
 
 #include "sim/body/piece_masses.h"

@@ -4,10 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-
 #include "sim/body/piece_masses.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

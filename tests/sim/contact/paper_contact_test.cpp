@@ -1,6 +1,5 @@
 #include "sim/contact/paper_contact.h"
 
-#include <algorithm>
 #include <random>
 
 #include "sim/body/solver_uniforms.h"

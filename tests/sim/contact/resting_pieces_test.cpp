@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "sim/cut/exact/piercing.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/shapes.h"

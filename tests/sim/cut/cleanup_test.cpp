@@ -2,11 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
-
 #include "sim/cut/cleanup/workspace.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"

@@ -1,12 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <iostream>
-#include <string>
 
 #include "sim/cut/exact/jitter.h"
 #include "sim/cut/stroke/cutter.h"

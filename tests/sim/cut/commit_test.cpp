@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "sim/cut/cut_change.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/cut_strokes.h"

@@ -1,8 +1,6 @@
 // Chips that a stroke leaves, here the corner of a block.
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

@@ -2,14 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <random>
-#include <utility>
 
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/invariants.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <map>
-
 #include "sim/cut/exact/piercing.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/fuzz_seed.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 #include "tests/support/cut_fuzz.h"
 #include "tests/support/cut_strokes.h"
 #include "tests/support/shapes.h"

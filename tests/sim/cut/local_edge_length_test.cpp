@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <vector>
 
 #include "sim/body/rest_geometry.h"
 #include "sim/cut/stroke/cutter.h"

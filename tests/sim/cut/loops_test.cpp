@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <set>
 
 #include "sim/cut/plan/wall/ears.h"
 #include "tests/support/drawn_outline.h"

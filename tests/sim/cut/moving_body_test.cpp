@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/cut/stroke/cutter.h"
 #include "sim/cut/surface/piece_groups.h"
 #include "sim/mesh/invariants.h"

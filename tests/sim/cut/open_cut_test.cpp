@@ -1,7 +1,6 @@
 // The open cut: hollow while the blade moves, patched when the stroke ends.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 
 #include "sim/body/body_updater.h"

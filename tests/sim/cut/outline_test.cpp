@@ -2,12 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <random>
-#include <set>
 
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/shapes.h"

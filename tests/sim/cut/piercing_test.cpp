@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "sim/cut/cleanup/self_piercing.h"
 #include "tests/support/shapes.h"
 

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/mesh/invariants.h"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/cut/stroke/group_stroke.h"
 #include "tests/support/sound_strokes.h"
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"

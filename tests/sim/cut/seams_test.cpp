@@ -2,13 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <random>
-#include <set>
 
 #include "sim/cut/plan/plan.h"
 #include "sim/mesh/invariants.h"

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "sim/mesh/invariants.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/shapes.h"

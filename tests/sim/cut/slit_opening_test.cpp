@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/step_bench.h"

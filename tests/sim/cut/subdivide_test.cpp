@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <set>
 
 #include "sim/mesh/triangle.h"
 #include "tests/support/facing_walls.h"

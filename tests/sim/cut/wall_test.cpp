@@ -2,12 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <set>
-
 #include "tests/support/drawn_outline.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/shapes.h"

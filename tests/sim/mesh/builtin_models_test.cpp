@@ -1,10 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <limits>
-#include <string>
 
 #include "sim/mesh/invariants.h"
 #include "sim/repair/soup_inspection.h"

@@ -3,11 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <numbers>
-#include <numeric>
-#include <vector>
-
 #include "tests/support/shapes.h"
 
 namespace kerf {

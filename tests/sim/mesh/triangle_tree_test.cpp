@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <random>
 
 #include "sim/cut/cut_change.h"

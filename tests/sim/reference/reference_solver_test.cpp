@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/body/solver_uniforms.h"
 #include "tests/support/plain_pbd.h"
 #include "tests/support/shaken_state.h"

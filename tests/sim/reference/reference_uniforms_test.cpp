@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/body/solver_uniforms.h"
 #include "tests/support/shapes.h"
 

@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <map>
 #include <random>
-#include <set>
 
 #include "sim/repair/soup_inspection.h"
 #include "tests/support/self_intersections.h"

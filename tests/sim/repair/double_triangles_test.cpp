@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "sim/repair/soup_inspection.h"
 #include "sim/repair/soup_repair.h"
 #include "tests/support/shapes.h"

@@ -2,11 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
-#include <map>
 #include <random>
-#include <set>
-#include <string>
 
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_inspection.h"

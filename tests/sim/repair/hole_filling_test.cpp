@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 

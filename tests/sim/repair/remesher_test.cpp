@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_quality.h"

@@ -3,11 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <random>
-#include <utility>
-#include <vector>
 
 #include "sim/base/math.h"
 #include "sim/mesh/invariants.h"

@@ -3,12 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "sim/mesh/invariants.h"
 #include "sim/repair/crossings.h"

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <vector>
-
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 namespace kerf::repair {

@@ -1,9 +1,6 @@
 // Iterations that the simulation chooses before each step.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <random>

@@ -2,10 +2,6 @@
 #include <glad/gl.h>
 #include <gmock/gmock.h>
 
-#include <array>
-#include <map>
-#include <numeric>
-
 #include "sim/body/piece_masses.h"
 #include "sim/run/moment.h"
 #include "tests/support/shapes.h"

@@ -1,8 +1,6 @@
 // Scenes whose steps are implicit: see docs/notes/implicit-steps.md.
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "sim/run/moment.h"
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"

@@ -1,9 +1,6 @@
 // Hands that hold one lip of a slit, and two of them that hold it open.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/mesh/surface_patch.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"

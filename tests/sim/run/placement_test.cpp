@@ -1,8 +1,6 @@
 // A model that is placed otherwise while it is simulated.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "sim/base/size_params.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"

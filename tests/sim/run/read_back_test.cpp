@@ -2,9 +2,6 @@
 // vertices near the blade come back from the GPU, or all of them.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <vector>
-
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"

@@ -1,8 +1,6 @@
 // A scene of several models, each of its own material.
 #include <gmock/gmock.h>
 
-#include <array>
-
 #include "sim/run/start/prepared_body.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/shapes.h"

@@ -4,12 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
-#include <filesystem>
-#include <functional>
-#include <limits>
-#include <numeric>
 #include <random>
-#include <set>
 
 #include "sim/mesh/invariants.h"
 #include "sim/solve/body_view.h"

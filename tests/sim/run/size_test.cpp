@@ -3,8 +3,6 @@
 // stiffness, which grows with the cube, are exact then.
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
-
 #include "tests/support/shapes.h"
 #include "tests/support/simulation_fixture.h"
 

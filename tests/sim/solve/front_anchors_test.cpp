@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "sim/body/body_model.h"
 #include "sim/cut/stroke/cutter.h"
 #include "tests/support/shapes.h"

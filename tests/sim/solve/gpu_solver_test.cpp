@@ -1,9 +1,5 @@
 #include "sim/solve/gpu_solver.h"
 
-#include <array>
-#include <limits>
-#include <string>
-
 #include "sim/body/solver_uniforms.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plain_pbd.h"

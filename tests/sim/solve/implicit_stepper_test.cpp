@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "gpu/context.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/gpu_solver.h"

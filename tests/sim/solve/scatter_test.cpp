@@ -3,10 +3,6 @@
 #include <glad/gl.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "tests/support/gl_fixture.h"
 
 namespace kerf {

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <numeric>
-
 #include "sim/body/solver_uniforms.h"
 #include "sim/cut/cut_change.h"
 #include "sim/cut/stroke/cutter.h"

@@ -1,22 +1,12 @@
 // From top to bottom: what all share; OBJ, OFF, STL, PLY; glTF; what assimp reads.
 #include "tests/support/fuzz/counted_file.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <span>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "sim/base/text.h"
 

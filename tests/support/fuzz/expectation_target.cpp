@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <memory>
-#include <set>
-
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/regression/expectation_writer.h"

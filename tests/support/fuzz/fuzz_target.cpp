@@ -1,8 +1,5 @@
 #include "tests/support/fuzz/fuzz_target.h"
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
 #include <ostream>
 
 #include "tests/paths.h"

@@ -1,10 +1,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace kerf::test {
 

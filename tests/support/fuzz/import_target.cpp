@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <optional>
-
 #include "app/files/export/export.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"

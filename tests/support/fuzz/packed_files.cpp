@@ -1,7 +1,5 @@
 #include "tests/support/fuzz/packed_files.h"
 
-#include <algorithm>
-
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace kerf::test {
 
 /// Files in one text, so that a folder can be changed like a file.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "tests/support/fuzz/fuzz_target.h"
 
 namespace kerf::test {

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "app/files/io/errors.h"
 #include "app/session/session.h"
 #include "app/study/study_table.h"

@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <bit>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/files/io/errors.h"
 #include "app/session/session.h"

@@ -1,5 +1,3 @@
-#include <memory>
-
 #include "app/editor/storage/settings_file.h"
 #include "app/files/io/errors.h"
 #include "tests/support/fuzz/refusal.h"

@@ -1,11 +1,6 @@
 // The functions of the formats in fuzzTargets(), which says what each is for.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "tests/support/fuzz/fuzz_target.h"
 
 namespace kerf::test {

@@ -1,9 +1,6 @@
 #include "tests/support/fuzz/text_mutator.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <set>
 
 namespace kerf::test {
 

@@ -1,9 +1,5 @@
 #include "tests/support/reference/octree.h"
 
-#include <algorithm>
-#include <numeric>
-#include <utility>
-
 namespace kerf {
 
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <vector>
-
 #include "sim/base/math.h"
 
 namespace kerf {

@@ -1,9 +1,6 @@
 #include "tests/support/reference/reference_boxes.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "shaders/shared/contact_records.h"
 

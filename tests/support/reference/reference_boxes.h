@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "sim/body/body_model.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/obstacles.h"

@@ -1,8 +1,5 @@
 #include "tests/support/reference/reference_constraints.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/body/rest_geometry.h"
 
 namespace kerf {

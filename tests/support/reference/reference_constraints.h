@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <tuple>
 
 #include "sim/body/constraint_lists.h"

@@ -1,11 +1,6 @@
 #include "tests/support/reference/reference_contact.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"

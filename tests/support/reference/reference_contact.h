@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "shaders/shared/contact_records.h"
 #include "sim/body/body_model.h"
 #include "tests/support/reference/reference_solver.h"

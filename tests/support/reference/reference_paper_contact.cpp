@@ -1,11 +1,6 @@
 #include "tests/support/reference/reference_paper_contact.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 #include "sim/base/boxes.h"
 #include "sim/mesh/triangle.h"

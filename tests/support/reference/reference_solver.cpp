@@ -1,8 +1,5 @@
 #include "tests/support/reference/reference_solver.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/body/piece_masses.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/reference/reference_constraints.h"

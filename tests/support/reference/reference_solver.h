@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "shaders/shared/solver_uniforms.h"
 #include "sim/body/body_model.h"
 

@@ -1,8 +1,6 @@
 #include "tests/support/reference/reference_unfolding.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/rest_geometry.h"

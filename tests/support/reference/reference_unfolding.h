@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/body/body_model.h"
 #include "tests/support/reference/reference_solver.h"
 

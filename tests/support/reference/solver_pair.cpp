@@ -1,6 +1,5 @@
 #include "tests/support/reference/solver_pair.h"
 
-#include <algorithm>
 #include <random>
 
 #include "sim/body/rest_geometry.h"

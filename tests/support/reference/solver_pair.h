@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/params.h"
 #include "sim/solve/gpu_solver.h"
 #include "tests/support/reference/reference_solver.h"

@@ -1,9 +1,5 @@
 #include "sim/cut/plan/curves/curve_nodes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "sim/base/predicates.h"
 #include "sim/cut/cut_types.h"
 

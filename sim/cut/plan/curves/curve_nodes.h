@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "sim/cut/plan/curves/cut_curves.h"
 #include "sim/cut/plan/input/predicate_positions.h"
 #include "sim/cut/plan/strip/strip.h"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <map>
-#include <utility>
-#include <vector>
-
 #include "sim/cut/cut_types.h"
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/mesh/surface_mesh.h"

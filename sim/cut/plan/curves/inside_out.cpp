@@ -1,9 +1,5 @@
 #include "sim/cut/plan/curves/inside_out.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace kerf::cut {
 
 namespace {

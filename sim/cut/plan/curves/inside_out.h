@@ -1,8 +1,5 @@
 #pragma once
 
-#include <set>
-#include <vector>
-
 #include "sim/cut/plan/curves/cut_curves.h"
 #include "sim/cut/plan/input/step.h"
 #include "sim/cut/plan/strip/strip.h"

@@ -1,9 +1,5 @@
 #include "sim/cut/plan/curves/intersections.h"
 
-#include <algorithm>
-#include <set>
-#include <utility>
-
 #include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/cut/plan/curves/curve_nodes.h"

@@ -1,12 +1,6 @@
 #include "sim/cut/plan/curves/outline.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <set>
-#include <utility>
-#include <vector>
 
 #include "sim/cut/plan/curves/inside_out.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "sim/cut/plan/curves/cut_curves.h"
 #include "sim/cut/plan/input/step.h"

@@ -1,7 +1,5 @@
 #include "sim/cut/plan/input/predicate_positions.h"
 
-#include <algorithm>
-
 #include "sim/cut/wall_copies.h"
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-
 #include "sim/cut/plan/input/step.h"
 
 namespace kerf::cut {

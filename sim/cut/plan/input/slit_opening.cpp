@@ -1,10 +1,5 @@
 #include "sim/cut/plan/input/slit_opening.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "sim/cut/blade.h"
 #include "sim/cut/plan/input/step.h"
 #include "sim/mesh/triangle.h"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <map>
-#include <set>
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"
 #include "sim/cut/surface/broad_phase.h"

@@ -1,9 +1,5 @@
 #include "sim/cut/plan/strip/flush.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

@@ -1,7 +1,5 @@
 #include "sim/cut/plan/strip/front_profile.h"
 
-#include <algorithm>
-
 #include "sim/cut/surface/broad_phase.h"
 
 namespace kerf::cut {

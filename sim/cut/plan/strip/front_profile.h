@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/plan/strip/strip.h"
 #include "sim/mesh/triangle.h"

@@ -1,8 +1,5 @@
 #include "sim/cut/plan/strip/new_rung.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/exact/jitter.h"
 

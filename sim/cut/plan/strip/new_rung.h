@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "sim/cut/plan/input/step.h"
 #include "sim/cut/plan/strip/strip.h"
 

@@ -1,10 +1,5 @@
 #include "sim/cut/plan/strip/strip.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/cut/blade.h"
-
 namespace kerf::cut {
 
 namespace {

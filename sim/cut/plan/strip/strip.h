@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/base/math.h"
 #include "sim/cut/blade.h"
 #include "sim/cut/cut_types.h"

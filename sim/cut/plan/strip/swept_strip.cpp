@@ -1,9 +1,5 @@
 #include "sim/cut/plan/strip/swept_strip.h"
 
-#include <algorithm>
-#include <numeric>
-#include <optional>
-
 #include "sim/cut/blade.h"
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/plan/strip/new_rung.h"

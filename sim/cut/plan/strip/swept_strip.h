@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/input/predicate_positions.h"
 #include "sim/cut/plan/strip/strip.h"
 

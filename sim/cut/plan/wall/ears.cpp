@@ -1,9 +1,5 @@
 #include "sim/cut/plan/wall/ears.h"
 
-#include <algorithm>
-#include <optional>
-#include <set>
-
 #include "sim/base/containers.h"
 
 namespace kerf::cut {

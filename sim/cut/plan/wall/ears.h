@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/plan/wall/loops.h"
 
 namespace kerf::cut {

@@ -1,9 +1,5 @@
 #include "sim/cut/plan/wall/loops.h"
 
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 namespace kerf::cut {
 
 namespace {

@@ -1,7 +1,5 @@
 #include "sim/cut/plan/wall/sheet_border.h"
 
-#include <algorithm>
-
 namespace kerf::cut {
 
 namespace {

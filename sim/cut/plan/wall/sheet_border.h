@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "sim/cut/exact/directed_edges.h"
 #include "sim/cut/exact/triangulation.h"
 #include "sim/cut/plan/wall/loops.h"

@@ -1,7 +1,6 @@
 #include "sim/cut/plan/wall/skin_map.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 
 namespace kerf::cut {
 

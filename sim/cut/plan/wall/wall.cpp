@@ -1,11 +1,7 @@
 #include "sim/cut/plan/wall/wall.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 
-#include "sim/cut/plan/curves/outline.h"
 #include "sim/cut/plan/strip/strip.h"
 #include "sim/cut/plan/wall/ears.h"
 #include "sim/cut/plan/wall/sheet_border.h"

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "app/files/io/csv.h"
 #include "render/scene/image.h"

@@ -2,7 +2,6 @@
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "tests/support/run_kerf.h"

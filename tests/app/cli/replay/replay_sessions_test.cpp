@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <set>
-
 #include "app/cli/replay/replay.h"
 #include "app/files/import/model_source.h"
 #include "app/session/simulation_driver.h"

@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <assimp/Importer.hpp>
-#include <map>
-#include <string>
 
 #include "app/files/export/export.h"
 #include "app/files/import/model_source.h"

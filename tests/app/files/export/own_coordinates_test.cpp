@@ -2,8 +2,6 @@
 // plain readers of the formats see them, without assimp and without what wrote them.
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <string>
-
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/errors.h"
 #include "sim/repair/soup_inspection.h"

@@ -2,13 +2,9 @@
 // sentence that says what and where; none gives another shape, or loses something, in silence.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/files/import/import_process.h"
 #include "app/files/import/model_source.h"

@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "app/files/import/readers.h"

@@ -1,13 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <limits>
-#include <numbers>
-#include <string>
 
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/import_process.h"

@@ -1,10 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "app/files/import/readers.h"
 #include "tests/app/files/import/box_reader_test.h"

@@ -3,11 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "app/files/import/import_process.h"
 #include "app/files/import/model_source.h"

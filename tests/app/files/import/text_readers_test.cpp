@@ -1,9 +1,6 @@
 // Models that are texts, and STL: what other programs write.
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstdint>
-
 #include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"

@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
-#include <vector>
-
 #include "app/files/jobs/background_job.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/variable.h"

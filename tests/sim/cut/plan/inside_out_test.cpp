@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "sim/cut/plan/curves/intersections.h"
 #include "sim/cut/plan/strip/swept_strip.h"
 #include "tests/support/shapes.h"

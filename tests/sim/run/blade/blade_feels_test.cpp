@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <vector>
-
 #include "sim/run/blade/felt_edge.h"
 #include "sim/run/simulation.h"
 #include "tests/support/gl_fixture.h"

@@ -4,10 +4,6 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/cut/stroke/cutter.h"
 #include "sim/run/simulation.h"
 #include "sim/run/start/prepared_body.h"

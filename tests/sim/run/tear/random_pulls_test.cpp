@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <random>
-#include <string>
 
 #include "sim/base/boxes.h"
 #include "sim/mesh/invariants.h"

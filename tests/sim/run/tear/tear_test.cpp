@@ -2,11 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <vector>
-
 #include "sim/mesh/invariants.h"
 #include "sim/run/parts/step_report.h"
 #include "sim/run/undo/undo_history.h"

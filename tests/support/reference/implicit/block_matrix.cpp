@@ -1,7 +1,5 @@
 #include "tests/support/reference/implicit/block_matrix.h"
 
-#include <algorithm>
-
 namespace kerf {
 
 BlockMatrix::BlockMatrix(const BodyModel& model) {

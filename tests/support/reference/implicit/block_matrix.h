@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 #include "sim/body/body_model.h"
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "tests/support/reference/implicit/block_matrix.h"
 #include "tests/support/reference/reference_solver.h"
 

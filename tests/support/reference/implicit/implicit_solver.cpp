@@ -1,8 +1,5 @@
 #include "tests/support/reference/implicit/implicit_solver.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "shaders/shared/implicit_records.h"
 #include "sim/base/containers.h"
 #include "sim/body/solver_uniforms.h"

@@ -1,7 +1,5 @@
 #include "tests/support/reference/implicit/surface_contacts.h"
 
-#include <algorithm>
-
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/triangle.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "tests/support/reference/implicit/contact_row.h"
 #include "tests/support/reference/reference_contact.h"
 
