@@ -48,6 +48,11 @@ function(kerf_own_code target)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  kerf_prelude(${target})
+endfunction()
+
+# What every source of ours reads first; also for code to which our warnings don't apply.
+function(kerf_prelude target)
   target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
 endfunction()
 

@@ -233,7 +233,7 @@ SHARED_CONST float kAnyPush = -1e30f;
 struct RowState {
     vec4 slip;  // w: gap [m]
     vec4 push;  // x: the most that friction holds, below 0: none; y: push, z: of the stage before
-                // [N]
+                // [N]; w: the gap from where it is damped, or kUndamped [m]
 };
 // How far a piece goes.
 struct Reach {
@@ -251,7 +251,11 @@ SHARED_CONST float kLeadStrength = 4.0f;
 SHARED_CONST float kContactShare = 0.05f;
 SHARED_CONST float kContactRate = 600.0f;  // at least [1/s]
 SHARED_CONST float kContactTurn = 8.0f;    // in a step
-SHARED_CONST float kSameNormal = 0.9f;     // cosine
+// In the second stage: see contact_rows.glsl.
+SHARED_CONST float kDampedContact = 0.5f;  // of its stiffness
+SHARED_CONST float kMostPull = 2.4f;       // of the push of the first stage
+SHARED_CONST float kUndamped = 1e30f;
+SHARED_CONST float kSameNormal = 0.9f;  // cosine
 // In a step, of a depth that no push has made; see let_out.
 SHARED_CONST float kLetOut = 0.1f;
 

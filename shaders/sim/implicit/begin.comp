@@ -28,6 +28,10 @@ float done = 1.0;  // of the step, when the stage ends
 void prepare(uint piece) { shift = balancingShift(piece); }
 
 float lastPush(uint row) { return fetch(states, 2u * row + 1u).y; }
+float leadsTo(uint row, float gap) {
+    float from = gap + (implicit.rest / implicit.stage) * (fetch(states, 2u * row).w - gap);
+    return from < 0.0 || lastPush(row) > 0.0 ? from : kUndamped;
+}
 vec3 freeWay(uint v) {
     vec3 way = fetch(ways, v).xyz + shift;
     firstWays[v] = vec4(way, 0.0);
@@ -40,6 +44,7 @@ vec3 freeWay(uint v) {
 float done = implicit.stage / implicit.step;
 void prepare(uint piece) {}
 float lastPush(uint row) { return max(fetch(rows, kRowTexels * row + 3u).w, 0.0); }
+float leadsTo(uint row, float gap) { return kUndamped; }
 vec3 freeWay(uint v) { return implicit.stage * fetch(velocities, v).xyz; }
 #endif
 
@@ -50,9 +55,10 @@ void beginRow(uint row) {
         float grip = contact.lead.w < 0.0 ? -1.0 : implicit.contact.friction * last;
         vec3 led = done * contact.lead.xyz;
         float away = dot(contact.normal.xyz, led);
+        float from = leadsTo(row, contact.normal.w);
         newStates[2u * row] = vec4(contact.slip.xyz - (led - away * contact.normal.xyz),
                                    contact.normal.w - away);
-        newStates[2u * row + 1u] = vec4(grip, 0.0, last, 0.0);
+        newStates[2u * row + 1u] = vec4(grip, 0.0, last, from);
     }
 }
 

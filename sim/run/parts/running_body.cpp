@@ -189,7 +189,8 @@ std::optional<double> RunningBody::residual(const Params& params) const {
 }
 
 bool RunningBody::guardSteps(const Params& params, bool worked) {
-    const bool gains = worked || isMoved_ || cutter->inStroke() || solver.stepper().unfolds();
+    const bool unfolds = memory.crumpled && solver.stepper().unfolds();
+    const bool gains = worked || isMoved_ || cutter->inStroke() || unfolds;
     const BodyMeasure& measure = memory.measure;
     return params.solver == SolverMode::implicit &&
            memory.guard.note(
@@ -251,6 +252,7 @@ void RunningBody::restore(const Snapshot& snapshot) {
 void RunningBody::setPins(Pins pins) {
     pins.goOnFrom(memory.pins, mesh());
     memory.pins = std::move(pins);
+    memory.guard.startAnew();  // what is pinned counts for no energy
     holdPins();
 }
 
@@ -320,7 +322,7 @@ void RunningBody::prepareStep(const Params& params, bool autoIterations) {
         pulls.insert(pulls.end(), bonds.begin(), bonds.end());
     }
     solver.setPulls(pulls);
-    isMoved_ = volumesChange || !pulls.empty() || memory.pins.moves();
+    isMoved_ = !pulls.empty() || memory.pins.moves();
     chooseSteps(params, autoIterations);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {

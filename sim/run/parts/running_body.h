@@ -147,7 +147,7 @@ struct RunningBody {
     void beginAtRest();
 
     std::optional<PieceMap> pieces_;  ///< of the present mesh, if known
-    bool isMoved_ = true;             ///< in this step, by hands, forces, pins or volumes
+    bool isMoved_ = true;             ///< in this step, by hands, forces or pins
 };
 
 }  // namespace kerf

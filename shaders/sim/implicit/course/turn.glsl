@@ -1,7 +1,7 @@
 // How the iterations of pieces that touch go on: see Course.
 #include "sim/implicit/course/last_group.glsl"
 
-const float kRounding = 1e-12;  // of the scale
+const float kRounding = 1e-8;  // of the scale
 
 // Of all that touch.
 struct Answered {
@@ -44,7 +44,7 @@ void leaveCourses(uint root, uint slot) {
         newCourses[p].size = all.size;
         newCourses[p].gamma = before.z;
         newCourses[p].scale = scale;
-        bool done = !(all.left > kRounding * scale);
+        bool done = !(all.size > kRounding * scale);
         bool close = done || all.size < implicit.bounds.close * scale;
         newCourses[p].done = done ? 1.0 : 0.0;
         newCourses[p].ended = close && slot >= numbers.y ? 1.0 : 0.0;

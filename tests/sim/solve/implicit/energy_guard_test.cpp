@@ -23,7 +23,7 @@ class EnergyGuardTest : public testing::Test {
 TEST_F(EnergyGuardTest, DividesWhatGrowsFurtherEachTimeUpToAnEighth) {
     double energy = 1;
     for (const int expected : {2, 4, 8, 8}) {
-        energy *= 1.2;
+        energy *= 1.6;
         const int before = guard.divisions();
         EXPECT_EQ(note(moving(energy)), expected > before);
         EXPECT_EQ(guard.divisions(), expected);
@@ -41,7 +41,7 @@ TEST_F(EnergyGuardTest, LetsGrowWhatIsWorkedOnOrNew) {
     EXPECT_FALSE(note(moving(5), true));
     guard.startAnew();
     EXPECT_FALSE(note(moving(20)));
-    EXPECT_TRUE(note(moving(25)));
+    EXPECT_TRUE(note(moving(31)));
 }
 
 TEST_F(EnergyGuardTest, LetsLittleEnergyBe) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shaders/shared/implicit_records.h"
 #include "tests/support/reference/implicit/block_matrix.h"
 #include "tests/support/reference/reference_solver.h"
 
@@ -13,13 +14,26 @@ struct ContactRow {
     std::array<std::uint32_t, 4> vertices{};
     std::array<double, 4> weights{};  ///< the point less the point that it presses on
     Vec3 normal = Vec3::UnitY();
-    double gap = 0;            ///< where the step begins; negative is inside [m]
-    double stiffness = 0;      ///< [N/m]
-    double friction = 0;       ///< Coulomb coefficient
-    Vec3 slip = Vec3::Zero();  ///< across, what the step before has left held back [m]
-    double push = 0;           ///< of the stage before [N]
-    std::uint64_t memory = 0;  ///< by which the next step knows it again
+    double gap = 0;                   ///< where the step begins; negative is inside [m]
+    double stiffness = 0;             ///< [N/m]
+    double friction = 0;              ///< Coulomb coefficient
+    Vec3 slip = Vec3::Zero();         ///< across, what the step before has left held back [m]
+    double push = 0;                  ///< of the stage before [N]
+    double from = shared::kUndamped;  ///< the gap from where the second stage is damped [m]
+    std::uint64_t memory = 0;         ///< by which the next step knows it again
 
+    /// What it pushes at a gap, and how much less it does by metre of its opening.
+    struct Push {
+        double force = 0;
+        double firmness = 0;
+    };
+    Push pushAt(double at) const {
+        const bool isDamped = from < shared::kUndamped;
+        const double damped = isDamped ? shared::kDampedContact * stiffness : 0.0;
+        const double force = stiffness * std::max(0.0, -at) + (isDamped ? damped * (from - at) : 0);
+        const double least = isDamped ? -shared::kMostPull * push : 0.0;
+        return force < least ? Push{least, 0} : Push{force, damped + (at < 0 ? stiffness : 0.0)};
+    }
     /// Of the two points, by the motions of all vertices.
     Vec3 relative(std::span<const Vec3> motions) const {
         Vec3 sum = Vec3::Zero();

@@ -285,9 +285,8 @@ class ImplicitReference::Descent {
     void finish(ImplicitReport& report) {
         report.pushing = 0;
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const double depth = std::max(0.0, -gaps_[k]);
-            rows_[k].push = rows_[k].stiffness * depth;
-            report.pushing += depth > 0;
+            rows_[k].push = rows_[k].pushAt(gaps_[k]).force;
+            report.pushing += rows_[k].push > 0;
         }
     }
     const std::vector<Vec3>& slips() const { return slips_; }
@@ -377,13 +376,13 @@ class ImplicitReference::Descent {
     }
     void renewGrips() {
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            grips_[k] = rows_[k].friction * rows_[k].stiffness * std::max(0.0, -gaps_[k]);
+            grips_[k] = rows_[k].friction * std::max(0.0, rows_[k].pushAt(gaps_[k]).force);
         }
     }
     Vectors gradientNow() const {
         Vectors gradient = residual_;
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            Vec3 force = rows_[k].stiffness * std::max(0.0, -gaps_[k]) * rows_[k].normal;
+            Vec3 force = rows_[k].pushAt(gaps_[k]).force * rows_[k].normal;
             if (grips_[k] > 0) {
                 force += gripForce(k, slips_[k]);
             }
@@ -448,11 +447,9 @@ class ImplicitReference::Descent {
             const ContactRow& row = rows_[k];
             const int g = joined_.root(pieceOf(row.vertices[0]));
             const double opening = row.normal.dot(relative[k]);
-            const double gap = gaps_[k] + alphas[g] * opening;
-            if (gap < 0) {
-                first[g] += row.stiffness * gap * opening;
-                second[g] += row.stiffness * opening * opening;
-            }
+            const ContactRow::Push push = row.pushAt(gaps_[k] + alphas[g] * opening);
+            first[g] -= push.force * opening;
+            second[g] += push.firmness * opening * opening;
             if (grips_[k] > 0) {
                 const Vec3 across = row.across(relative[k]);
                 const Vec3 slip = slips_[k] + alphas[g] * across;
@@ -619,6 +616,10 @@ ImplicitReport ImplicitReference::step(ReferenceState& state) {
         const Vec3 speed = first[v] / s;
         from.velocities[v] += rest / s * (speed - from.velocities[v]);
         from.positions[v] += rest * speed;
+    }
+    for (ContactRow& row : rows) {
+        const double led = row.gap + rest / s * row.normal.dot(row.relative(first));
+        row.from = led < 0 || row.push > 0 ? led : shared::kUndamped;
     }
     const Vectors second = solveStage(from, start, rows, report);
     const double kept = std::exp(-settings_.drag * settings_.step);
