@@ -62,7 +62,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
         const bool overflow = error.id == 406;
         throw InputError(lineAndColumn(text_, position) + ": " +
                          (overflow ? "the number '" + excerpt(token) + "' is too large."
-                                   : "this is not valid JSON near '" + excerpt(token) + "'."));
+                          : token.empty()
+                              ? "the text ends too early."
+                              : "this is not valid JSON near '" + excerpt(token) + "'."));
     }
 
   private:

@@ -252,7 +252,7 @@ SHARED_CONST float kContactShare = 0.05f;
 SHARED_CONST float kContactRate = 600.0f;  // at least [1/s]
 SHARED_CONST float kContactTurn = 8.0f;    // in a step
 // In the second stage: see contact_rows.glsl.
-SHARED_CONST float kDampedContact = 0.5f;  // of its stiffness
+SHARED_CONST float kDampedContact = 0.2f;  // of its stiffness
 SHARED_CONST float kMostPull = 2.4f;       // of the push of the first stage
 SHARED_CONST float kUndamped = 1e30f;
 SHARED_CONST float kSameNormal = 0.9f;  // cosine

@@ -325,7 +325,7 @@ struct Setter {
         if (!x) {
             return quoted(info.name) + " takes one number from " + number(info.low) + " to " +
                    number(info.high) + (info.unit.empty() ? "" : " " + std::string(info.unit)) +
-                   (info.type == ParamType::optionalReal ? ", or none" : "") +
+                   (info.type == ParamType::optionalReal ? ", or null for none" : "") +
                    (info.choices.empty() ? "" : ", or " + quoted(info.choices.front()));
         }
         std::string problem = checkNumber(info, *x);

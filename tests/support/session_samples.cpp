@@ -93,7 +93,7 @@ std::string sessionWithEveryEvent() {
 const std::vector<BrokenSession>& brokenSessions() {
     // clang-format off
     static const std::vector<BrokenSession> sessions{
-        {"Empty", "", "line 1, column 1: this is not valid JSON near ''"},
+        {"Empty", "", "line 1, column 1: the text ends too early"},
         {"NoObject", "[1]", "top level: expected an object"},
         {"NaN", "{\n  \"steps\": NaN}", "line 2, column 12: this is not valid JSON near"},
         {"HugeNumber", "{\"steps\": 1e999}", "line 1, column 15: the number '1e999' is too large"},

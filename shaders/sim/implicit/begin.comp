@@ -30,7 +30,7 @@ void prepare(uint piece) { shift = balancingShift(piece); }
 float lastPush(uint row) { return fetch(states, 2u * row + 1u).y; }
 float leadsTo(uint row, float gap) {
     float from = gap + (implicit.rest / implicit.stage) * (fetch(states, 2u * row).w - gap);
-    return from < 0.0 || lastPush(row) > 0.0 ? from : kUndamped;
+    return lastPush(row) > 0.0 ? max(from, 0.0) : kUndamped;
 }
 vec3 freeWay(uint v) {
     vec3 way = fetch(ways, v).xyz + shift;

@@ -13,26 +13,25 @@ float firstWeight(vec4 weights) {
     return (weights.x < 0.0 ? 1.0 : 0.0) - weights.y - weights.z - weights.w;
 }
 
-// The second stage goes on by 2.4 times what the first one pushed, so that a vertex alone would leave
-// faster than it came. There a contact resists its opening from where the first stage leads to
-// (RowState), and may pull, by less than it has pushed.
 // What a contact pushes, and how much less it does by metre of its opening.
 struct Push {
     float force;
     float firmness;
 };
 
-// `pushes`: see RowState; `lead`: see ContactRow.
+// The second stage goes on by 2.4 times what the first one pushed, so that a vertex alone would
+// leave faster than it came. What was pushed is damped there as it goes beyond where the first
+// stage leads to, and pulled by less than it was pushed. `pushes`: see RowState; `lead`: see
+// ContactRow.
 Push pushOf(float stiffness, float gap, vec4 pushes, float lead) {
-    Push push = Push(stiffness * max(-gap, 0.0), gap < 0.0 ? stiffness : 0.0);
-    if (pushes.w < kUndamped) {
-        push.force += kDampedContact * stiffness * (pushes.w - gap);
-        push.firmness += kDampedContact * stiffness;
-        float least = -kMostPull * pushes.z;
-        if (push.force < least) push = Push(least, 0.0);
+    if (gap > pushes.w) {
+        float pull = kDampedContact * stiffness * (gap - pushes.w);
+        float most = kMostPull * pushes.z;
+        return pull < most ? Push(-pull, kDampedContact * stiffness) : Push(-most, 0.0);
     }
-    if (lead < 0.0 && push.force > -lead) push = Push(-lead, 0.0);
-    return push;
+    float force = stiffness * max(-gap, 0.0);
+    if (lead < 0.0 && force > -lead) return Push(-lead, 0.0);
+    return Push(force, gap < 0.0 ? stiffness : 0.0);
 }
 
 // What holds back at a slip [N/m]: less where friction does not hold it.

@@ -6,8 +6,8 @@ namespace kerf {
 
 namespace {
 
-constexpr double kGrowth =
-    0.5;  // of kinetic and strain energy: what is crushed yields, which no measure counts
+// Of kinetic and strain energy: what is crushed yields, which no measure counts.
+constexpr double kGrowth = 0.3;
 constexpr double kNoise = 1e-5;    // of the potential energy, which is a sum of floats
 constexpr double kMemory = 0.1;    // in which the highest energy is forgotten [s]
 constexpr double kLongEnough = 1;  // without growth, until half of the divisions do [s]

@@ -28,11 +28,12 @@ struct ContactRow {
         double firmness = 0;
     };
     Push pushAt(double at) const {
-        const bool isDamped = from < shared::kUndamped;
-        const double damped = isDamped ? shared::kDampedContact * stiffness : 0.0;
-        const double force = stiffness * std::max(0.0, -at) + (isDamped ? damped * (from - at) : 0);
-        const double least = isDamped ? -shared::kMostPull * push : 0.0;
-        return force < least ? Push{least, 0} : Push{force, damped + (at < 0 ? stiffness : 0.0)};
+        if (at > from) {
+            const double pull = shared::kDampedContact * stiffness * (at - from);
+            const double most = shared::kMostPull * push;
+            return pull < most ? Push{-pull, shared::kDampedContact * stiffness} : Push{-most, 0};
+        }
+        return {stiffness * std::max(0.0, -at), at < 0 ? stiffness : 0};
     }
     /// Of the two points, by the motions of all vertices.
     Vec3 relative(std::span<const Vec3> motions) const {

@@ -619,7 +619,7 @@ ImplicitReport ImplicitReference::step(ReferenceState& state) {
     }
     for (ContactRow& row : rows) {
         const double led = row.gap + rest / s * row.normal.dot(row.relative(first));
-        row.from = led < 0 || row.push > 0 ? led : shared::kUndamped;
+        row.from = row.push > 0 ? std::max(led, 0.0) : shared::kUndamped;
     }
     const Vectors second = solveStage(from, start, rows, report);
     const double kept = std::exp(-settings_.drag * settings_.step);
