@@ -53,7 +53,11 @@ endfunction()
 
 # What every source of ours reads first; also for code to which our warnings don't apply.
 function(kerf_prelude target)
-  target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
+  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    target_compile_options(${target} PRIVATE -include ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
+  else()
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
+  endif()
 endfunction()
 
 # For what nobody waits for when it runs, such as panels and command lines: a fifth less time to

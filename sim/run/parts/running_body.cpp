@@ -59,6 +59,16 @@ bool mayMeetFloor(const BodyMeasure& measure, const Params& params) {
     return params.floor && measure.bounds.low.y() < *params.floor + way;
 }
 
+/// Whether some piece is led to another volume, by more than what a cut leaves.
+bool volumesWork(const BodyModel& model, const VolumeTargets& volumes) {
+    constexpr double kMuch = 1e-3;  // of the piece
+    const std::span<const VolumeTarget> targets = volumes.targets();
+    return std::ranges::any_of(targets, [&](const VolumeTarget& target) {
+        const double rest = model.pieces[&target - targets.data()].restVolume;
+        return std::abs(target.volume - rest) > kMuch * std::abs(rest);
+    });
+}
+
 }  // namespace
 
 RunningBody::RunningBody(PreparedBody prepared, std::unique_ptr<GpuSolver> loadedSolver)
@@ -189,8 +199,7 @@ std::optional<double> RunningBody::residual(const Params& params) const {
 }
 
 bool RunningBody::guardSteps(const Params& params, bool worked) {
-    const bool unfolds = memory.crumpled && solver.stepper().unfolds();
-    const bool gains = worked || isMoved_ || cutter->inStroke() || unfolds;
+    const bool gains = worked || isMoved_ || cutter->inStroke() || solver.stepper().unfolds();
     const BodyMeasure& measure = memory.measure;
     return params.solver == SolverMode::implicit &&
            memory.guard.note(
@@ -322,7 +331,7 @@ void RunningBody::prepareStep(const Params& params, bool autoIterations) {
         pulls.insert(pulls.end(), bonds.begin(), bonds.end());
     }
     solver.setPulls(pulls);
-    isMoved_ = !pulls.empty() || memory.pins.moves();
+    isMoved_ = volumesWork(model(), memory.volumeTargets) || !pulls.empty() || memory.pins.moves();
     chooseSteps(params, autoIterations);
     const Pins::Course course = memory.pins.advance(params.timeStep, mesh());
     if (!course.vertices.empty()) {

@@ -283,7 +283,7 @@ TEST_F(CollapseStormTest, WhatStormsCrushComesBack) {
             "four seconds later {:.3f}, {:.4f}, {:.3f}\n",
             first + i, simulation->measuredPieces().size(), left, before_.insideOut, before_.error,
             before_.volume, after.insideOut, after.error, after.volume);
-        EXPECT_EQ(triangles(), left);
+        EXPECT_GT(triangles(), 0.97 * left) << "but for slivers, which are mended";
         EXPECT_EQ(checkClosedManifold(simulation->mesh()), "");
         EXPECT_LT(after.insideOut, 0.01);
         EXPECT_NEAR(after.volume, 1, 0.01);

@@ -341,7 +341,7 @@ TEST_F(TearTest, ABladeTakesOver) {
     params.debrisVolume = 0;  // nothing to tell of the end of the stroke
     make(params);
     pull(0.02);
-    run(70);
+    run(65);
     EXPECT_TRUE(simulation->report().tear.has_value());
     simulation->execute(MoveBlade{at(0.5 * kSize.x() + 0.01)});
     simulation->step();
