@@ -29,7 +29,7 @@ void setRow(vec3 slip, float stiffness, uint piece, float other) {
     rows[kRowTexels * row + 2u] = vec4(other, other < 0.0 ? 0.0 : -1.0, 0.0, 0.0);
     rows[kRowTexels * row + 3u] = vec4(0.0);
     states[2u * row] = vec4(slip, 1.0);
-    states[2u * row + 1u] = vec4(kUnbroken, 0.0, 0.0, 0.0);
+    states[2u * row + 1u] = vec4(kUnbroken, 0.0, 0.0, kUndamped);
 }
 
 void pullByHand(PullRecord pull, vec4 x, uint piece) {
