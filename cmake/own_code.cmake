@@ -30,7 +30,7 @@ function(kerf_own_code target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC bug 105651: "text" + string, with precompiled headers in three ways
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
-                           -Wno-array-bounds)
+                           -Wno-array-bounds -Wno-stringop-overread)
   elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # Takes a key that is made for a look-up for what the look-up returns.
     target_compile_options(${target} PRIVATE -Wno-dangling-reference)
