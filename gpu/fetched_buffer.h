@@ -14,8 +14,8 @@ inline Program fetchingKernel(const std::string& path, KernelWay way, Defines de
     return Program::compute(path, defines);
 }
 
-/// Binds a buffer that kernels compiled for `way` read by fetch() (shaders/sim/fetch.glsl). Throws
-/// OutOfMemory if the driver's texture buffers are too small.
+/// Binds a buffer that kernels compiled for `way` read by fetch() (shaders/sim/base/fetch.glsl).
+/// Throws OutOfMemory if the driver's texture buffers are too small.
 inline void bindFetched(const Buffer& buffer, std::uint32_t unit, TexelFormat format,
                         KernelWay way) {
     buffer.bindTexels(unit, format);

@@ -7,7 +7,7 @@
 namespace kerf::gpu {
 namespace {
 
-constexpr GLuint kBinding = 0;         // as shaders/sim/numbers.glsl has it
+constexpr GLuint kBinding = 0;         // as shaders/sim/base/numbers.glsl has it
 constexpr std::size_t kPlaces = 1024;  // then a new buffer begins
 
 std::size_t strideOfParts() {

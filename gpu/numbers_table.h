@@ -2,7 +2,7 @@
 
 namespace kerf::gpu {
 
-/// Words that a kernel gets with a dispatch: the block of shaders/sim/numbers.glsl.
+/// Words that a kernel gets with a dispatch: the block of shaders/sim/base/numbers.glsl.
 using DispatchNumbers = std::array<std::uint32_t, 4>;
 
 /// The numbers of a program's dispatches, each combination once, in a buffer of which a dispatch

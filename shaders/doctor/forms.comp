@@ -1,6 +1,6 @@
 // For kerf doctor: forms of kernels that drivers got wrong, each with one answer, the same for all
 // threads.
-#include "sim/numbers.glsl"  // x: kThreads, which no compiler knows
+#include "sim/base/numbers.glsl"  // x: kThreads, which no compiler knows
 const uint kThreads = 128u;
 layout(local_size_x = kThreads) in;
 layout(std430, binding = 0) buffer Answers { uint answers[]; };

@@ -1,6 +1,6 @@
 // For kerf doctor: writes words of a buffer, or shows them as one kind of reader sees them.
 //   OF_STORAGE, OF_TEXELS, OF_UNIFORM, OF_INDIRECT: that reader; none: writes
-#include "sim/numbers.glsl"  // x: the first word, y: how many, z: what is written
+#include "sim/base/numbers.glsl"  // x: the first word, y: how many, z: what is written
 
 layout(local_size_x = 128) in;
 layout(std430, binding = 0) buffer Words { uint words[]; };

@@ -34,8 +34,8 @@ SHARED_CONST uint kNearbyBinding = 15u;   // per vertex near the blade: NearbyVe
 SHARED_CONST uint kAllRecordsUnit = 20u;  // per constraint: its record
 SHARED_CONST uint kAllRangesUnit = 21u;   // per vertex: where its entries begin, how many
 SHARED_CONST uint kAllEntriesUnit = 22u;  // per constraint of a vertex: which
-// Texture unit of how far the skin at each vertex is folded: see folds.glsl. No kernel has another
-// use for it; edges have no records.
+// Texture unit of how far the skin at each vertex is folded: see implicit/meet.comp. No kernel has
+// another use for it; edges have no records.
 SHARED_CONST uint kFoldsUnit = kAllRecordsUnit;
 
 SHARED_END

@@ -4,7 +4,7 @@
 #include "body_records.h"
 layout(local_size_x = kGroupSize) in;
 
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 
 layout(binding = kPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kVelocitiesBinding) uniform samplerBuffer velocities;

@@ -5,8 +5,8 @@
 // among its vertices. One thread per constraint. A storage barrier follows, then
 // gather_corrections.
 #include "constraints.h"
-#include "sim/fetch.glsl"
-#include "sim/uniforms.glsl"
+#include "sim/base/fetch.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) displacement;

@@ -1,8 +1,8 @@
 // Lifts vertices onto the floor, those that start below it at no more than lift_speed; Coulomb
 // friction shortens their tangential displacement by at most friction * lift.
 // Reads X. Reads and writes d. One thread per vertex. A storage barrier follows.
-#include "sim/fetch.glsl"
-#include "sim/uniforms.glsl"
+#include "sim/base/fetch.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kDisplacementBinding) before;

@@ -2,7 +2,7 @@
 // after a cut all masses of a piece change, but only few areas.
 // Reads links, areas, pieces. Writes w of the positions. One thread per vertex. A storage barrier
 // follows.
-#include "sim/uniforms.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kLinksBinding) readonly buffer Links { VertexLinks links[]; };

@@ -8,8 +8,9 @@
 #include "constraints.h"
 #include "contact_records.h"
 #include "unfold_records.h"
-#include "sim/fetch.glsl"
-#include "sim/uniforms.glsl"
+#include "sim/base/fetch.glsl"
+#include "sim/base/ordered_floats.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = SUM_GROUP) in;
 const uint kSumGroup = SUM_GROUP;
 STATE_TEXELS(kPositionsBinding) positions;
@@ -49,9 +50,90 @@ uint neighbourAt(uint place) {
 vec4 displacementOf(uint v) { return vec4(0.0); }
 void setCorrection(uint index, vec4 pull) {}
 
-#include "sim/strain_energy.glsl"
-#include "sim/sixfold_gradient.glsl"
-#include "sim/ordered_floats.glsl"
+// Energy of strained material at X [J]: that of each constraint, and beyond the clamp of a bend
+// what its constant moment adds. What is off holds none.
+RECORD_PAIRS(kAllRangesUnit) edgeRanges;
+RECORD_QUADS(kAllEntriesUnit) spokes;
+#define DECLARE(number, Name, list, Constraint, Gather) \
+    RECORD_QUADS(kAllRecordsUnit + 3u * number) list##Records;
+KERF_PULLING(DECLARE)
+#undef DECLARE
+
+#include "sim/constraints.glsl"
+#include "sim/base/folded.glsl"
+
+float largestStretch = 0.0;  // of the edges that this thread has summed up
+
+float edgeEnergy(uint v) {
+    vec4 own = fetch(positions, v);
+    uvec2 range = fetch(edgeRanges, v).xy;
+    float sum = 0.0;
+    for (uint k = range.x; k < range.y; ++k) {
+        Spoke spoke = fetchSpoke(spokes, k);
+        vec4 far = fetch(positions, spoke.other);
+        float error = distance(own.xyz, far.xyz) - spoke.rest_length;
+        sum += energyOf(error * error, spoke.geometry, kStretch, own.w + far.w);
+        float stretch = min(error / max(spoke.rest_length, uniforms.gravity.w), kMostStretch);
+        if (stretch > largestStretch) largestStretch = stretch;  // no comparison holds for NaN
+    }
+    return 0.5 * sum;  // the other end has the other half
+}
+
+float largestFold = 0.0;  // of the bends that this thread has summed up
+
+float energyOfBend(BendRecord bend) {
+    vec4 x0 = fetch(positions, bend.v0);
+    vec4 x1 = fetch(positions, bend.v1);
+    vec4 x2 = fetch(positions, bend.v2);
+    vec4 x3 = fetch(positions, bend.v3);
+    Wings wings = wingsOf((x1 - x0).xyz, (x2 - x0).xyz, (x3 - x0).xyz);
+    largestFold = max(largestFold, foldOf(wings, bend));
+    if (degenerate(wings)) return 0.0;
+    vec2 turn = errorVector(wings, bend);
+    float error = abs(inverseTangent(turn.y, turn.x));
+    float elastic = min(error, kMaxBendError);
+    // Of the apexes alone, which turn it most.
+    float e2 = dot(wings.edge, wings.edge);
+    float moved = e2 * (x2.w / dot(wings.nA, wings.nA) + x3.w / dot(wings.nB, wings.nB));
+    return energyOf(elastic * (2.0 * error - elastic), bend.geometry, kBend, moved);
+}
+
+uint countIf(uint part, uint count) {
+    return (uniforms.active_parts & part) != 0u ? count : 0u;
+}
+
+// What thread `first` of `stride` threads sums up, always in the same order.
+float strainEnergy(uint first, uint stride) {
+    float sum = 0.0;
+    uint edgeVertices = countIf(kStretchPart, uniforms.vertex_count);
+    for (uint v = first; v < edgeVertices; v += stride) sum += edgeEnergy(v);
+#define SUM_UP(number, Name, list, Constraint, Gather)                        \
+    uint list##Count = countIf(k##Name##Part, uniforms.count[number]);        \
+    for (uint i = first; i < list##Count; i += stride) {                      \
+        sum += energyOf##Name(fetch##Name(list##Records, i));                 \
+    }
+    KERF_PULLING(SUM_UP)
+#undef SUM_UP
+    return sum;
+}
+
+// dV/dp of a vertex: a sixth of the sum of (p_j - p) x (p_k - p) over its triangles. Around a
+// closed umbrella this equals the gradient about any origin, and it is small and exact in floats.
+// Where triangles are absent it is that of the others about the vertex, and the sum of a third of
+// (p - origin) . dV/dp still their exact volume about the origin. Neighbours lie
+// counter-clockwise around each vertex, with kAfterGap.
+// Six times the gradient, of the vertex at x with neighbours at `range`.
+vec3 sixfoldGradient(vec3 x, uvec2 range) {
+    vec3 sum = vec3(0.0);
+    vec3 last = positionOf(neighbourAt(range.y - 1u) & ~kAfterGap).xyz - x;
+    for (uint k = range.x; k < range.y; ++k) {
+        uint corner = neighbourAt(k);
+        vec3 next = positionOf(corner & ~kAfterGap).xyz - x;
+        sum += (corner & kAfterGap) == 0u ? cross(last, next) : vec3(0.0);
+        last = next;
+    }
+    return sum;
+}
 
 // Kinetic, and potential about the floor (about 0 without one) [J]. What does not move by itself
 // has no inverse mass and counts for nothing.

@@ -3,7 +3,7 @@
 // (v - motion). A force has its share of the way in each sweep.
 // Reads X, pulls. Reads and writes d. One thread per pull; no two name one vertex.
 // A storage barrier follows.
-#include "sim/uniforms.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kDisplacementBinding) buffer Displacement { vec4 displacement[]; };

@@ -1,6 +1,6 @@
 // Takes pieces that were lost back to the saved positions, at rest. Reads links, saved positions,
 // marks. Writes X and velocities. One thread per vertex. A storage barrier follows.
-#include "sim/uniforms.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kPositionsBinding) buffer Positions { vec4 positions[]; };
 layout(std430, binding = kVelocitiesBinding) writeonly buffer Velocities { vec4 velocities[]; };

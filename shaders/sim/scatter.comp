@@ -8,7 +8,7 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kWritesBinding) readonly buffer Writes { WordWrite writes[]; };
 layout(std430, binding = kWrittenBinding) writeonly buffer Written { uint written[]; };
 
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 
 void main() {
     uint firstWrite = numbers.x;

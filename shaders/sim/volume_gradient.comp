@@ -3,8 +3,8 @@
 // tree over the group: both orders are fixed.
 // Reads X, neighbours, places, pages, pieces, blocks. Writes gradients, volumes of blocks.
 // One group of SUM_GROUP threads per block. A storage barrier follows.
-#include "sim/fetch.glsl"
-#include "sim/uniforms.glsl"
+#include "sim/base/fetch.glsl"
+#include "sim/base/uniforms.glsl"
 layout(local_size_x = SUM_GROUP) in;
 const uint kSumGroup = SUM_GROUP;
 
@@ -24,7 +24,7 @@ vec3 positionOf(uint v) { return fetch(positions, v).xyz; }
 // Open pieces have no volume constraint, so gaps do not matter here.
 uvec2 neighboursAt(uint pair) { return fetch(neighbours, pair).xy & ~kAfterGap; }
 
-// See sixfold_gradient.glsl; two neighbours a turn: lists begin at even places.
+// See measure.comp; two neighbours a turn: lists begin at even places.
 vec3 sixfoldGradient(vec3 x, uvec2 range) {
     uvec2 pair = neighboursAt(range.x / 2u);
     vec3 first = positionOf(pair.x) - x;

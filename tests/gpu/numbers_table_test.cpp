@@ -19,11 +19,11 @@ class NumbersTableTest : public test::GlTest {
     void SetUp() override {
         GlTest::SetUp();
         std::filesystem::create_directories(folder_ / "shaders/sim");
-        test::writeText(folder_ / "shaders/sim/numbers.glsl",
-                        test::readBytes(shaderRoot() / "sim/numbers.glsl"));
+        test::writeText(folder_ / "shaders/sim/base/numbers.glsl",
+                        test::readBytes(shaderRoot() / "sim/base/numbers.glsl"));
         test::writeText(folder_ / "shaders/count.comp",
                         "layout(local_size_x = 1) in;\n"
-                        "#include \"sim/numbers.glsl\"\n"
+                        "#include \"sim/base/numbers.glsl\"\n"
                         "layout(std430, binding = 0) buffer Words { uint words[]; };\n"
                         "void main() {\n"
                         "    for (uint i = 0u; i < numbers.x; ++i) words[numbers.y] += numbers.z;\n"

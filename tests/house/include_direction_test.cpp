@@ -1,5 +1,5 @@
-// Includes look back along the data flow only. Everybody may include shaders/shared; tests and
-// benchmarks may include everything and nobody includes them.
+// Includes look back along the data flow only, in C++ and in shaders; tests and benchmarks may
+// include everything and nobody includes them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,6 +16,17 @@ namespace fs = std::filesystem;
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)
 /// and what runs them behind (render, app).
 const std::vector<fs::path> kRooms = {
+    "shaders/shared",
+    "shaders/sim/base",
+    "shaders/sim/constraints",
+    "shaders/sim",
+    "shaders/sim/contact",
+    "shaders/sim/boxes",
+    "shaders/sim/unfold",
+    "shaders/sim/implicit",
+    "shaders/sim/paper_contact",
+    "shaders/doctor",
+    "shaders/render",
     "gpu",
     "sim/base",
     "sim/mesh",
@@ -95,11 +106,12 @@ bool mayInclude(const fs::path& from, const fs::path& included) {
 }
 
 std::vector<fs::path> ourSources() {
+    const std::set<fs::path> kEndings = {".cpp", ".h", ".comp", ".frag", ".glsl", ".vert"};
     std::vector<fs::path> sources;
-    for (const char* folder : {"gpu", "sim", "render", "ui", "app"}) {
+    for (const char* folder : {"shaders", "gpu", "sim", "render", "ui", "app"}) {
         for (const auto& entry :
              fs::recursive_directory_iterator(fs::path(KERF_SOURCE_DIR) / folder)) {
-            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") {
+            if (kEndings.contains(entry.path().extension())) {
                 sources.push_back(entry.path().lexically_relative(KERF_SOURCE_DIR));
             }
         }
@@ -108,17 +120,24 @@ std::vector<fs::path> ourSources() {
     return sources;
 }
 
-/// What `source` includes in quotes, as paths from the top of the project.
+/// What `source` includes in quotes, as paths from the top of the project. Shaders find it beside
+/// them, below shaders/ and below shaders/shared.
 std::vector<fs::path> includesOf(const fs::path& source) {
-    static const std::regex kInclude("^\\s*#\\s*include\\s+\"([^\"]+)\".*");
+    static const std::regex kInclude("^\\s*#\\s*include\\s+\"([^\"*]+)\".*");
     std::ifstream in(fs::path(KERF_SOURCE_DIR) / source);
     std::vector<fs::path> includes;
     std::smatch match;
     for (std::string line; std::getline(in, line);) {
         if (std::regex_match(line, match, kInclude)) {
-            const fs::path beside = source.parent_path() / match[1].str();
-            const bool isBeside = fs::exists(fs::path(KERF_SOURCE_DIR) / beside);
-            includes.push_back((isBeside ? beside : fs::path(match[1].str())).lexically_normal());
+            const std::string name = match[1];
+            const fs::path places[] = {source.parent_path() / name, name,
+                                       "shaders" / fs::path(name),
+                                       "shaders/shared" / fs::path(name)};
+            const auto* const found = std::ranges::find_if(places, [](const fs::path& place) {
+                return fs::exists(fs::path(KERF_SOURCE_DIR) / place);
+            });
+            includes.push_back(
+                (found != std::end(places) ? *found : fs::path(name)).lexically_normal());
         }
     }
     return includes;
@@ -128,6 +147,8 @@ TEST(IncludeDirection, RuleLooksBackOnly) {
     EXPECT_TRUE(mayInclude("sim/run/simulation.h", "gpu/buffer.h"));
     EXPECT_TRUE(mayInclude("sim/run/simulation.h", "sim/base/math.h"));
     EXPECT_TRUE(mayInclude("gpu/buffer.h", "shaders/shared/constraints.h"));
+    EXPECT_TRUE(mayInclude("shaders/sim/measure.comp", "shaders/sim/base/fetch.glsl"));
+    EXPECT_FALSE(mayInclude("shaders/sim/measure.comp", "shaders/sim/unfold/spin.glsl"));
     EXPECT_FALSE(mayInclude("gpu/buffer.h", "sim/base/math.h"));
     EXPECT_FALSE(mayInclude("sim/mesh/surface_mesh.h", "sim/run/simulation.h"));
     EXPECT_TRUE(mayInclude("sim/cut/plan/input/step.h", "sim/cut/cut_types.h"));
@@ -154,8 +175,7 @@ TEST(IncludeDirection, EverySourceKeepsTheRule) {
             ++read;
             EXPECT_TRUE(mayInclude(source, included))
                 << source << " includes " << included << ", which lies ahead of it";
-            EXPECT_TRUE(fs::exists(fs::path(KERF_SOURCE_DIR) / included) ||
-                        fs::exists(fs::path(KERF_SOURCE_DIR) / "shaders" / included))
+            EXPECT_TRUE(fs::exists(fs::path(KERF_SOURCE_DIR) / included))
                 << source << " includes " << included << ", whose path is not from the top";
         }
     }

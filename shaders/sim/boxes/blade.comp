@@ -16,7 +16,7 @@ layout(std430, binding = kBladeRangesBinding) readonly buffer Ranges { Incidence
 layout(std430, binding = kBladeIncidenceBinding) readonly buffer Incidence { uint incidence[]; };
 layout(std430, binding = kBladeAroundBinding) readonly buffer Around { vec4 around[]; };
 
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 
 uvec4 triangleAt(uint t) { return triangles[t]; }
 IncidenceRange rangeAt(uint v) { return ranges[v]; }

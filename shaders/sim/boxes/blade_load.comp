@@ -13,7 +13,7 @@ layout(std430, binding = kBladeBeforeBinding) readonly buffer Before { vec4 befo
 layout(std430, binding = kBladeLoadsBinding) buffer Loads { VertexLoad loads[]; };
 
 #include "blade.glsl"
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 
 void main() {
     uint v = gl_GlobalInvocationID.x;

@@ -5,7 +5,7 @@
 // The includer declares `obstacle` (BoxUniforms), positionOf(v), displacementOf(v), pieceOf(v),
 // boxAt(b), pieceBounds(p).
 #include "boxes.glsl"
-#include "sim/ordered_floats.glsl"
+#include "sim/base/ordered_floats.glsl"
 
 // A face that stops a vertex; axis 3 for none.
 struct Face {

@@ -7,7 +7,7 @@ layout(std430, binding = kBoxPositionsBinding) readonly buffer Positions { vec4 
 layout(std430, binding = kBoxLinksBinding) readonly buffer Links { VertexLinks links[]; };
 layout(std430, binding = kBoxPiecesBinding) coherent buffer Bounds { PieceBounds bounds[]; };
 
-#include "sim/ordered_floats.glsl"
+#include "sim/base/ordered_floats.glsl"
 
 // Most vertices lie inside of what is known already.
 void main() {

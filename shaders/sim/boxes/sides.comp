@@ -7,7 +7,7 @@
 // follows.
 #include "bindings.h"
 #include "blade_records.h"
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/boxes/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBoxPositionsBinding) buffer Positions { vec4 positions[]; };

@@ -17,8 +17,8 @@
 // BLADE bladeNow().
 #include "boxes.glsl"
 #include "separation.glsl"
-#include "sim/lines.glsl"
-#include "sim/plane_weights.glsl"
+#include "sim/base/lines.glsl"
+#include "sim/base/plane_weights.glsl"
 
 #ifdef BLADE
 #include "blade.glsl"

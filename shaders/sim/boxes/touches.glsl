@@ -5,9 +5,9 @@
 // The includer declares what touch.glsl wants, `touches`, `sums`, the share of each vertex by
 // takeShare(v, share), shareTaken(v) and clearShare(v), setPosition(v, x), setDisplacement(v, d),
 // triangleAt(t).
-#include "sim/contact_answer.glsl"
-#include "sim/fixed_sums.glsl"
-#include "sim/mass_shares.glsl"
+#include "sim/base/contact_answer.glsl"
+#include "sim/base/fixed_sums.glsl"
+#include "sim/base/mass_shares.glsl"
 #include "touch.glsl"
 
 BoxTouch recordOf(BoxRecord box, Touch touch) {

@@ -6,9 +6,9 @@
 //           |  /
 //            v3
 //
-// Its energy is in strain_energy.glsl, with how far it is folded.
+// Its energy is in measure.comp, with how far it is folded.
 // It pulls along its gradient at X + d.
-#include "sim/bend_angle.glsl"
+#include "sim/base/bend_angle.glsl"
 
 // What the triangle on either side pulls with, along its normal, and where along the edge from v0
 // (0) to v1 (1) its apex stands: see bendShare.

@@ -7,11 +7,11 @@
 // setPosition(v, x), setDisplacement(v, d).
 #include "contact_bindings.h"
 #include "crossing.glsl"
-#include "sim/contact_answer.glsl"
-#include "sim/fetch.glsl"
-#include "sim/fixed_sums.glsl"
-#include "sim/mass_shares.glsl"
-#include "sim/plane_weights.glsl"
+#include "sim/base/contact_answer.glsl"
+#include "sim/base/fetch.glsl"
+#include "sim/base/fixed_sums.glsl"
+#include "sim/base/mass_shares.glsl"
+#include "sim/base/plane_weights.glsl"
 
 RECORD_WORDS(kContactPointsUnit) contactPoints;
 

@@ -3,10 +3,10 @@
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 
 layout(local_size_x = kGroupSize) in;
-// Copied before anything branches, as those of the solver (sim/uniforms.glsl).
+// Copied before anything branches, as those of the solver (sim/base/uniforms.glsl).
 layout(std430, binding = kContactUniformsBinding) readonly buffer Uniforms {
     ContactUniforms storedContact;
 };

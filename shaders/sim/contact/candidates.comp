@@ -12,7 +12,7 @@
 // incidence. Writes candidates, pairs of edges, the list of points with any and its length. One
 // thread per place in the order. A storage and a command barrier follow.
 #include "sim/contact/uniforms.glsl"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 layout(local_size_x = kSearchGroup) in;
 layout(binding = kContactPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kContactVelocitiesBinding) uniform samplerBuffer velocities;
@@ -36,7 +36,7 @@ layout(std430, binding = kContactStateBinding) buffer State { ContactState state
 
 #include "closest_point.glsl"
 #include "directions.glsl"
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "tree.glsl"
 
 // Further than any triangle that moves so fast against a vertex is a candidate.

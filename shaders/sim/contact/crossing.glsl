@@ -4,7 +4,7 @@
 // cross there at X + d too. Friction is left to vertices.
 // The includer declares `contact` (ContactUniforms), positionOf(v), displacementOf(v).
 #include "nearest.glsl"
-#include "sim/lines.glsl"
+#include "sim/base/lines.glsl"
 
 STATE_TEXELS(kContactNormalsUnit) contactNormals;
 RECORD_WORDS(kContactEdgePairsUnit) contactEdgePairs;

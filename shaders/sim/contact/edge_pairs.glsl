@@ -4,7 +4,7 @@
 // and at rims against other pieces, where those slide over each other.
 // Most pairs are found from several of their ends; respond shares the work among them. Part of
 // candidates.comp.
-#include "sim/lines.glsl"
+#include "sim/base/lines.glsl"
 
 // The best so far, best first.
 EdgePair bestPairs[kEdgePairsPerPoint];

@@ -7,7 +7,7 @@
 // of a search anew. One thread per vertex or, where there are more, node of the lowest level. A
 // storage barrier follows.
 #include "sim/contact/uniforms.glsl"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(binding = kContactPositionsBinding) uniform samplerBuffer positions;
 layout(binding = kContactVelocitiesBinding) uniform samplerBuffer velocities;
@@ -30,7 +30,7 @@ layout(std430, binding = kContactStateBinding) coherent buffer State { ContactSt
 
 #include "directions.glsl"
 #include "normals.glsl"
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "tree.glsl"
 
 uint leaves = numbers.x;        // nodes of the lowest level

@@ -2,7 +2,7 @@
 // positionOf(v), displacementOf(v).
 #include "contact_bindings.h"
 #include "closest_point.glsl"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 
 RECORD_QUADS(kContactTrianglesUnit) contactTriangles;
 RECORD_PAIRS(kContactCandidatesUnit) contactCandidates;

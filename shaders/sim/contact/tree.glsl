@@ -6,7 +6,7 @@
 // A node is four texels: low corner [m] and the bins of normals; high corner and the first child;
 // lowest velocity [m/s] and first piece; highest velocity and last piece. A triangle is two: low
 // corner and bin; high corner and number.
-#include "sim/ordered_floats.glsl"
+#include "sim/base/ordered_floats.glsl"
 
 const float kNothing = 1e30;  // low corner of a box that holds nothing
 const float kAnySpeed = 1e18;  // more than any that is finite and makes sense [m/s]

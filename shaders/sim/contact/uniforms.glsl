@@ -1,4 +1,4 @@
-// Copied before anything branches, as those of the solver (sim/uniforms.glsl).
+// Copied before anything branches, as those of the solver (sim/base/uniforms.glsl).
 #include "body_records.h"
 #include "contact_bindings.h"
 #include "contact_records.h"

@@ -5,7 +5,7 @@
 // Contacts begin where the step does, with friction by the push of the stage before.
 // Numbers: the slot of what the first stage left, the first row of an edge that presses, 0: none.
 // One group for each aggregate. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
 STATE_TEXELS(kPositionsBinding) positions;

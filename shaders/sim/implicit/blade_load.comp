@@ -2,7 +2,7 @@
 // its forces and their moment about the middle of the blade's box, times square of the step.
 // Numbers: the substep, the share of the step that the stage counts for, as bits. One thread per
 // vertex. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"
 #include "blade_records.h"
 layout(local_size_x = kGroupSize) in;

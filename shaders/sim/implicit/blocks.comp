@@ -1,7 +1,7 @@
 // The blocks beside the diagonal of (1 + 2 beta / h) K at X, each a sum of products of factors:
 // three texels, one a row, with the column in the w of the first.
 // Numbers: the first block that is bound, and how many. One thread per block.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 RECORD_QUADS(kBlockListUnit) blockList;

@@ -2,7 +2,7 @@
 // and counts those of the body with itself.
 // Numbers: the slot of what the second stage left. One group for each aggregate. A storage barrier
 // follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
 #include "contact_records.h"

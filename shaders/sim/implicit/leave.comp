@@ -1,9 +1,9 @@
 // Ends the iterations of a stage: goes along the last direction, and leaves sums of the residual,
 // by which begin.comp and end.comp give a piece the momentum that it should have.
 // Numbers: the slot, that of the sums. One group for each aggregate. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
-#include "sim/implicit/course/last_group.glsl"
+#include "sim/implicit/last_group.glsl"
 STATE_TEXELS(kPositionsBinding) positions;
 STATE_TEXELS(kGradientsBinding) gradients;
 RECORD_QUADS(kAggregatesUnit) aggregates;

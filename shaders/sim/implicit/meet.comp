@@ -1,8 +1,8 @@
 // What each vertex meets in a step where all is at X + h v: the floor, the nearest of its candidate
 // triangles, and the edge that an edge at it comes nearest to. Joins the pieces that may touch, and
-// begins to count contacts. With UNFOLDS folded skin rubs on no floor: see folds.glsl.
+// begins to count contacts. With UNFOLDS folded skin rubs on no floor.
 // Numbers: whether candidates are there. One thread per vertex. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "contact_records.h"
 #include "contact_bindings.h"
 #include "implicit_records.h"
@@ -14,8 +14,34 @@ layout(std430, binding = kParentsBinding) coherent buffer Parents { uint parents
 #include "sim/implicit/made_rows.glsl"
 uint pieceOf(uint v) { return links[v].piece; }
 #include "sim/contact/crossing.glsl"
-#include "sim/contact/passes_fold.glsl"
 #include "sim/implicit/join.glsl"
+
+// How far the skin at a vertex is folded, 0 to 1, when the step begins. Where it is, the floor does
+// not rub, and neither the walls of a slit nor others of the same piece touch: friction holds what
+// the springs that unfold press onto the floor, and a wall that has turned over is caught behind
+// them. Kernels with UNFOLDS are compiled for steps that unfold; to others nothing is folded.
+#ifdef UNFOLDS
+layout(binding = kFoldsUnit) uniform usamplerBuffer folds;
+float foldAt(uint v) { return uintBitsToFloat(texelFetch(folds, int(v)).x); }
+#else
+float foldAt(uint v) { return 0.0; }
+#endif
+
+float foldAt(uvec4 v) {
+    return max(max(foldAt(v.x), foldAt(v.y)), max(foldAt(v.z), foldAt(v.w)));
+}
+
+// Whether one of the two is folded and would be caught by the other: folded skin touches neither
+// what was beside it at rest nor its own piece.
+bool passesFold(uint v, Nearest near) {
+#ifdef UNFOLDS
+    bool wasBeside = near.thickness < contact.thickness;
+    bool ownPiece = pieceOf(v) == near.triangle.w >> 8;
+    return (wasBeside || ownPiece) && foldAt(uvec4(v, near.triangle.xyz)) > 0.0;
+#else
+    return false;
+#endif
+}
 
 void meetFloor(uint v) {
     float gap = positionOf(v).y - implicit.contact.floor_height;

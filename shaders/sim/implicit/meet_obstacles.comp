@@ -3,7 +3,7 @@
 // what it meets already; and the corner or edge to which the triangles that begin at it come
 // nearest. Each triangle begins at one of its vertices.
 // Numbers: the substep. One thread per vertex. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "blade_records.h"
 #include "implicit_records.h"
 layout(local_size_x = kGroupSize) in;
@@ -76,7 +76,15 @@ vec3 leadAt(vec3 x) { return wayOfBlade(bladeNow(), x); }
 RECORD_WORDS(kMeetPieceBoundsUnit) boundsOfPieces;
 
 uint pieceOf(uint v) { return links[v].piece; }
-#include "sim/boxes/fetched.glsl"
+BoxRecord boxAt(uint b) {
+    return BoxRecord(fetch(boxes, 4u * b), fetch(boxes, 4u * b + 1u), fetch(boxes, 4u * b + 2u),
+                     fetch(boxes, 4u * b + 3u));
+}
+uint boundAt(uint p, uint k) { return fetch(boundsOfPieces, 6u * p + k).x; }
+PieceBounds pieceBounds(uint p) {
+    return PieceBounds(boundAt(p, 0u), boundAt(p, 1u), boundAt(p, 2u), boundAt(p, 3u),
+                       boundAt(p, 4u), boundAt(p, 5u));
+}
 #include "sim/boxes/keep_out.glsl"
 
 const float kNone = kOfObstacle;

@@ -3,7 +3,7 @@
 //   way += alpha p,  r -= alpha image + pressure dV/dp
 // With OF_START it goes from where the stage begins, with OF_PRESSURE it only answers to dV/dp.
 // Numbers: the slot. One group for each aggregate. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
 #include "sim/unfold/best_rotation.glsl"

@@ -1,7 +1,7 @@
 // Lets the edge of a blade press in a step, by a row of contact for each vertex that answers much
 // to it: a share of its spring, which never draws, and a share of the most that it presses with.
 // Numbers: the substep, the first of the rows. One thread per vertex. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"
 #include "edge_records.h"
 layout(local_size_x = kGroupSize) in;

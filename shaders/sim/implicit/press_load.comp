@@ -2,7 +2,7 @@
 // far the material has gone ahead of it.
 // Numbers: the first row, the share of the step that the stage counts for, as bits, 1 behind the
 // last. One group; sums in a fixed order. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"
 #include "edge_records.h"
 layout(local_size_x = kGroupSize) in;

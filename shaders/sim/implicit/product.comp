@@ -5,7 +5,7 @@
 // answer to dV/dp, or, with OF_MOTION, the motion of the body.
 // Numbers: the slot. One group for each page, of the vertices of its piece. A storage barrier
 // follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
 STATE_TEXELS(kPositionsBinding) positions;

@@ -3,7 +3,7 @@
 // A force joins the others.
 // Numbers: the first row, how many pulls, when the stage ends [s, as bits], 1 where the step
 // begins. One thread per pull; no two name one vertex. A storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 #include "sim/implicit/uniforms.glsl"
 layout(local_size_x = kGroupSize) in;
 STATE_TEXELS(kPositionsBinding) positions;

@@ -4,7 +4,7 @@
 // Numbers: the slot; not 0: friction's bounds are renewed; not 0: it is the last iteration. One
 // group for each piece, of which the first of those that touch works for all of them. A storage
 // barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
 #include "sim/implicit/contact_rows.glsl"
@@ -25,7 +25,7 @@ vec4 stateAt(uint at) { return imageLoad(stateTexels, int(at)); }
 vec3 relativeAt(uint row) { return relatives[row].xyz; }
 vec4 stateAt(uint at) { return states[at]; }
 #endif
-#include "sim/fixed_sums.glsl"
+#include "sim/base/fixed_sums.glsl"
 
 // Of a piece: what is gained along the direction is slope * alpha - curve * alpha^2 / 2, and
 // pressure.x - alpha * pressure.y of dV/dp is left in the residual.

@@ -2,7 +2,7 @@
 // of pulls, and the pieces that touch: see ImplicitPiece.
 // Numbers: the first row of pulls, how many, 1 where an edge presses. One group for each piece. A
 // storage barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
 #include "sim/implicit/contact_rows.glsl"

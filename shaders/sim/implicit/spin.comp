@@ -2,7 +2,7 @@
 // the forces on them say: vertices move along straight lines in a step, so what turns lost some.
 // One group for each piece, of which the first of those that touch works for all of them. A storage
 // barrier follows.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/pieces.glsl"
 #include "sim/unfold/spin.glsl"

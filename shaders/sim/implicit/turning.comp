@@ -1,7 +1,7 @@
 // How each aggregate turns where a step begins and where it ends: see AggregateMotion.
 // Numbers: the slot of what the second stage left. One group for each aggregate. A storage barrier
 // follows, then spin.
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 layout(local_size_x = GROUP) in;
 #include "sim/implicit/scalars.glsl"
 #include "sim/implicit/ended.glsl"

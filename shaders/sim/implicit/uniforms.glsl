@@ -1,10 +1,10 @@
-// The numbers of the step: see sim/uniforms.glsl.
+// The numbers of the step: see sim/base/uniforms.glsl.
 #pragma once
 #include "bindings.h"
 #include "body_records.h"
 #include "implicit_records.h"
 #include "solver_uniforms.h"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 
 layout(std430, binding = kImplicitBinding) readonly buffer Implicit {
     ImplicitUniforms storedImplicit;

@@ -5,7 +5,7 @@
 // thread per triangle. A storage barrier follows.
 #include "box_records.h"
 #include "sim/contact/uniforms.glsl"
-#include "sim/fetch.glsl"
+#include "sim/base/fetch.glsl"
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { vec4 positions[]; };
 layout(std430, binding = kContactVelocitiesBinding) readonly buffer Velocities {
@@ -18,10 +18,10 @@ layout(binding = kContactBoxesBinding) uniform usamplerBuffer boxes;
 layout(binding = kContactNodesBinding) uniform usamplerBuffer nodes;
 layout(std430, binding = kContactStateBinding) buffer State { ContactState state; };
 
-#include "sim/numbers.glsl"
+#include "sim/base/numbers.glsl"
 
 #include "response.glsl"
-#include "sim/ordered_floats.glsl"
+#include "sim/base/ordered_floats.glsl"
 
 // As many levels as there will ever be.
 const uint kMostNodes = 16u * kTreeFan;

@@ -8,7 +8,7 @@ layout(std430, binding = kContactPositionsBinding) readonly buffer Positions { v
 layout(std430, binding = kContactTrianglesBinding) readonly buffer Triangles { uvec4 triangles[]; };
 layout(std430, binding = kPaperPiecesBinding) coherent buffer Bounds { PieceBounds bounds[]; };
 
-#include "sim/ordered_floats.glsl"
+#include "sim/base/ordered_floats.glsl"
 
 // Most triangles lie inside of what is known already.
 void main() {

@@ -1,5 +1,5 @@
 // How far the skin at a bend is folded: 0 to 1. The includer declares `restPositions`.
-#include "sim/bend_angle.glsl"
+#include "sim/base/bend_angle.glsl"
 
 // From the error vector of the bend (bend_angle.glsl).
 float turnedOver(vec2 turn) {
