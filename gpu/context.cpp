@@ -7,8 +7,8 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "gpu/driver_threads.h"
 #include "gpu/kernel_way.h"
+#include "gpu/prompt_waits.h"
 
 namespace kerf::gpu {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gpu/framebuffer.h"
-#include "ui/base/cursor.h"
 #include "ui/base/input.h"
 #include "ui/base/layout.h"
 #include "ui/base/panel_context.h"

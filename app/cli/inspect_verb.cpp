@@ -12,7 +12,6 @@
 #include "app/files/export/export.h"
 #include "app/files/import/builtin_models.h"
 #include "app/files/import/import_protocol.h"
-#include "app/files/import/mending.h"
 #include "app/files/import/model_faults.h"
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/replay/picture_size.h"
+#include "app/cli/replay/film.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
 class App;

@@ -11,7 +11,6 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/files/jobs/child_runs.h"
-#include "app/study/run_lock.h"
 #include "app/study/study_plots.h"
 #include "app/study/study_run.h"
 #include "app/study/study_table.h"

@@ -7,7 +7,7 @@
 #include "app/session/headless_session.h"
 #include "gpu/data_path.h"
 #include "render/scene/picture_comparison.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "sim/run/simulation.h"
 

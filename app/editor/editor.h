@@ -4,7 +4,6 @@
 #include "app/scene/document/editor_document.h"
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
-#include "ui/base/cursor.h"
 #include "ui/base/input.h"
 #include "ui/base/layout.h"
 #include "ui/state/panel_model.h"

@@ -7,7 +7,7 @@
 #include "app/files/import/model_units.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/scene_timeline.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "ui/base/unit_text.h"
 #include "ui/state/action_table.h"

@@ -4,7 +4,6 @@
 
 #include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"
-#include "app/files/io/free_file.h"
 #include "app/session/session_json.h"
 
 namespace kerf::app {

@@ -1,7 +1,7 @@
 #include "app/practice/cut_measure.h"
 
 #include "app/practice/hand_path.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/mesh/piece_figures.h"

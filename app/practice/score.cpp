@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf::app {
 

@@ -9,7 +9,7 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/session/session_json.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_runs.h"
 #include "app/regression/test_result.h"
+#include "app/session/session.h"
 
 namespace kerf::app {
 
@@ -27,5 +29,11 @@ TestResult resultOfNoRun(const std::filesystem::path& session);
 /// gpu::ContextError if the run found no usable OpenGL.
 TestResult judgeRun(const std::filesystem::path& session, const std::filesystem::path& results,
                     const ChildOutcome& outcome, bool update);
+
+/// Writes a session as a regression test: NAME.kerf.json as `file`, and beside it NAME.expected
+/// from a run in a separate process. If that run or a check fails, neither is written. Keeps masks,
+/// limits and tolerances of an earlier expectation. Throws InputError, OutputError, and
+/// WorkCancelled soon after `progress` was cancelled.
+void makeTest(const Session& session, const std::filesystem::path& file, WorkProgress& progress);
 
 }  // namespace kerf::app

@@ -136,8 +136,8 @@ RealTimeForecast realTimeForecast(const SurfaceMesh& mesh, const Params& params)
         return measure(mesh, params);
     }
     RealTimeForecast forecast = measure(ballIn(meshBounds(mesh), kBallSide), params);
-    const double more = timesAsLong(mesh, params);
-    forecast.factor /= more;
+    forecast.scale = timesAsLong(mesh, params);
+    forecast.factor /= forecast.scale;
     return forecast;
 }
 

@@ -41,16 +41,13 @@ class RealTimeFactors {
 /// As in summary.json: `median`, `worst` and `with_drawing`, null where no time passed.
 nlohmann::ordered_json toJson(const RealTimeFactors& factors);
 
-}  // namespace kerf::app
-
-namespace kerf::app {
-
 /// How fast a body that has landed will move on this machine, whole and without drawing.
 struct RealTimeForecast {
     double factor = 0;      ///< see realTimeFactor()
     double timeStep = 0;    ///< [s]
     int iterations = 0;     ///< of a step
     int implicitSteps = 1;  ///< that a time step is made of; 1 with other solvers
+    double scale = 1;       ///< times as long as what was measured
 };
 
 /// Runs a few steps of `mesh`, placed in the world, on the OpenGL context that is current. For one

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/files/export/mesh_formats.h"
-#include "app/files/import/mending.h"
+#include "app/files/import/model_faults.h"
 #include "app/practice/task.h"
 #include "render/scene/body_look.h"
 #include "render/scene/camera.h"
@@ -220,10 +220,6 @@ class SessionSchedule {
     const Session* session_;
     std::vector<KeyMove> moves_;  ///< the blade's first
 };
-
-}  // namespace kerf::app
-
-namespace kerf::app {
 
 /// A change of the events of a session being made, with positions as in its file.
 struct SessionChange {

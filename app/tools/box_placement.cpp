@@ -1,6 +1,6 @@
 #include "app/tools/box_placement.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf::app {
 namespace {

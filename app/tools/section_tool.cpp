@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "app/tools/gizmo_math.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/tool_marks.h"
 
 namespace kerf::app {

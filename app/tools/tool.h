@@ -3,7 +3,6 @@
 #include "app/tools/view_frame.h"
 #include "render/scene/overlays.h"
 #include "sim/cut/blade.h"
-#include "ui/base/cursor.h"
 #include "ui/base/input.h"
 #include "ui/state/tool_settings.h"
 

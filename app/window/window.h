@@ -2,7 +2,6 @@
 
 #include "gpu/framebuffer.h"
 #include "render/scene/image.h"
-#include "ui/base/cursor.h"
 #include "ui/base/input.h"
 #include "ui/base/settings.h"
 

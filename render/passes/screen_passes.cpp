@@ -4,7 +4,7 @@
 
 #include "render/passes/surface_pass.h"
 #include "shaders/shared/render_bindings.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf::render {
 

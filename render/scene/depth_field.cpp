@@ -2,7 +2,7 @@
 
 #include <glad/gl.h>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::render {

@@ -5,7 +5,7 @@
 #include "render/scene/overlays.h"
 #include "render/scene/skin_paint.h"
 #include "render/scene/surface_field.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/body/skin_normals.h"
 #include "sim/contact/blade_body.h"
 #include "sim/contact/static_box.h"

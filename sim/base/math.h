@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <initializer_list>
 
 namespace kerf {
 
@@ -56,6 +57,22 @@ inline double nearestFloat(double x) {
 /// The vector of floats nearest to `a`, component by component.
 inline Vec3 nearestFloats(const Vec3& a) {
     return {nearestFloat(a.x()), nearestFloat(a.y()), nearestFloat(a.z())};
+}
+
+/// The box of points or boxes: of the items themselves, or of what `place` gives for each [m].
+template <class Items = std::initializer_list<Vec3>, class Place = std::identity>
+Bounds boxOf(const Items& items, Place place = {}) {
+    Bounds box;
+    for (const auto& item : items) {
+        box.add(std::invoke(place, item));
+    }
+    return box;
+}
+
+/// The box with every side moved outwards.
+inline Bounds widened(Bounds box, double margin) {
+    box.widen(margin);
+    return box;
 }
 
 }  // namespace kerf

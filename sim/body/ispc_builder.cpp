@@ -1,6 +1,6 @@
 #include "sim/body/ispc_builder.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/body/rest_geometry.h"
 #include "sim/mesh/triangle.h"
 

@@ -1,7 +1,7 @@
 #include "sim/body/ispc_set.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

@@ -2,11 +2,10 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/base/boxes.h"
 #include "sim/base/math.h"
 #include "sim/base/predicates.h"
 #include "sim/body/piece_masses.h"
-#include "sim/body/rest_pose.h"
+#include "sim/body/rest_geometry.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

@@ -5,7 +5,7 @@
 #include "gpu/program.h"
 #include "gpu/read_back.h"
 #include "sim/base/math.h"
-#include "sim/contact/blade_load.h"
+#include "sim/contact/blade_body.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/contact/obstacles.h"
 

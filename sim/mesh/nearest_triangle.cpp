@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

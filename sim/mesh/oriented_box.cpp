@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf {
 

@@ -1,6 +1,6 @@
 #include "sim/mesh/piece_figures.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"
 

@@ -1,6 +1,6 @@
 #include "sim/mesh/thickness.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 

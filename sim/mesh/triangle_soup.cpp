@@ -3,7 +3,7 @@
 #include <bit>
 #include <unordered_map>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/placement.h"
 #include "sim/mesh/union_find.h"
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/surface_contact.h"

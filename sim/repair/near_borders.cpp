@@ -1,7 +1,7 @@
 #include "sim/repair/near_borders.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

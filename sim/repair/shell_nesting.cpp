@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/box_tree.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/winding.h"

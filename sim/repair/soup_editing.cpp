@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/union_find.h"
 
 namespace kerf::repair {

@@ -1,6 +1,6 @@
 #include "sim/repair/soup_inspection.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

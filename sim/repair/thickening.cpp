@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"

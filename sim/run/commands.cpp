@@ -1,6 +1,6 @@
 // How each kind of command is carried out.
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/size_params.h"
 #include "sim/run/simulation_state.h"
 

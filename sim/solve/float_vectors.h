@@ -1,7 +1,6 @@
 #pragma once
 
 #include "shaders/shared/shared_types.h"
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/base/math.h"
 

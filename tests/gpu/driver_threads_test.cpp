@@ -1,11 +1,11 @@
-#include "gpu/driver_threads.h"
-
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sched.h>
 
 #include <latch>
 #include <thread>
+
+#include "gpu/prompt_waits.h"
 
 namespace kerf::gpu {
 namespace {

@@ -1,6 +1,6 @@
 #include "tests/support/shape_error.h"
 
-#include "sim/body/rest_pose.h"
+#include "sim/body/rest_geometry.h"
 
 namespace kerf::test {
 

@@ -1,12 +1,17 @@
 #pragma once
 
-#include "app/cli/replay/picture_size.h"
 #include "app/files/film/film_encoder.h"
 #include "render/scene/camera.h"
 #include "sim/run/parts/command.h"
 #include "ui/base/panel_context.h"
 
 namespace kerf::app {
+
+/// Size of a picture [px].
+struct PictureSize {
+    int width = 1280;
+    int height = 720;
+};
 
 /// Captions of a film about events of its session.
 class FilmCaptions {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/cli/replay/film.h"
-#include "app/cli/replay/picture_size.h"
 #include "app/files/io/file_io.h"
 #include "ui/plots/picture_strip.h"
 

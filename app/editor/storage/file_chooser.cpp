@@ -5,7 +5,7 @@
 
 #include "app/files/export/mesh_formats.h"
 #include "app/files/film/film_encoder.h"
-#include "app/files/io/free_file.h"
+#include "app/files/io/file_io.h"
 #include "app/session/material.h"
 #include "app/session/session.h"
 #include "gpu/data_path.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/files/jobs/background_job.h"
-#include "app/files/jobs/current_job.h"
 
 namespace kerf::app {
 

@@ -4,7 +4,7 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/files/jobs/child_runs.h"
-#include "app/regression/test_maker.h"
+#include "app/regression/test_session.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
 #include "sim/run/moment.h"

@@ -7,7 +7,7 @@
 
 #include "app/editor/storage/file_chooser.h"
 #include "app/files/io/errors.h"
-#include "app/files/io/free_file.h"
+#include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 
 namespace kerf::app {

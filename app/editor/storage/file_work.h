@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/editor/storage/file_saving.h"
-#include "app/files/io/file_stamp.h"
-#include "app/files/jobs/current_job.h"
+#include "app/files/io/file_io.h"
+#include "app/files/jobs/background_job.h"
 #include "app/files/jobs/saving_queue.h"
 #include "app/scene/document/body_placing.h"
 #include "app/scene/document/document_loading.h"

@@ -1,7 +1,7 @@
 #include "app/editor/view/body_display.h"
 
 #include "app/scene/readout/scene_readout.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "ui/base/theme.h"
 
 namespace kerf::app {

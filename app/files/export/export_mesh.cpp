@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/placement.h"
 #include "sim/mesh/skin_attributes.h"
 #include "sim/mesh/triangle.h"

@@ -5,7 +5,6 @@
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/errors.h"
 #include "render/scene/body_look.h"
-#include "sim/base/boxes.h"
 #include "sim/base/math.h"
 #include "sim/base/placement.h"
 #include "sim/repair/polygon_triangles.h"

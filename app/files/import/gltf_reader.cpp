@@ -5,7 +5,6 @@
 #include "app/files/import/face_soup.h"
 #include "app/files/import/gltf_file.h"
 #include "app/files/import/import_appearance.h"
-#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"

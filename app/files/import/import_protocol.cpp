@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "app/files/io/errors.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -15,7 +15,6 @@
 #include "app/files/import/import_appearance.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
-#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
 #include "app/files/jobs/process_limits.h"

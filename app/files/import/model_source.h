@@ -1,8 +1,7 @@
 #pragma once
 
-#include "app/files/import/mending.h"
+#include "app/files/import/import_appearance.h"
 #include "app/files/import/model_faults.h"
-#include "app/files/import/own_looks.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
 #include "app/files/jobs/background_job.h"

@@ -1,6 +1,6 @@
 #include "app/files/import/model_units.h"
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -7,7 +7,6 @@
 
 #include "app/files/import/face_soup.h"
 #include "app/files/import/import_appearance.h"
-#include "app/files/import/readers.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

@@ -62,4 +62,33 @@ void writePicture(const render::Image& picture, const std::filesystem::path& fil
 std::string formatNumber(double value);
 std::string formatNumber(float value);
 
+/// What a version of a file is known by.
+struct FileStamp {
+    std::filesystem::file_time_type written;
+    std::uintmax_t bytes = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+
+/// None if it is not there.
+inline std::optional<FileStamp> stampOf(const std::filesystem::path& file) {
+    std::error_code timeError;
+    std::error_code sizeError;
+    const FileStamp stamp{std::filesystem::last_write_time(file, timeError),
+                          std::filesystem::file_size(file, sizeError)};
+    return timeError || sizeError ? std::nullopt : std::optional(stamp);
+}
+
+/// A safe file name from a foreign one: the part after the last slash, at most 200 bytes, with '_'
+/// for control characters and before names that are empty or dots.
+std::string plainName(const std::string& name);
+
+/// A new file of that folder: STEM with an ending, and with -2, -3, ... if taken.
+std::filesystem::path numberedFile(const std::filesystem::path& folder, const std::string& stem,
+                                   const std::string& ending);
+
+/// A new file of that folder: NAME-YYYYMMDD-HHMMSS with an ending, numbered if taken. NAME is
+/// plainName(name).
+std::filesystem::path freeFile(const std::filesystem::path& folder, const std::string& name,
+                               const std::string& ending);
+
 }  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
-#include "app/files/io/file_stamp.h"
+#include "app/files/io/file_io.h"
 #include "app/scene/document/stored_ends.h"
 #include "app/session/session.h"
 #include "render/scene/camera.h"

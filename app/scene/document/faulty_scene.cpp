@@ -2,7 +2,7 @@
 
 #include "app/files/import/model_units.h"
 #include "render/scene/body_look.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 
 namespace kerf::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::app {

@@ -42,10 +42,6 @@ class SurfaceLook {
     int searches_ = 0;
 };
 
-}  // namespace kerf::app
-
-namespace kerf::app {
-
 /// The thickness of a body at each vertex. It is computed on a separate thread while the body
 /// rests, and kept until the next result or cut.
 class ThicknessMap {

@@ -1,7 +1,7 @@
 #include "sim/cut/cleanup/self_piercing.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/base/predicates.h"
 #include "sim/cut/exact/piercing.h"
 #include "sim/cut/wall_copies.h"

@@ -1,7 +1,7 @@
 #include "sim/cut/surface/stroke_surface.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf::cut {

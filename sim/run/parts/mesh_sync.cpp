@@ -1,7 +1,7 @@
 #include "sim/run/parts/mesh_sync.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/base/pausing.h"
 #include "sim/mesh/triangle.h"
 

@@ -1,7 +1,6 @@
 #include "sim/run/parts/running_body.h"
 
 #include "shaders/shared/constraints.h"
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
 #include "sim/base/math.h"
 #include "sim/base/pausing.h"

@@ -3,7 +3,7 @@
 #include "shaders/shared/body_records.h"
 #include "sim/base/params.h"
 #include "sim/body/body_model.h"
-#include "sim/body/rest_pose.h"
+#include "sim/body/rest_geometry.h"
 #include "sim/mesh/surface_mesh.h"
 
 namespace kerf {

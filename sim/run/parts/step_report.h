@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/contact/blade_load.h"
+#include "sim/contact/blade_body.h"
 #include "sim/cut/cut_types.h"
 
 namespace kerf {

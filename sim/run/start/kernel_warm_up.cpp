@@ -1,7 +1,7 @@
 #include "sim/run/start/kernel_warm_up.h"
 
 #include "gpu/program.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/contact/contact_solver.h"
 #include "sim/mesh/triangle_soup.h"

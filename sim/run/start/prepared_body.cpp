@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/regression/expectation_writer.h"
+#include "app/regression/expectation.h"
 #include "app/regression/judgement.h"
 #include "app/regression/picture_check.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

@@ -9,7 +9,6 @@
 #include "app/files/export/export.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
-#include "sim/base/boxes.h"
 #include "sim/base/math.h"
 #include "tests/support/fuzz_seed.h"
 #include "tests/support/gl_fixture.h"

@@ -5,8 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "app/tools/gizmo_math.h"
-
 namespace kerf::app {
 namespace {
 

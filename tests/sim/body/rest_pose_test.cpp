@@ -1,6 +1,6 @@
-#include "sim/body/rest_pose.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/body/rest_geometry.h"
 
 namespace kerf {
 namespace {

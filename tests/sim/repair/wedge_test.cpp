@@ -1,8 +1,8 @@
-#include "sim/repair/wedge.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "sim/repair/surface_contact.h"
 
 namespace kerf::repair {
 namespace {

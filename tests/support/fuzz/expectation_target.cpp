@@ -1,6 +1,6 @@
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/regression/expectation_writer.h"
+#include "app/regression/expectation.h"
 #include "app/regression/judgement.h"
 #include "tests/support/fuzz/packed_files.h"
 #include "tests/support/fuzz/refusal.h"

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 #include "tests/support/reference/octree.h"
 

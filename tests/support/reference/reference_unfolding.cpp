@@ -4,7 +4,6 @@
 
 #include "shaders/shared/unfold_records.h"
 #include "sim/body/rest_geometry.h"
-#include "sim/body/rest_pose.h"
 #include "sim/mesh/triangle.h"
 
 namespace kerf {

@@ -1,7 +1,7 @@
 #include "sim/cut/plan/curves/intersections.h"
 
-#include "sim/base/boxes.h"
 #include "sim/base/containers.h"
+#include "sim/base/math.h"
 #include "sim/cut/plan/curves/curve_nodes.h"
 #include "sim/cut/plan/strip/front_profile.h"
 #include "sim/cut/wall_copies.h"

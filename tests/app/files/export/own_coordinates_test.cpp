@@ -10,7 +10,6 @@
 #include "app/files/import/import_protocol.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/document/editor_document.h"
-#include "sim/base/boxes.h"
 #include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 #include "tests/support/shapes.h"

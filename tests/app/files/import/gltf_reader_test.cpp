@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/files/import/readers.h"
+#include "app/files/import/face_soup.h"
 #include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/repair/soup_inspection.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"

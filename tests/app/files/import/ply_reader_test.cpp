@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "app/files/import/readers.h"
+#include "app/files/import/face_soup.h"
 #include "tests/app/files/import/box_reader_test.h"
 #include "tests/support/replaced_text.h"
 #include "tests/support/temporary_folder.h"

@@ -1,7 +1,7 @@
 // Models that are texts, and STL: what other programs write.
 #include <gmock/gmock.h>
 
-#include "app/files/import/readers.h"
+#include "app/files/import/face_soup.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
 #include "sim/repair/soup_inspection.h"

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include "app/files/io/file_io.h"
-#include "app/files/io/free_file.h"
 #include "app/files/io/system_file.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
-#include "app/files/jobs/current_job.h"
-
 #include <gtest/gtest.h>
+
+#include "app/files/jobs/background_job.h"
 
 namespace kerf::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <random>
 
-#include "sim/base/boxes.h"
+#include "sim/base/math.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_quality.h"

@@ -1,10 +1,58 @@
+#include "ui/over_view.h"
+
 #include <imgui.h>
 
 #include "ui/base/theme.h"
-#include "ui/over_view.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::ui {
+
+void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& actions) {
+    const Hint& hint = model.help.hint;
+    if (hint.text.empty() || model.transport.stroking || model.help.open) {
+        return;
+    }
+    const float line = ImGui::GetFontSize();
+    const float y = view.y + view.height - 2 * line;
+    if (!hint.choices.empty()) {
+        drawOffer("hint", hint, view, y + line / 2,
+                  {.accent = palette().blade, .opacity = 1, .takesInput = true}, actions);
+        return;
+    }
+    drawBanner("hint", hint.text, view.x + view.width / 2, y, view.width,
+               {.accent = palette().blade, .opacity = 1});
+}
+
+void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Action>& actions) {
+    if (settings.showsPanels()) {
+        return;
+    }
+    const std::string label = "Show panels   " + std::string(keyOf(ActionId::togglePanels));
+    const Rect place{view.x + bannerPadding(), view.y + bannerPadding(), buttonWidth(label),
+                     ImGui::GetFrameHeight()};
+    beginBanner("panels", place, {.opacity = 1, .takesInput = true});
+    if (button(label.c_str(), "panels.show", "Show the menu and the panels")) {
+        actions.emplace_back(ActionId::togglePanels);
+    }
+    endBanner();
+}
+
+void drawToast(const ToastState& toast, const Rect& view, std::vector<Action>& actions) {
+    if (toast.text.empty()) {
+        return;
+    }
+    const float line = ImGui::GetFontSize();
+    BannerStyle style{.accent = palette().of(toast.isError ? Hue::vermillion : Hue::blue),
+                      .opacity = toast.opacity};
+    if (toast.choice) {
+        style.takesInput = true;
+        drawOffer("toast", {toast.text, {*toast.choice}}, view, view.y + 5 * line, style, actions);
+    } else {
+        drawBanner("toast", toast.text, view.x + view.width / 2, view.y + 2.5F * line, view.width,
+                   style);
+    }
+}
+
 namespace {
 
 /// A button that names its key behind what it does.
