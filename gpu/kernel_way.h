@@ -1,8 +1,6 @@
 #pragma once
 
-#include "gpu/buffer.h"
 #include "gpu/context.h"
-#include "gpu/program.h"
 
 namespace kerf::gpu {
 
@@ -17,23 +15,5 @@ enum class KernelWay : std::uint8_t {
 KernelWay kernelWay();
 /// The problem with KERF_KERNELS, in a sentence; null for none.
 const char* problemWithKernelWay();
-
-/// A kernel that reads such buffers by fetch(). Throws ShaderError.
-inline Program fetchingKernel(const std::string& path, KernelWay way, Defines defines = {}) {
-    if (way == KernelWay::images) {
-        defines.emplace_back("LOAD_IMAGES", "1");
-    }
-    return Program::compute(path, defines);
-}
-
-/// Binds a buffer that kernels compiled for `way` read by fetch() (shaders/sim/base/fetch.glsl).
-/// Throws OutOfMemory if the driver's texture buffers are too small.
-inline void bindFetched(const Buffer& buffer, std::uint32_t unit, TexelFormat format,
-                        KernelWay way) {
-    buffer.bindTexels(unit, format);
-    if (way == KernelWay::images) {
-        buffer.bindImage(unit, format);
-    }
-}
 
 }  // namespace kerf::gpu

@@ -1,6 +1,6 @@
 #include "sim/contact/contact_solver.h"
 
-#include "gpu/kernel_way.h"
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/body_records.h"
 #include "shaders/shared/contact_bindings.h"

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "gpu/kernel_way.h"
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/blade_records.h"
 #include "shaders/shared/body_records.h"

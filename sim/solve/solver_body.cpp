@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "gpu/kernel_way.h"
+#include "gpu/fetched_buffer.h"
 #include "shaders/shared/bindings.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
