@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/regression/judgement.h"
 #include "render/scene/picture_comparison.h"
 
 namespace kerf::app {
@@ -54,11 +53,5 @@ std::vector<std::string> unlistedPictures(const std::filesystem::path& folder,
 Expectation readExpectation(const std::filesystem::path& file);
 /// The text of an expected.json.
 std::string formatExpectation(const Expectation& expectation);
-
-/// Makes or renews the expectation in a folder from a run: the tables, the pictures, and
-/// expected.json last. Keeps masks, limits and tolerances of an earlier expectation; removes
-/// pictures that the session does not take. Throws OutputError, and InputError if the earlier one
-/// can't be read.
-void writeExpectation(const std::filesystem::path& expectationFolder, const RunResults& results);
 
 }  // namespace kerf::app

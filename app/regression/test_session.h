@@ -2,6 +2,7 @@
 
 #include "app/files/jobs/background_job.h"
 #include "app/files/jobs/child_runs.h"
+#include "app/regression/judgement.h"
 #include "app/regression/test_result.h"
 #include "app/session/session.h"
 
@@ -35,5 +36,11 @@ TestResult judgeRun(const std::filesystem::path& session, const std::filesystem:
 /// limits and tolerances of an earlier expectation. Throws InputError, OutputError, and
 /// WorkCancelled soon after `progress` was cancelled.
 void makeTest(const Session& session, const std::filesystem::path& file, WorkProgress& progress);
+
+/// Makes or renews the expectation in a folder from a run: the tables, the pictures, and
+/// expected.json last. Keeps masks, limits and tolerances of an earlier expectation; removes
+/// pictures that the session does not take. Throws OutputError, and InputError if the earlier one
+/// can't be read.
+void writeExpectation(const std::filesystem::path& expectationFolder, const RunResults& results);
 
 }  // namespace kerf::app

@@ -25,7 +25,7 @@ Kinds kindsAround(const SurfaceMesh& mesh, int vertex) {
 
 /// A little less than drawn skin has, since the pieces about a new vertex bulge once more.
 constexpr double kRoundness = 0.8 * shared::kRoundness;
-constexpr double kLeastLength = 0.01;  // of a normal that tells a bulge
+constexpr double kLeastNormal = 0.01;  // of a normal that tells a bulge
 
 /// A corner of an old triangle of the skin at rest.
 struct RoundCorner {
@@ -207,7 +207,7 @@ void SkinNormals::follow(const SurfaceMesh& mesh, int firstNew, std::span<const 
             corners[k] = roundCorner(cornersOf(i)[k], told, hard, w[k]);
         }
         const Vec3 up = sum.normalized();
-        later_[v - uncutVertices()] = std::max(1 + bulgeAt(corners, p, up), kLeastLength) * up;
+        later_[v - uncutVertices()] = std::max(1 + bulgeAt(corners, p, up), kLeastNormal) * up;
         if (std::vector<Side> sides = sidesAround(mesh, v); !sides.empty()) {
             hardLater_.insert_or_assign(v, std::move(sides));
         }

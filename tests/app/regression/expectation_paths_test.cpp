@@ -4,9 +4,9 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/regression/expectation.h"
 #include "app/regression/judgement.h"
 #include "app/regression/picture_check.h"
+#include "app/regression/test_session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::app {

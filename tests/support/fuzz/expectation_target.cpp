@@ -1,7 +1,7 @@
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
-#include "app/regression/expectation.h"
 #include "app/regression/judgement.h"
+#include "app/regression/test_session.h"
 #include "tests/support/fuzz/packed_files.h"
 #include "tests/support/fuzz/refusal.h"
 #include "tests/support/fuzz/targets.h"
