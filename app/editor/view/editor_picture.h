@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/editor/steps/background_work.h"
 #include "app/editor/view/editor_view.h"
+#include "app/editor/view/rest_depths.h"
 #include "gpu/framebuffer.h"
 #include "gpu/timer.h"
 #include "render/renderer.h"

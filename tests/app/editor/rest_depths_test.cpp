@@ -1,6 +1,7 @@
+#include "app/editor/view/rest_depths.h"
+
 #include <gtest/gtest.h>
 
-#include "app/editor/steps/background_work.h"
 #include "tests/support/shapes.h"
 
 namespace kerf {
