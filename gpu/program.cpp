@@ -173,26 +173,6 @@ std::shared_ptr<Linked> shared(const std::vector<Stage>& stages, const Defines& 
     return linked;
 }
 
-/// What FirstDispatches allows; none: everything.
-struct FirstDispatchLimit {
-    int left = 0;
-    bool foundAny = false;
-};
-std::optional<FirstDispatchLimit> firstDispatches;
-
-/// Whether a program may be dispatched now.
-bool mayDispatch(Linked& linked) {
-    if (firstDispatches && !linked.dispatched) {
-        firstDispatches->foundAny = true;
-        if (firstDispatches->left == 0) {
-            return false;
-        }
-        --firstDispatches->left;
-    }
-    linked.dispatched = true;
-    return true;
-}
-
 /// A driver leaves out a dispatch of more work groups than it takes, and says so only to those who
 /// ask.
 void requireGroups(GLuint groups) {
@@ -223,18 +203,6 @@ ProgramShelf::ProgramShelf() {
 
 ProgramShelf::~ProgramShelf() {
     std::erase_if(openShelves(), [this](const OpenShelf& shelf) { return shelf.owner == this; });
-}
-
-FirstDispatches::FirstDispatches(int count) {
-    firstDispatches = FirstDispatchLimit{count, false};
-}
-
-FirstDispatches::~FirstDispatches() {
-    firstDispatches.reset();
-}
-
-bool FirstDispatches::foundAny() const {
-    return firstDispatches && firstDispatches->foundAny;
 }
 
 Program Program::compute(const std::string& path, const Defines& defines) {
@@ -293,7 +261,7 @@ void Program::dispatch(std::uint32_t threads) const {
 
 void Program::dispatchGroups(std::uint32_t groups) const {
     requireGroups(groups);
-    if (groups != 0 && mayDispatch(*linked_)) {
+    if (groups != 0) {
         begin();
         ++traffic().dispatches;
         glDispatchCompute(groups, 1, 1);
@@ -303,15 +271,13 @@ void Program::dispatchGroups(std::uint32_t groups) const {
 
 void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const {
     assert(offset + 3 * sizeof(GLuint) <= groups.size());
-    if (mayDispatch(*linked_)) {
-        begin();
-        ++traffic().dispatches;
-        ++traffic().indirect;
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
-        barrier(GL_COMMAND_BARRIER_BIT);
-        glDispatchComputeIndirect(static_cast<GLintptr>(offset));
-        end();
-    }
+    begin();
+    ++traffic().dispatches;
+    ++traffic().indirect;
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+    barrier(GL_COMMAND_BARRIER_BIT);
+    glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+    end();
 }
 
 void Program::begin() const {

@@ -28,19 +28,6 @@ class ProgramShelf {
     ProgramShelf& operator=(const ProgramShelf&) = delete;
 };
 
-/// During its lifetime at most `count` programs are dispatched for the first time; first dispatches
-/// of others are skipped. Software drivers compile with the first dispatch, so work without needed
-/// results can compile a little at a time.
-class FirstDispatches {
-  public:
-    explicit FirstDispatches(int count);
-    ~FirstDispatches();
-    FirstDispatches(const FirstDispatches&) = delete;
-    FirstDispatches& operator=(const FirstDispatches&) = delete;
-    /// Whether any dispatch was skipped, or was the first of its program.
-    bool foundAny() const;
-};
-
 /// A linked OpenGL program (move only). Sources are paths below shaderRoot() (data_path.h);
 /// #include "x" is resolved against the including file, then against shaderRoot() and
 /// shaderRoot()/shared; "folder/*.glsl" means all such files, by name. The file need not carry
@@ -92,7 +79,6 @@ class Program {
         Linked& operator=(const Linked&) = delete;
 
         std::uint32_t id = 0;
-        bool dispatched = false;
         std::uint32_t groupSize = 1;  ///< along x
         bool fullBarriers = false;    ///< see KERF_BARRIERS in docs/gpus.md
         NumbersTable numbers;

@@ -142,17 +142,6 @@ bool runsBehind(State& s, EditorScene& scene) {
            (dueSteps(s, scene) > 0 || (scene.strokeSteps() > 0 && s.clock.isSlow()));
 }
 
-/// Continues compiling kernels while idle.
-void prepareKernels(State& s, double elapsedSeconds) {
-    if (s.scene == nullptr || s.scene.underWay() || s.scene->running() || !s.queue.empty() ||
-        s.view.camera.dragging() || s.work.opening() != nullptr ||
-        s.panels.interface.isDragging()) {
-        s.kernels.interrupt();
-    } else {
-        s.kernels.advance(*s.scene, elapsedSeconds);
-    }
-}
-
 /// Writes changed settings, after a drag and not at each of its moves.
 void keepSettings(State& s) {
     const std::string problem = s.panels.interface.isDragging() ? "" : s.panels.settings.save();
@@ -315,7 +304,6 @@ void Editor::State::makePicture(double elapsedSeconds) {
     }
     saveScreenshot(s);
     keepSettings(s);
-    prepareKernels(s, elapsedSeconds);
 }
 
 bool Editor::workOn() {
@@ -358,8 +346,7 @@ double Editor::idleSeconds() const {
         (scene && scene.workingOut())) {
         return kWorkPause;
     }
-    const bool soon =
-        s.kernels.left() || s.offers.looking() || s.driverCheck.looking() || !s.keeping.settled();
+    const bool soon = s.offers.looking() || s.driverCheck.looking() || !s.keeping.settled();
     const double rest =
         std::min(soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever));
     return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;

@@ -114,9 +114,6 @@ void Editor::State::takeInput(double elapsedSeconds) {
     // At least one update, so that the panels live; later batches of one picture take no time.
     for (int n = 1; n <= kMaxBatchesPerPicture && (n == 1 || !queue.empty()); ++n) {
         const std::vector<ui::InputEvent> batch = queue.takeBatch();
-        if (!batch.empty()) {
-            kernels.interrupt();
-        }
         const bool last = n == kMaxBatchesPerPicture || queue.empty();
         if (panels.interface.ownsKeyboard() && pressesKey(batch)) {
             updatePanels(*this, {}, 0,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/editor/editor.h"
-#include "app/editor/steps/background_work.h"
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
 #include "app/editor/steps/step_clock.h"
@@ -17,6 +16,7 @@
 #include "app/editor/view/first_steps.h"
 #include "app/editor/view/input_queue.h"
 #include "app/editor/view/redraw.h"
+#include "gpu/program.h"
 
 namespace kerf::app {
 
@@ -24,8 +24,7 @@ namespace kerf::app {
 /// as the headings say.
 struct Editor::State {
     explicit State(const EditorOptions& options)
-        : kernels(options.warmsUp),
-          redraw(options.drawsAll),
+        : redraw(options.drawsAll),
           clock(options.byTheClock, options.portion),
           panels(options),
           picture(options.quality),
@@ -42,7 +41,7 @@ struct Editor::State {
         lookForMaterials();
     }
 
-    KernelPreparation kernels;  ///< first: its programs outlive their users
+    gpu::ProgramShelf programs;  ///< first: of all documents
     InputQueue queue;
     Redraw redraw;
     StepClock clock;

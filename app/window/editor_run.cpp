@@ -35,7 +35,6 @@ EditorOptions optionsFor(const Window& window) {
     options.tries = gpu::userPath("XDG_DATA_HOME", ".local/share", "practice");
     options.driverReports = defaultDriverReports();
     options.driver = device.renderer + " " + device.version;
-    options.warmsUp = true;
     options.device = device.renderer.substr(0, device.renderer.find(" ("));
     return options;
 }

@@ -195,25 +195,6 @@ TEST_F(ProgramTest, AShelfGivesOneProgramForTheSameSources) {
     EXPECT_NE(make().id(), first.id()) << "without a shelf each has its own";
 }
 
-TEST_F(ProgramTest, FirstDispatchesAreMadeAFewAtATime) {
-    const std::string path = write("kernel.comp", kMain);
-    const Program a = Program::compute(path);
-    const Program b = Program::compute(path);
-    {
-        const FirstDispatches limit(1);
-        a.dispatch(1);
-        EXPECT_TRUE(limit.foundAny());
-        b.dispatch(1);
-    }
-    {
-        const FirstDispatches limit(1);
-        a.dispatch(1);
-        EXPECT_FALSE(limit.foundAny()) << "it has run";
-        b.dispatch(1);
-        EXPECT_TRUE(limit.foundAny()) << "it was left out before";
-    }
-}
-
 TEST_F(ProgramTest, BinariesAreKeptAndDamagedOnesPassedOver) {
     const fs::path folder = folder_ / "binaries";
     const ProgramBinaries binaries(folder, "1");

@@ -3,7 +3,7 @@
 namespace kerf {
 
 /// Links every kernel that a simulation may need on the driver of the current context, as chosen by
-/// gpu::kernelWay(), and runs none. Throws gpu::ShaderError, gpu::OutOfMemory.
+/// gpu::kernelWay(), and dispatches most. Throws gpu::ShaderError, gpu::OutOfMemory.
 void linkEveryKernel();
 
 }  // namespace kerf

@@ -17,8 +17,6 @@ struct EditorOptions {
     bool drawsAll = true;
     /// By the clock, a frame is drawn whenever a step has taken so long [s].
     double portion = 0.03;
-    /// Compiles kernels in advance while idle.
-    bool warmsUp = false;
     /// The folder of pictures, and the first one of the file dialog.
     std::filesystem::path screenshotFolder = ".";
     /// The file of the person's settings; empty keeps none, as in tests.

@@ -1,5 +1,6 @@
 // Every shader that Kerf can come to compile, seen by the reference compiler of GLSL and held
 // against what Kerf asks of a driver.
+#include <glad/gl.h>
 #include <gmock/gmock.h>
 
 #include <cctype>
@@ -25,17 +26,32 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-void linkKernelsOfDoctor() {
-    const gpu::FirstDispatches none(0);
-    orderFindings({4});
-    formFindings();
-}
+/// During its lifetime no kernel runs, for which drivers compile it to the end.
+class NoDispatches {
+  public:
+    NoDispatches() {
+        glad_glDispatchCompute = [](auto...) {};
+        glad_glDispatchComputeIndirect = [](GLintptr) {};
+    }
+    ~NoDispatches() {
+        glad_glDispatchCompute = direct_;
+        glad_glDispatchComputeIndirect = indirect_;
+    }
+    NoDispatches(const NoDispatches&) = delete;
+    NoDispatches& operator=(const NoDispatches&) = delete;
+
+  private:
+    PFNGLDISPATCHCOMPUTEPROC direct_ = glad_glDispatchCompute;
+    PFNGLDISPATCHCOMPUTEINDIRECTPROC indirect_ = glad_glDispatchComputeIndirect;
+};
 
 /// Links every program that Kerf can come to need, of both tiers of quality.
 std::vector<gpu::LinkedProgram> everyProgram() {
     const gpu::ProgramRecord record;
+    const NoDispatches none;
     linkEveryKernel();
-    linkKernelsOfDoctor();
+    orderFindings({4});
+    formFindings();
     for (const render::Quality quality : {render::Quality::light, render::Quality::full}) {
         render::Renderer(quality).linkEveryProgram();
     }

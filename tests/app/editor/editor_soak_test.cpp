@@ -96,7 +96,6 @@ class EditorSoak : public EditorStorm {
     EditorOptions options() override {
         EditorOptions options = EditorStorm::options();
         options.byTheClock = true;
-        options.warmsUp = true;
         options.settingsFile = folder / "settings.json";
         options.recentFiles = folder / "recent";
         options.journals = folder / "journals";
