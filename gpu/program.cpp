@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "gpu/data_path.h"
-#include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
 #include "gpu/traffic.h"
 
@@ -81,7 +80,6 @@ void build(GLuint program, const std::vector<Stage>& stages,
         shaders.push_back(std::make_unique<Shader>(stages[i].kind, sources[i]));
         glAttachShader(program, shaders.back()->id());
     }
-    glProgramParameteri(program, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     glLinkProgram(program);
     for (const auto& shader : shaders) {
         glDetachShader(program, shader->id());
@@ -117,21 +115,14 @@ LinkedProgram recordOf(const std::vector<Stage>& stages, const Defines& defines,
     return linked;
 }
 
-/// From the cache of binaries where it is there, which gets it otherwise.
 std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& defines,
                              const std::string& name) {
     std::vector<ShaderSource> sources;
-    std::string text;
     for (const Stage& stage : stages) {
         sources.push_back(loadShaderSource(shaderRoot(), stage.path, defines));
-        text += std::to_string(stage.kind) + "\n" + sources.back().text;
     }
     auto linked = std::make_shared<Linked>(glCreateProgram());
-    const ProgramBinaries& binaries = ProgramBinaries::ours();
-    if (!binaries.load(linked->id, text)) {
-        build(linked->id, stages, sources, name);
-        binaries.save(linked->id, text);
-    }
+    build(linked->id, stages, sources, name);
     linked->groupSize = groupSizeOf(linked->id, stages);
     linked->fullBarriers = wantsFullBarriers();
     if (ProgramRecord* const record = ProgramRecord::current(); record != nullptr) {

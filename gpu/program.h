@@ -111,7 +111,7 @@ struct LinkedProgram {
     std::vector<LinkedStage> stages;
 };
 
-/// During its lifetime records each linked program, also from the cache, but not those reused by a
+/// During its lifetime records each linked program, but not those reused by a
 /// ProgramShelf. Of several, the last one records.
 class ProgramRecord {
   public:

@@ -11,7 +11,6 @@
 #include "app/window/window.h"
 #include "gpu/context.h"
 #include "gpu/data_path.h"
-#include "gpu/program_binaries.h"
 #include "sim/base/stopwatch.h"
 
 namespace kerf::app {
@@ -41,7 +40,6 @@ EditorOptions optionsFor(const Window& window) {
 
 void openWindow(const std::optional<std::filesystem::path>& file, const std::string& notice = "") {
     Window window("Kerf", SettingsFile(defaultSettingsFile()).now.place);
-    gpu::ProgramBinaries::ours() = {gpu::programBinariesFolder(), KERF_VERSION};
     EditorOptions options = optionsFor(window);
     options.notice = notice;
     Editor editor(options, std::nullopt);

@@ -5,7 +5,6 @@
 
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
-#include "gpu/program_binaries.h"
 #include "gpu/shader_source.h"
 #include "gpu/traffic.h"
 #include "tests/paths.h"
@@ -193,30 +192,6 @@ TEST_F(ProgramTest, AShelfGivesOneProgramForTheSameSources) {
     }
     const Program first = make();
     EXPECT_NE(make().id(), first.id()) << "without a shelf each has its own";
-}
-
-TEST_F(ProgramTest, BinariesAreKeptAndDamagedOnesPassedOver) {
-    const fs::path folder = folder_ / "binaries";
-    const ProgramBinaries binaries(folder, "1");
-    const Program program = Program::compute(write("kernel.comp", kMain));
-    binaries.save(program.id(), "sources");
-    GLint formats = 0;
-    glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
-    if (formats == 0) {
-        EXPECT_FALSE(fs::exists(folder));
-        GTEST_SKIP() << "this driver keeps none";
-    }
-    const Program::Linked again(glCreateProgram());
-    EXPECT_FALSE(binaries.load(again.id, "other sources"));
-    EXPECT_FALSE(ProgramBinaries(folder, "2").load(again.id, "sources"));
-    EXPECT_TRUE(binaries.load(again.id, "sources"));
-    const fs::path file = fs::directory_iterator(folder)->path();
-    std::string bytes = test::readBytes(file);
-    bytes[bytes.size() / 2] ^= 1;
-    test::writeText(file, bytes);
-    EXPECT_FALSE(binaries.load(again.id, "sources"));
-    test::writeText(file, bytes.substr(0, 20));
-    EXPECT_FALSE(binaries.load(again.id, "sources"));
 }
 
 }  // namespace

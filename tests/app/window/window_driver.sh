@@ -6,7 +6,7 @@ export XDG_CONFIG_HOME="$folder/config"
 export XDG_STATE_HOME="$folder/state"
 # The driver is examined by tests of its own.
 export KERF_EXAMINES_DRIVER=no
-# Programs that Kerf keeps too, but not those of the driver: to compile them takes long.
+# Not what the driver has compiled, which takes long.
 export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}}"
 export XDG_CACHE_HOME="$folder/cache"
 # GLFW unloads the display's drivers at the end, and what they had kept then looks lost.
