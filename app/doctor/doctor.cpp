@@ -126,16 +126,16 @@ Diagnosis diagnose(const Examination& examination) {
     diagnosis.limits = gpu::driverLimits();
     append(diagnosis.findings, limitFindings(diagnosis.limits));
     gpu::takeDebugErrors();
-    examine(examination, diagnosis, "Orders", [&] {
-        append(diagnosis.findings, orderFindings());
-        append(diagnosis.findings, formFindings());
-    });
     examine(examination, diagnosis, "Sessions",
             [&] { append(diagnosis.findings, sessionFindings()); });
     examine(examination, diagnosis, "A cut", [&] {
         CutFindings cut = cutFindings();
         append(diagnosis.findings, std::move(cut.findings));
         diagnosis.picture = std::move(cut.picture);
+    });
+    examine(examination, diagnosis, "Orders", [&] {
+        append(diagnosis.findings, orderFindings());
+        append(diagnosis.findings, formFindings());
     });
     if (examination.speeds) {
         examine(examination, diagnosis, "Speed",

@@ -46,10 +46,10 @@ struct Examination {
     std::function<void(const std::string& part)> next = nullptr;
 };
 
-/// Examines the driver of the current context: its limits, the order of writes and reads, forms of
-/// kernels, short sessions, a cut and its repetition, a picture, and the speed of the paper's
-/// models. Exceptions, as of a shader that does not compile,
-/// are findings. Throws InputError if the builtin models are missing.
+/// Examines the driver of the current context: its limits, short sessions, a cut and its
+/// repetition, a picture, the order of writes and reads, forms of kernels, and the speed of the
+/// paper's models. Exceptions, as of a shader that does not compile, are findings. Throws
+/// InputError if the builtin models are missing.
 Diagnosis diagnose(const Examination& examination = {});
 
 }  // namespace kerf::app

@@ -279,8 +279,6 @@ struct Form {
 constexpr Form kForms[] = {
     {"A count by one thread at a time, with barriers in a loop", 128},
     {"Barriers in a branch that all threads take", 128},
-    {"A list that a function changes", 11},
-    {"A matrix whose columns a function swaps", 16},
 };
 
 /// Of more groups than OpenGL promises, where the driver takes them.

@@ -9,8 +9,10 @@
 #include "app/files/io/file_io.h"
 #include "gpu/data_path.h"
 #include "tests/app/doctor/wrong_findings.h"
+#include "tests/paths.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/nightly.h"
+#include "tests/support/run_kerf.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/variable.h"
 
@@ -38,8 +40,34 @@ TEST_F(DoctorTest, FindsNothingWrongHere) {
     EXPECT_TRUE(diagnosis.right());
     EXPECT_THAT(diagnosis.verdict(), HasSubstr("works as it should"));
     EXPECT_GT(diagnosis.picture.width, 0);
-    EXPECT_THAT(parts, ElementsAre("Orders", "Sessions", "A cut"));
+    EXPECT_THAT(parts, ElementsAre("Sessions", "A cut", "Orders"));
     EXPECT_FALSE(diagnosis.limits.empty());
+}
+
+std::uintmax_t bytesIn(const fs::path& folder) {
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        bytes += entry.is_regular_file() ? entry.file_size() : 0;
+    }
+    return bytes;
+}
+
+// Where the editor finds them (docs/notes/first-minute.md).
+TEST(DriverCache, TheExaminationLeavesTheKernelsOfAStrokeInIt) {
+    KERF_BY_NIGHT();
+    const test::TemporaryFolder folder;
+    const fs::path cache = folder / "cache";
+    fs::create_directory(cache);
+    const std::map<std::string, std::string> there{{"MESA_SHADER_CACHE_DIR", cache.string()}};
+    EXPECT_EQ(test::runKerf({"doctor", "--quick"}, there).exitCode, 0);
+    const std::uintmax_t left = bytesIn(cache);
+    if (left == 0) {
+        GTEST_SKIP() << "this driver keeps its cache elsewhere";
+    }
+    const std::string session =
+        std::string(KERF_SOURCE_DIR) + "/tests/regression/pulled-then-cut.kerf.json";
+    EXPECT_EQ(test::runKerf({"replay", session, "--out", folder / "out"}, there).exitCode, 0);
+    EXPECT_EQ(bytesIn(cache), left);
 }
 
 /// Shaders are those of a folder in which one has a fault, as if the driver compiled it so.
