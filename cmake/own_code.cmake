@@ -52,12 +52,15 @@ function(kerf_own_code target)
 endfunction()
 
 # What every source of ours reads first; also for code to which our warnings don't apply.
+# kerf_prelude(TARGET <FURTHER HEADER>)
 function(kerf_prelude target)
-  if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    target_compile_options(${target} PRIVATE -include ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
-  else()
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/prelude.h)
-  endif()
+  foreach(header ${PROJECT_SOURCE_DIR}/cmake/prelude.h ${ARGN})
+    if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+      target_compile_options(${target} PRIVATE "SHELL:-include ${header}")
+    else()
+      target_precompile_headers(${target} PRIVATE ${header})
+    endif()
+  endforeach()
 endfunction()
 
 # For what nobody waits for when it runs, such as panels and command lines: a fifth less time to

@@ -1,12 +1,7 @@
 // The checks of tests/fuzz/fuzzer.cpp on so many random texts, for which no libFuzzer is needed.
-#include <gtest/gtest.h>
 
-#include <iostream>
-
-#include "tests/paths.h"
 #include "tests/support/fuzz/fuzz_target.h"
 #include "tests/support/fuzz/text_mutator.h"
-#include "tests/support/fuzz_seed.h"
 
 namespace kerf::test {
 namespace {
@@ -64,8 +59,7 @@ std::string nameOf(const ::testing::TestParamInfo<FuzzTarget>& tested) {
 INSTANTIATE_TEST_SUITE_P(Of, FuzzTargets, ::testing::ValuesIn(fuzzTargets()), nameOf);
 
 TEST(FuzzFindings, EachFolderOfFindingsIsThatOfATarget) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(KERF_SOURCE_DIR "/tests/fuzz/found")) {
+    for (const auto& entry : fs::directory_iterator(KERF_SOURCE_DIR "/tests/fuzz/found")) {
         EXPECT_NE(findFuzzTarget(entry.path().filename().string()), nullptr) << entry.path();
     }
 }

@@ -1,9 +1,6 @@
 // C++ and the driver must agree on where each member of a shared record lies.
-#include <glad/gl.h>
 
-#include <fstream>
 #include <ostream>
-#include <regex>
 
 #include "gpu/program.h"
 #include "shaders/shared/blade_records.h"
@@ -16,8 +13,6 @@
 #include "shaders/shared/skin_records.h"
 #include "shaders/shared/solver_uniforms.h"
 #include "shaders/shared/unfold_records.h"
-#include "tests/paths.h"
-#include "tests/support/gl_fixture.h"
 
 namespace kerf::gpu {
 namespace {
@@ -140,7 +135,7 @@ std::vector<Record> sharedRecords() {
     };
 }
 
-class Layout : public test::GlTest, public ::testing::WithParamInterface<Record> {
+class Layout : public GlTest, public ::testing::WithParamInterface<Record> {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -201,8 +196,8 @@ TEST(LayoutList, HasEveryRecordOfTheSharedHeaders) {
     }
     std::vector<std::string> declared;
     const std::regex record("^struct (\\w+) \\{");  // shared_types.h declares aligned words alone
-    const std::filesystem::path folder = std::filesystem::path(KERF_SOURCE_DIR) / "shaders/shared";
-    for (const auto& header : std::filesystem::directory_iterator(folder)) {
+    const fs::path folder = fs::path(KERF_SOURCE_DIR) / "shaders/shared";
+    for (const auto& header : fs::directory_iterator(folder)) {
         std::ifstream in(header.path());
         std::smatch match;
         for (std::string line; std::getline(in, line);) {

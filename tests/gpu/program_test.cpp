@@ -1,29 +1,19 @@
 #include "gpu/program.h"
 
-#include <glad/gl.h>
-#include <gmock/gmock.h>
-
 #include "gpu/buffer.h"
 #include "gpu/data_path.h"
+#include "gpu/numbers_table.h"
 #include "gpu/shader_source.h"
 #include "gpu/traffic.h"
-#include "tests/paths.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::gpu {
 namespace {
 
-namespace fs = std::filesystem;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
-
 /// A folder for shaders that a test writes.
-class ProgramTest : public test::GlTest {
+class ProgramTest : public GlTest {
   protected:
     std::string write(const std::string& name, const std::string& text) {
-        test::writeText(folder_ / name, text);
+        writeText(folder_ / name, text);
         return folder_ / name;
     }
 
@@ -36,7 +26,7 @@ class ProgramTest : public test::GlTest {
         return "compiled";
     }
 
-    test::TemporaryFolder folder_;
+    TemporaryFolder folder_;
 };
 
 const std::string kMain = "layout(local_size_x = 1) in;\nvoid main() {}\n";
@@ -192,6 +182,52 @@ TEST_F(ProgramTest, AShelfGivesOneProgramForTheSameSources) {
     }
     const Program first = make();
     EXPECT_NE(make().id(), first.id()) << "without a shelf each has its own";
+}
+
+constexpr std::uint32_t kDispatches = 3000;  // more than a table has places
+
+/// A kernel that adds 1 to a word as often as its first number says.
+class NumbersTableTest : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        fs::create_directories(folder_ / "shaders/sim/base");
+        writeText(folder_ / "shaders/sim/base/numbers.glsl",
+                  readBytes(shaderRoot() / "sim/base/numbers.glsl"));
+        writeText(folder_ / "shaders/count.comp",
+                  "layout(local_size_x = 1) in;\n"
+                  "#include \"sim/base/numbers.glsl\"\n"
+                  "layout(std430, binding = 0) buffer Words { uint words[]; };\n"
+                  "void main() {\n"
+                  "    for (uint i = 0u; i < numbers.x; ++i) words[numbers.y] += numbers.z;\n"
+                  "}\n");
+        fs::create_directory_symlink(dataPath("assets"), folder_ / "assets");
+        data_.emplace("KERF_DATA_DIR", folder_.path().string());
+    }
+    void TearDown() override {
+        data_.reset();
+        GlTest::TearDown();
+    }
+
+    TemporaryFolder folder_;
+    std::optional<Variable> data_;
+};
+
+// On zink a loop over a plain uniform kept the first number of its turns.
+TEST_F(NumbersTableTest, EachDispatchSeesItsOwn) {
+    const Program count = Program::compute("count.comp");
+    Buffer words;
+    words.assign(std::vector<std::uint32_t>(kDispatches));
+    words.bindStorage(0);
+    std::vector<std::uint32_t> expected(kDispatches);
+    for (std::uint32_t i = 0; i < kDispatches; ++i) {
+        const std::uint32_t turns = i % 23;
+        const std::uint32_t word = i * 7 % kDispatches;
+        count.setNumbers({turns, word, i});
+        count.dispatch(1);
+        expected[word] += turns * i;
+    }
+    EXPECT_EQ(words.read<std::uint32_t>(0, kDispatches), expected);
 }
 
 }  // namespace

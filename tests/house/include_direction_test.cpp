@@ -1,16 +1,8 @@
 // Includes look back along the data flow only, in C++ and in shaders; tests and benchmarks may
 // include everything and nobody includes them.
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <regex>
-
-#include "tests/paths.h"
 
 namespace kerf {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// All rooms, each of which may include itself and what stands before it. A file belongs to the
 /// longest path that it lies below, so the words of a folder may stand before its rooms (sim/cut)

@@ -1,14 +1,7 @@
 // What scripts/format holds in C++ holds in shaders too, which it does not read.
-#include <gtest/gtest.h>
-
-#include <fstream>
-
-#include "tests/paths.h"
 
 namespace kerf {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kColumns = 100;  // as ColumnLimit in .clang-format
 

@@ -1,7 +1,6 @@
 // Quantities as colours on the surface: their numbers against what analysis says.
-#include <gtest/gtest.h>
-
 #include "render/renderer.h"
+#include "render/scene/depth_field.h"
 #include "sim/mesh/invariants.h"
 #include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"
@@ -43,7 +42,7 @@ int middleOfFront(const SurfaceMesh& mesh) {
 }
 
 TEST_F(FieldTest, AStretchedSlabHasTheStrainOfItsStretch) {
-    const SurfaceMesh slab = test::box(Vec3(1, 1, 0.2), 4);
+    const SurfaceMesh slab = box(Vec3(1, 1, 0.2), 4);
     Stage stage(moved(slab, [](const Vec3& p) { return Vec3(1.1 * p.x(), 0.95 * p.y(), p.z()); }));
     show(stage, SurfaceField::strain);
     EXPECT_NEAR(at(middleOfFront(slab)), 0.1, 1e-5);
@@ -55,7 +54,7 @@ TEST_F(FieldTest, AStretchedSlabHasTheStrainOfItsStretch) {
 }
 
 TEST_F(FieldTest, ASqueezeCountsAsStrainAndAsLossOfArea) {
-    const SurfaceMesh slab = test::box(Vec3(1, 1, 0.2), 4);
+    const SurfaceMesh slab = box(Vec3(1, 1, 0.2), 4);
     Stage stage(moved(slab, [](const Vec3& p) { return Vec3(0.7 * p.x(), 1.1 * p.y(), p.z()); }));
     show(stage, SurfaceField::strain);
     EXPECT_NEAR(at(middleOfFront(slab)), 0.3, 1e-5);
@@ -64,7 +63,7 @@ TEST_F(FieldTest, ASqueezeCountsAsStrainAndAsLossOfArea) {
 }
 
 TEST_F(FieldTest, AShearHasItsPrincipalStrain) {
-    const SurfaceMesh slab = test::box(Vec3(1, 1, 0.2), 4);
+    const SurfaceMesh slab = box(Vec3(1, 1, 0.2), 4);
     const double g = 0.3;
     Stage stage(moved(slab, [g](const Vec3& p) { return Vec3(p.x() + g * p.y(), p.y(), p.z()); }));
     show(stage, SurfaceField::strain);
@@ -75,7 +74,7 @@ TEST_F(FieldTest, AShearHasItsPrincipalStrain) {
 }
 
 TEST_F(FieldTest, ATurnedBodyHasNoStrain) {
-    const SurfaceMesh ball = test::cubeSphere(8);
+    const SurfaceMesh ball = cubeSphere(8);
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(1.2, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     Stage stage(moved(ball, [&](const Vec3& p) { return Vec3(turn * p + Vec3(3, 2, 1)); }));
@@ -87,7 +86,7 @@ TEST_F(FieldTest, ATurnedBodyHasNoStrain) {
 }
 
 TEST_F(FieldTest, AFaceTowardsTheEyeHasTheColourOfTheLegend) {
-    const SurfaceMesh slab = test::box(Vec3(1, 1, 0.2), 4);
+    const SurfaceMesh slab = box(Vec3(1, 1, 0.2), 4);
     Stage stage(moved(slab, [](const Vec3& p) { return Vec3(1.1 * p.x(), p.y(), p.z()); }));
     stage.camera.orthographic = true;
     stage.camera.eye = Vec3(0, 0, 3);
@@ -111,7 +110,7 @@ TEST_F(FieldTest, AFaceTowardsTheEyeHasTheColourOfTheLegend) {
 
 /// As at the rim of a cut.
 TEST_F(FieldTest, AFewSpikesDoNotStretchTheRange) {
-    const SurfaceMesh ball = test::cubeSphere(16);
+    const SurfaceMesh ball = cubeSphere(16);
     SurfaceMesh spiky = moved(ball, [](const Vec3& p) { return Vec3(1.05 * p); });
     spiky.setPosition(0, 4 * spiky.position(0));
     Stage stage(spiky);
@@ -143,7 +142,7 @@ TEST(AutomaticRange, OfNothingIsTheLeast) {
 }
 
 TEST_F(FieldTest, WallsHaveValuesOfTheirOwn) {
-    const SurfaceMesh opened = test::openedSphere(8, 0.05, 0.25);
+    const SurfaceMesh opened = openedSphere(8, 0.05, 0.25);
     Stage stage(opened);
     show(stage, SurfaceField::strain);
     int onWalls = 0;
@@ -155,10 +154,179 @@ TEST_F(FieldTest, WallsHaveValuesOfTheirOwn) {
 }
 
 TEST_F(FieldTest, AnotherRevisionHasNoValueYet) {
-    Stage stage(test::cubeSphere(4));
+    Stage stage(cubeSphere(4));
     show(stage, SurfaceField::strain);
     EXPECT_TRUE(renderer_->fieldAt(1, 0, false));
     EXPECT_FALSE(renderer_->fieldAt(2, 0, false));
+}
+
+/// Largest difference between the field and `expected(point)` [m].
+template <class F>
+double worstError(const DepthField& field, F&& expected) {
+    double worst = 0;
+    for (int z = 0; z < field.size[2]; ++z) {
+        for (int y = 0; y < field.size[1]; ++y) {
+            for (int x = 0; x < field.size[0]; ++x) {
+                const Vec3 point = field.origin + field.spacing * Vec3(x, y, z);
+                const double depth = field.deepest * field.values[field.index(x, y, z)];
+                worst = std::max(worst, std::abs(depth - expected(point)));
+            }
+        }
+    }
+    return worst;
+}
+
+double sampled(const DepthField& field, const Vec3& sample) {
+    const Vec3 i = ((sample - field.origin) / field.spacing).array().round();
+    return field.deepest * field.values[field.index(int(i.x()), int(i.y()), int(i.z()))];
+}
+
+TEST(DepthField, OfASphereIsTheDistanceToItsSurface) {
+    const double radius = 0.5;
+    const DepthField field = measureDepth(icosphere(4, radius), 32);
+    const auto depth = [&](const Vec3& p) { return radius - p.norm(); };
+    const auto nearDepth = [&](const Vec3& p) {
+        return std::abs(depth(p)) < field.spacing ? depth(p) : sampled(field, p);
+    };
+    // Where triangles were measured themselves: the mesh lies up to 0.0006 m inside the sphere.
+    EXPECT_LT(worstError(field, nearDepth), 0.001);
+    // Elsewhere a neighbour's triangle may not be the very nearest.
+    EXPECT_LT(worstError(field, depth), 0.02 * radius);
+    EXPECT_NEAR(field.deepest, radius, field.spacing);
+}
+
+TEST(DepthField, OfABoxHasEdgesAndCorners) {
+    const Vec3 half(0.5, 0.3, 0.2);
+    const DepthField field = measureDepth(box(2 * half, 3), 32);
+    const auto depth = [&](const Vec3& p) {
+        const Vec3 q = p.cwiseAbs() - half;
+        return q.maxCoeff() <= 0 ? -q.maxCoeff() : -Vec3(q.cwiseMax(0)).norm();
+    };
+    EXPECT_LT(worstError(field, depth), 1e-6);
+}
+
+TEST(DepthField, OfATorusIsNegativeInItsHole) {
+    const DepthField field = measureDepth(torus(), 32);
+    const Vec3 middle = (-field.origin / field.spacing).array().round();
+    const int center = field.index(int(middle.x()), int(middle.y()), int(middle.z()));
+    EXPECT_LT(field.values[center], 0);
+}
+
+TEST(DepthField, ValuesReachOne) {
+    const DepthField field = measureDepth(bentTube(), 24);
+    EXPECT_FLOAT_EQ(*std::max_element(field.values.begin(), field.values.end()), 1);
+}
+
+// A plane that opens the picture of a body: what is hidden, and what is filled.
+
+constexpr double kViewHeight = 2;  // of the picture at the target [m]
+
+class SectionTest : public LightRendererTest {
+  protected:
+    /// Straight at the plane, on nothing.
+    Image lookAt(Stage& stage, const SectionPlane& plane) {
+        stage.scene.section = plane;
+        stage.scene.floor.reset();
+        stage.scene.transparent = true;
+        stage.scene.bodyRevision = 1;
+        stage.camera.orthographic = true;
+        stage.camera.target = Vec3::Zero();
+        stage.camera.eye = 3 * plane.normal;
+        stage.camera.up = std::abs(plane.normal.y()) > 0.5 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+        stage.camera.fovY = 2 * std::atan(kViewHeight / 2 / 3) * 180 / std::numbers::pi;
+        return stage.picture(*renderer_);
+    }
+    static double areaOf(long pixels) {
+        const double side = kViewHeight / kHeight;
+        return double(pixels) * side * side;
+    }
+    static long covered(const Image& image) {
+        long count = 0;
+        for (std::size_t i = 3; i < image.pixels.size(); i += 4) {
+            count += image.pixels[i] > 127 ? 1 : 0;
+        }
+        return count;
+    }
+};
+
+std::size_t byteAt(double x, double y) {
+    const double perPixel = kViewHeight / kHeight;
+    const auto column = static_cast<std::size_t>(0.5 * kWidth + x / perPixel);
+    const auto row = static_cast<std::size_t>(0.5 * kHeight - y / perPixel);
+    return 4 * (row * kWidth + column);
+}
+
+/// Pixels of the flat grey with which a section is filled where colours show a quantity, by one of
+/// them at (x, y) [m].
+long greyPixels(const Image& image, double x = 0, double y = 0) {
+    const std::size_t sample = byteAt(x, y);
+    long count = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        bool same = image.pixels[i + 3] == 255;
+        for (int c = 0; c < 3; ++c) {
+            same = same && std::abs(image.pixels[i + c] - image.pixels[sample + c]) <= 2;
+        }
+        count += same ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(SectionTest, OfACubeIsFilledWithTheAreaOfItsSection) {
+    Stage stage(box(Vec3(1, 1, 1), 2));
+    stage.scene.field.choice.field =
+        SurfaceField::strain;  // the cap is grey then, and the cube not
+    for (const double offset : {0.0, 0.3}) {
+        const Image image = lookAt(stage, {Vec3(0, 0, offset), Vec3::UnitZ()});
+        EXPECT_NEAR(areaOf(greyPixels(image)), 1, 0.02) << offset;
+    }
+    const Vec3 slanted = Vec3(0, 1, 1).normalized();
+    EXPECT_NEAR(areaOf(greyPixels(lookAt(stage, {Vec3::Zero(), slanted}))), std::sqrt(2), 0.03);
+}
+
+TEST_F(SectionTest, OfASphereIsTheDiscAtItsHeight) {
+    Stage stage(icosphere(4, 0.5));
+    stage.scene.field.choice.field = SurfaceField::strain;
+    const Image image = lookAt(stage, {Vec3(0, 0, 0.3), Vec3::UnitZ()});
+    EXPECT_NEAR(areaOf(greyPixels(image)), std::numbers::pi * 0.16, 0.01);
+}
+
+TEST_F(SectionTest, OfARingLeavesItsHoleOpen) {
+    Stage stage(torus(64, 32, 0.35, 0.15));
+    stage.scene.field.choice.field = SurfaceField::strain;
+    const Image across = lookAt(stage, {Vec3::Zero(), Vec3::UnitZ()});
+    const double disc = std::numbers::pi * 0.15 * 0.15;
+    EXPECT_NEAR(areaOf(greyPixels(across, 0.35, 0)), 2 * disc, 0.01);
+    const Image along = lookAt(stage, {Vec3::Zero(), Vec3::UnitY()});
+    EXPECT_EQ(along.pixels[byteAt(0, 0) + 3], 0) << "one looks through the ring";
+    const double ring = std::numbers::pi * (0.5 * 0.5 - 0.2 * 0.2);
+    EXPECT_NEAR(areaOf(greyPixels(along, 0.35, 0)), ring, 0.03);
+}
+
+TEST_F(SectionTest, HidesTheSideThatTheNormalPointsTo) {
+    Stage stage(box(Vec3(1, 1, 1), 2));
+    const Image all = lookAt(stage, {Vec3(0, 0, 0.6), Vec3::UnitZ()});
+    EXPECT_NEAR(areaOf(covered(all)), 1, 0.02);
+    const Image none = lookAt(stage, {Vec3(0, 0, -0.6), Vec3::UnitZ()});
+    EXPECT_EQ(covered(none), 0);
+}
+
+TEST_F(SectionTest, BothHalvesOfACutBodyAreFilled) {
+    Stage stage(openedSphere(10, 0.2, 0));
+    stage.scene.field.choice.field = SurfaceField::strain;
+    const Image image = lookAt(stage, {Vec3::Zero(), Vec3::UnitX()});
+    // Two half discs of radius 1, of which the picture shows what is less than 1 from its middle.
+    EXPECT_GT(areaOf(covered(image)), 2.5);
+    EXPECT_EQ(image.pixels[byteAt(0, 0) + 3], 0) << "the gap between them is open";
+}
+
+TEST_F(SectionTest, WithoutOneThePictureIsThatOfBefore) {
+    Stage stage(openedSphere(8, 0.05, 0.25));
+    stage.scene.bodyRevision = 1;
+    const Image before = stage.picture(*renderer_);
+    stage.scene.section = SectionPlane{};
+    EXPECT_NE(stage.picture(*renderer_).pixels, before.pixels);
+    stage.scene.section.reset();
+    EXPECT_EQ(stage.picture(*renderer_).pixels, before.pixels);
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
 #include "render/scene/picture_comparison.h"
 
-#include <gtest/gtest.h>
-
 #include <ostream>
-#include <random>
 
-#include "tests/paths.h"
 #include "tests/render/light_renderer_test.h"
 #include "tests/render/stage.h"
 #include "tests/support/shapes.h"
@@ -225,7 +221,7 @@ class PicturePairs : public LightRendererTest {
 };
 
 TEST_F(PicturePairs, ABladeThatIsGoneIsADifference) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image bare = pictureOf(stage);
     stage.scene.blade = Blade{Vec3(-0.7, 0.55, 0), Vec3(0.7, 0.55, 0)};
     const PictureComparison comparison = comparePictures(bare, pictureOf(stage));
@@ -234,7 +230,7 @@ TEST_F(PicturePairs, ABladeThatIsGoneIsADifference) {
 }
 
 TEST_F(PicturePairs, APieceMovedByTwoPixelsIsADifference) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image before = pictureOf(stage);
     stage.scene.pieces = {{.shift = pixels(stage.camera, 2)}};
     const PictureComparison comparison = comparePictures(before, pictureOf(stage));
@@ -243,7 +239,7 @@ TEST_F(PicturePairs, APieceMovedByTwoPixelsIsADifference) {
 }
 
 TEST_F(PicturePairs, AShadowThatIsGoneIsADifference) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image lit = pictureOf(stage);
     Bounds elsewhere;
     elsewhere.add(Vec3(99, 0, 0));
@@ -255,7 +251,7 @@ TEST_F(PicturePairs, AShadowThatIsGoneIsADifference) {
 }
 
 TEST_F(PicturePairs, NoiseOfOneLevelIsNoDifference) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.scene.blade = Blade{Vec3(-0.7, 0.55, 0), Vec3(0.7, 0.55, 0)};
     const Image picture = pictureOf(stage);
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -268,7 +264,7 @@ TEST_F(PicturePairs, NoiseOfOneLevelIsNoDifference) {
 }
 
 Image goldenPicture(const std::string& name) {
-    return readPng(std::filesystem::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png"));
+    return readPng(fs::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png"));
 }
 
 /// Both pairs are of replays, simulated and drawn by llvmpipe and by zink on lavapipe: a sphere

@@ -1,10 +1,5 @@
 #include "render/renderer.h"
 
-#include <glad/gl.h>
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-
 #include "gpu/context.h"
 #include "render/passes/normals_pass.h"
 #include "render/scene/picture_comparison.h"
@@ -12,10 +7,8 @@
 #include "sim/body/body_updater.h"
 #include "sim/cut/stroke/cutter.h"
 #include "sim/mesh/invariants.h"
-#include "tests/paths.h"
 #include "tests/render/stage.h"
 #include "tests/support/body_upload.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/written_png.h"
 
@@ -38,7 +31,7 @@ long countReddish(const Image& image) {
     return count;
 }
 
-class RendererTest : public test::GlTest {
+class RendererTest : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -50,7 +43,7 @@ class RendererTest : public test::GlTest {
 };
 
 TEST_F(RendererTest, DrawsTheBodyWhereItIs) {
-    const Image picture = pictureOf(Stage(test::cubeSphere(8)));
+    const Image picture = pictureOf(Stage(cubeSphere(8)));
     ASSERT_EQ(picture.width, kWidth);
     ASSERT_EQ(picture.height, kHeight);
     EXPECT_TRUE(isReddish(pixelAt(picture, kWidth / 2, kHeight / 2)));
@@ -62,7 +55,7 @@ TEST_F(RendererTest, DrawsTheBodyWhereItIs) {
 }
 
 TEST_F(RendererTest, TopRowIsTheTopOfTheScene) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.scene.floor.reset();
     stage.camera.eye += Vec3(0, 0.3, 0);
     stage.camera.target += Vec3(0, 0.3, 0);
@@ -72,7 +65,7 @@ TEST_F(RendererTest, TopRowIsTheTopOfTheScene) {
 }
 
 TEST_F(RendererTest, AViewThatTurnsAroundABodyAtRestIsThatOfANewRenderer) {
-    Stage stage(test::openedSphere(10, 0.05, 0.25));
+    Stage stage(openedSphere(10, 0.05, 0.25));
     stage.scene.bodyRevision = 1;
     pictureOf(stage);
     stage.camera.eye = Vec3(-1.2, 0.9, 1.4);
@@ -81,10 +74,10 @@ TEST_F(RendererTest, AViewThatTurnsAroundABodyAtRestIsThatOfANewRenderer) {
 }
 
 TEST_F(RendererTest, ShadowsFollowABodyOfAnotherRevisionAndWhatStandsBesideIt) {
-    Stage low(test::cubeSphere(8));
+    Stage low(cubeSphere(8));
     low.scene.bodyRevision = 1;
     pictureOf(low);
-    Stage other(test::openedSphere(10, 0.05, 0.25));
+    Stage other(openedSphere(10, 0.05, 0.25));
     other.scene.bodyRevision = 2;
     Renderer fresh(Quality::light);
     EXPECT_EQ(pictureOf(other).pixels, other.picture(fresh).pixels);
@@ -94,7 +87,7 @@ TEST_F(RendererTest, ShadowsFollowABodyOfAnotherRevisionAndWhatStandsBesideIt) {
 }
 
 TEST_F(RendererTest, PictureIsOpaqueAndFreeOfBlackHoles) {
-    const Image picture = pictureOf(Stage(test::openedSphere(10, 0.05, 0.25)));
+    const Image picture = pictureOf(Stage(openedSphere(10, 0.05, 0.25)));
     for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
         ASSERT_EQ(picture.pixels[i + 3], 255);
         ASSERT_GT(picture.pixels[i] + picture.pixels[i + 1] + picture.pixels[i + 2], 6);
@@ -102,7 +95,7 @@ TEST_F(RendererTest, PictureIsOpaqueAndFreeOfBlackHoles) {
 }
 
 TEST_F(RendererTest, TheSameSceneGivesTheSameBytes) {
-    Stage stage(test::openedSphere(8, 0.05, 0.25));
+    Stage stage(openedSphere(8, 0.05, 0.25));
     stage.scene.blade = Blade{Vec3(-1, 0.5, 0), Vec3(1, 0.5, 0)};
     stage.scene.strokePoses = {{Vec3(-1, 1.2, 0), Vec3(1, 1.2, 0)}, *stage.scene.blade};
     const Image first = pictureOf(stage);
@@ -119,7 +112,7 @@ TEST_F(RendererTest, TheSameSceneGivesTheSameBytes) {
 }
 
 TEST_F(RendererTest, FullQualityIsTheSamePictureButSmoother) {
-    const Stage stage(test::cubeSphere(8));
+    const Stage stage(cubeSphere(8));
     Renderer full(Quality::full);
     const PictureComparison comparison = comparePictures(pictureOf(stage), stage.picture(full));
     EXPECT_TRUE(withinLimits(comparison, kTolerantLimits))
@@ -137,7 +130,7 @@ TEST_F(RendererTest, EmptySceneDrawsFloorAndBackdrop) {
 }
 
 TEST_F(RendererTest, WallsLookUnlikeSkin) {
-    Stage stage(test::openedSphere(12, 0.05, 0.5));
+    Stage stage(openedSphere(12, 0.05, 0.5));
     stage.camera.eye = Vec3(4, 1.5, 0.8);
     stage.camera.frame(stage.body.bounds);
     const Image cut = pictureOf(stage);
@@ -186,7 +179,7 @@ int largestDifference(const Image& a, const Image& b) {
 }
 
 TEST_F(RendererTest, ACutThatIsClosedDoesNotShowOnTheSkin) {
-    const SurfaceMesh whole = test::cubeSphere(8);
+    const SurfaceMesh whole = cubeSphere(8);
     const CutBody cut(whole);
     ASSERT_EQ(findPieces(cut.mesh).pieces.size(), 2u);
     const Stage before(whole);
@@ -199,7 +192,7 @@ TEST_F(RendererTest, ACutThatIsClosedDoesNotShowOnTheSkin) {
 }
 
 TEST_F(RendererTest, ALineShowsAClosedCutWhereThatIsWanted) {
-    const SurfaceMesh whole = test::cubeSphere(8);
+    const SurfaceMesh whole = cubeSphere(8);
     const CutBody cut(whole);
     Stage stage(cut.mesh, cut.normals);
     stage.camera.eye = Vec3(0, 0, 4);  // onto the cut's rim, which runs from top to bottom
@@ -253,7 +246,7 @@ Stage stageOfSize(const CutBody& cut, double size) {
 }
 
 TEST_F(RendererTest, LinesAndBladeAreTheSameAtEverySize) {
-    const CutBody cut(test::cubeSphere(8));
+    const CutBody cut(cubeSphere(8));
     const Image usual = pictureOf(stageOfSize(cut, 1));
     for (const double size : {1e-6, 2e-6, 1e-4, 1e-2, 1e2, 1e3}) {
         EXPECT_LT(channelDifference(pictureOf(stageOfSize(cut, size)), usual).pixels,
@@ -264,7 +257,7 @@ TEST_F(RendererTest, LinesAndBladeAreTheSameAtEverySize) {
 
 /// Seen along its edge, a blade has two sides that catch the light differently.
 TEST_F(RendererTest, ABladeAlongTheLineOfSightShowsItsSides) {
-    Stage stage(test::cubeSphere(4));
+    Stage stage(cubeSphere(4));
     stage.scene.body = BodyView{};
     stage.scene.floor.reset();
     stage.camera.eye = Vec3(0, 0, 3);
@@ -287,7 +280,7 @@ TEST_F(RendererTest, ABladeAlongTheLineOfSightShowsItsSides) {
 }
 
 TEST_F(RendererTest, APieceIsDrawnWhereItsShiftSays) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.scene.floor.reset();
     const Image before = pictureOf(stage);
     stage.scene.pieces = {{.shift = Vec3(0, 100, 0)}};
@@ -296,7 +289,7 @@ TEST_F(RendererTest, APieceIsDrawnWhereItsShiftSays) {
 }
 
 TEST_F(RendererTest, BodyDarkensTheFloorBelow) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.camera.eye = Vec3(0, 1.2, 3);
     stage.camera.frame(stage.body.bounds);
     const Image with = pictureOf(stage);
@@ -310,7 +303,7 @@ TEST_F(RendererTest, BodyDarkensTheFloorBelow) {
 }
 
 TEST_F(RendererTest, BladeAndSweepAreDrawn) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image bare = pictureOf(stage);
     stage.scene.blade = Blade{Vec3(-0.7, 0.55, 0), Vec3(0.7, 0.55, 0)};
     const Image blade = pictureOf(stage);
@@ -320,7 +313,7 @@ TEST_F(RendererTest, BladeAndSweepAreDrawn) {
 }
 
 TEST_F(RendererTest, BoxesAreDrawnAndShadowed) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.camera.eye = Vec3(0, 3, 0.5);
     const Image bare = pictureOf(stage);
     stage.scene.boxes = {StaticBox{{0, -0.45, 0}, {1.6, 0.1, 1.6}, {0, 30, 0}}};
@@ -337,7 +330,7 @@ TEST_F(RendererTest, BoxesAreDrawnAndShadowed) {
 }
 
 TEST_F(RendererTest, WhatPanelsCoverIsLeftOutAndTheRestIsTheSame) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image all = pictureOf(stage);
     stage.scene.covered = {{10, 20, kWidth / 2, kHeight / 2}};
     const Image open = pictureOf(stage);
@@ -362,7 +355,7 @@ TEST_F(RendererTest, WhatPanelsCoverIsLeftOutAndTheRestIsTheSame) {
 }
 
 TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
-    Stage stage(test::cubeSphere(4));
+    Stage stage(cubeSphere(4));
     stage.scene.blade = Blade{Vec3(0, 1, 0), Vec3(0, 1, 0)};
     stage.scene.strokePoses = {*stage.scene.blade, *stage.scene.blade};
     stage.camera.eye = Vec3(0, 3, 0);
@@ -372,7 +365,7 @@ TEST_F(RendererTest, DegenerateBladeAndCameraAreHarmless) {
 }
 
 TEST_F(RendererTest, WireframeShowsEdges) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     const Image plain = pictureOf(stage);
     stage.scene.wireframe = true;
     EXPECT_GT(channelDifference(plain, pictureOf(stage)).pixels, 1000);
@@ -380,7 +373,7 @@ TEST_F(RendererTest, WireframeShowsEdges) {
 
 /// A cube of twelve triangles, of one even colour, from where three faces are seen.
 Stage cubeStage() {
-    Stage stage(test::box(Vec3::Ones(), 1));
+    Stage stage(box(Vec3::Ones(), 1));
     stage.scene.look = rowOf(LookName::grey).look;
     stage.scene.floor.reset();
     stage.camera.eye = Vec3(2, 1.5, 3);
@@ -428,7 +421,7 @@ TEST_F(RendererTest, ACubeOfTwelveTrianglesHasFlatFacesAndHardEdges) {
 /// such.
 SurfaceMesh cubeWithFans() {
     constexpr int kBlades = 24;
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const auto isFront = [&](const Triangle& t) {
         return std::ranges::all_of(t, [&](int v) { return soup.positions[v].z() > 0; });
     };
@@ -447,7 +440,7 @@ SurfaceMesh cubeWithFans() {
         soup.triangles.push_back({cornerAt(0.5, 0.5), line[i + 1], line[i]});
         soup.triangles.push_back({cornerAt(-0.5, -0.5), line[i], line[i + 1]});
     }
-    return test::meshOf(soup);
+    return meshOf(soup);
 }
 
 TEST_F(RendererTest, CornersOfManyTrianglesHaveHardEdges) {
@@ -460,7 +453,7 @@ TEST_F(RendererTest, CornersOfManyTrianglesHaveHardEdges) {
 }
 
 TEST_F(RendererTest, ACutThroughACubeLeavesItsFacesFlat) {
-    const SurfaceMesh whole = test::box(Vec3::Ones(), 1);
+    const SurfaceMesh whole = box(Vec3::Ones(), 1);
     const CutBody cut(whole);
     Stage stage = cubeStage();
     Stage after(cut.mesh, cut.normals);
@@ -472,7 +465,7 @@ TEST_F(RendererTest, ACutThroughACubeLeavesItsFacesFlat) {
 }
 
 TEST_F(RendererTest, ACoarseBallHasARoundOutline) {
-    Stage stage(test::icosphere(1));
+    Stage stage(icosphere(1));
     stage.scene.floor.reset();
     stage.camera.eye = Vec3(0, 0, 3);
     stage.camera.target = Vec3::Zero();
@@ -501,7 +494,7 @@ TEST_F(RendererTest, ACoarseBallHasARoundOutline) {
 }
 
 TEST_F(RendererTest, EachLookIsAnotherPicture) {
-    Stage stage(test::openedSphere(12, 0.05, 0.5));
+    Stage stage(openedSphere(12, 0.05, 0.5));
     stage.camera.eye = Vec3(4, 1.5, 0.8);
     stage.camera.frame(stage.body.bounds);
     std::vector<Image> pictures;
@@ -537,8 +530,8 @@ Vec3 referenceNormal(const SurfaceMesh& mesh, int vertex, SurfaceKind kind) {
 }
 
 TEST_F(RendererTest, NormalsAgreeWithTheDefinition) {
-    const SurfaceMesh mesh = test::openedSphere(6, 0.1, 0.3);
-    const test::UploadedBody body(mesh);
+    const SurfaceMesh mesh = openedSphere(6, 0.1, 0.3);
+    const UploadedBody body(mesh);
     NormalsPass pass;
     pass.run(body.view(), kHardEdgeAngle, false);
     const auto normals = pass.normals().read<shared::vec4>(0, 2 * body.vertexCount);
@@ -555,10 +548,9 @@ TEST_F(RendererTest, NormalsAgreeWithTheDefinition) {
 
 /// Compares with tests/golden/NAME.png; with KERF_UPDATE_GOLDEN=1 writes it instead.
 void expectGolden(const Image& picture, const std::string& name) {
-    const std::filesystem::path file =
-        std::filesystem::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png");
+    const fs::path file = fs::path(KERF_SOURCE_DIR) / "tests/golden" / (name + ".png");
     if (std::getenv("KERF_UPDATE_GOLDEN") != nullptr) {
-        test::writePng(picture, file);
+        writePng(picture, file);
         return;
     }
     const Image golden = readPng(file);
@@ -566,27 +558,27 @@ void expectGolden(const Image& picture, const std::string& name) {
     if (withinLimits(comparison, kStrictLimits)) {
         return;
     }
-    const std::filesystem::path folder = KERF_BINARY_DIR;
-    test::writePng(picture, folder / (name + "-now.png"));
+    const fs::path folder = KERF_BINARY_DIR;
+    writePng(picture, folder / (name + "-now.png"));
     if (comparison.sameSize) {
-        test::writePng(differencePicture(golden, comparison), folder / (name + "-difference.png"));
+        writePng(differencePicture(golden, comparison), folder / (name + "-difference.png"));
     }
     FAIL() << name << ": the worst place differs by " << comparison.worst << ", "
            << 100 * comparison.shareDiffering() << " % of the pixels do; see " << folder;
 }
 
 TEST_F(RendererTest, GoldenSphereUnderTheBlade) {
-    Stage stage(test::cubeSphere(8));
+    Stage stage(cubeSphere(8));
     stage.scene.blade = Blade{Vec3(-0.7, 0.3, 0), Vec3(0.7, 0.3, 0)};
     stage.scene.strokePoses = {{Vec3(-0.7, 0.8, 0), Vec3(0.7, 0.8, 0)}, *stage.scene.blade};
     expectGolden(pictureOf(stage), "sphere-under-the-blade");
 }
 
 TEST_F(RendererTest, GoldenOpenedSphere) {
-    Stage stage(test::openedSphere(16, 0.05, 0.4));
+    Stage stage(openedSphere(16, 0.05, 0.4));
     stage.camera.eye = Vec3(4, 1.5, 1.4);
     stage.camera.frame(stage.body.bounds);
-    light_->setRestShape(test::cubeSphere(12, 1.0));
+    light_->setRestShape(cubeSphere(12, 1.0));
     expectGolden(pictureOf(stage), "opened-sphere");
 }
 

@@ -10,10 +10,15 @@ inline bool nightly() {
     return std::getenv("KERF_NIGHTLY") != nullptr;
 }
 
+/// The number that a variable of the environment has, or `otherwise` where it is not set.
+inline double environmentNumber(const char* variable, double otherwise) {
+    const char* const text = std::getenv(variable);
+    return text == nullptr ? otherwise : std::atof(text);
+}
+
 /// How many random runs a test makes: as the variable says, else by day or by night.
 inline int runs(const char* variable, int byDay, int byNight) {
-    const char* const wanted = std::getenv(variable);
-    return wanted != nullptr ? std::atoi(wanted) : nightly() ? byNight : byDay;
+    return static_cast<int>(environmentNumber(variable, nightly() ? byNight : byDay));
 }
 
 }  // namespace kerf::test

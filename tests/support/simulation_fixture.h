@@ -14,18 +14,20 @@ inline Params weightless() {
     return params;
 }
 
+inline void step(Simulation& simulation, int steps) {
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+    }
+}
+
 /// Base of tests of one simulation, which is made in SetUp() of the test and ends with it.
-class SimulationTest : public GlTest {
+class SimulationFixture : public GlTest {
   protected:
     void TearDown() override {
         simulation.reset();
         GlTest::TearDown();
     }
-    void run(int steps) {
-        for (int i = 0; i < steps; ++i) {
-            simulation->step();
-        }
-    }
+    void run(int steps) { step(*simulation, steps); }
 
     std::optional<Simulation> simulation;
 };

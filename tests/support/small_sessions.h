@@ -19,6 +19,17 @@ inline std::string smallSession(const std::string& moreEvents = "") {
            moreEvents + "]}";
 }
 
+/// One stroke over 40 of 60 steps, through a sphere that rests, and what follows.
+inline std::string sliceSession(const std::string& moreEvents) {
+    return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
+        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
+                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]})" +
+           moreEvents + "]}";
+}
+
+inline const std::string kLift = R"(, {"step": 41, "type": "lift"})";
+
 /// A whole sphere of 20 triangles to which these events happen.
 inline std::string sessionThatDoes(const std::string& events, int steps = 5) {
     return R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},

@@ -1,10 +1,6 @@
 // The panels without a window: events in, actions out.
 #include "ui/interface.h"
 
-#include <glad/gl.h>
-#include <gmock/gmock.h>
-
-#include "tests/support/gl_fixture.h"
 #include "ui/base/layout.h"
 #include "ui/base/widgets.h"
 #include "ui/state/action_table.h"
@@ -15,7 +11,7 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 
-class InterfaceTest : public test::GlTest {
+class InterfaceTest : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -141,8 +137,7 @@ TEST_F(InterfaceTest, TransportButtonsAsk) {
         update({});
         clickOn(std::string("button.") + name);
     }
-    EXPECT_THAT(asked,
-                ::testing::ElementsAre(ActionId::playPause, ActionId::stepOnce, ActionId::reset));
+    EXPECT_THAT(asked, ElementsAre(ActionId::playPause, ActionId::stepOnce, ActionId::reset));
 }
 
 TEST_F(InterfaceTest, DrawsTheSamePictureTwice) {
@@ -192,10 +187,10 @@ TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
     clickOn("plots.choose");
     update({});
     clickOn("plots.energy");
-    EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("frames", "volume", "energy"));
+    EXPECT_THAT(model.settings.plots, ElementsAre("frames", "volume", "energy"));
     update({});
     clickOn("plots.frames");
-    EXPECT_THAT(model.settings.plots, ::testing::ElementsAre("volume", "energy"));
+    EXPECT_THAT(model.settings.plots, ElementsAre("volume", "energy"));
     click(kWidth / 2.0, kHeight / 2.0);  // away from the list, which closes it
     update({});
     clickOn("plots.csv");
@@ -205,7 +200,7 @@ TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
     EXPECT_TRUE(std::get<ExportPlots>(others[1]).asPicture);
     clickOn("plots.hold");
     clickOn("plots.fit");
-    EXPECT_THAT(asked, ::testing::ElementsAre(ActionId::holdPlots, ActionId::fitPlots));
+    EXPECT_THAT(asked, ElementsAre(ActionId::holdPlots, ActionId::fitPlots));
 }
 
 TEST_F(InterfaceTest, StrengthsHaveRowsWhileTheBodyTears) {
@@ -367,7 +362,7 @@ TEST_F(InterfaceTest, SectionsFoldAndStayFolded) {
     clickOn("section.simulation");
     update({});
     EXPECT_FALSE(interface->itemRects().contains("param.iterations"));
-    EXPECT_THAT(model.settings.folded, ::testing::Contains("simulation"));
+    EXPECT_THAT(model.settings.folded, Contains("simulation"));
     clickOn("section.simulation");
     update({});
     EXPECT_TRUE(interface->itemRects().contains("param.iterations"));
@@ -616,7 +611,7 @@ TEST_F(InterfaceTest, LinesEndInNoNumberAndNotBeforeItsUnit) {
         std::erase(whole, '\n');
         EXPECT_EQ(whole, text);
         for (const char* kept : {"1.41 cm", "2.65 cm", "0.000519 mg"}) {
-            EXPECT_THAT(lines, ::testing::HasSubstr(kept)) << width;
+            EXPECT_THAT(lines, HasSubstr(kept)) << width;
         }
     }
     const std::string path = "/home/someone/a-folder-with-a-very-long-name/file.kerf.json";

@@ -1,9 +1,5 @@
 // Strips of pictures.
-#include <gtest/gtest.h>
 
-#include <stdexcept>
-
-#include "tests/support/gl_fixture.h"
 #include "ui/plots/picture_strip.h"
 
 namespace kerf::ui {
@@ -36,7 +32,7 @@ int count(const render::Image& image, const Colour& colour) {
     return found;
 }
 
-class ReportPicturesTest : public test::GlTest {
+class ReportPicturesTest : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();

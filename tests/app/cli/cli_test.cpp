@@ -1,24 +1,7 @@
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <regex>
-
 #include "sim/base/params.h"
-#include "tests/paths.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
-
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::TemporaryFolder;
-using test::writeText;
 
 /// The exit code is `code` and standard error one sentence that contains `words`.
 void expectMistake(const ProgramRun& run, int code, const std::string& words) {
@@ -29,9 +12,9 @@ void expectMistake(const ProgramRun& run, int code, const std::string& words) {
 
 /// A box that lacks one triangle, as the text of an OBJ file.
 std::string openBox() {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     soup.triangles.pop_back();
-    return test::objText(soup);
+    return objText(soup);
 }
 
 /// Verbs for people, as `kerf --help` lists them.
@@ -117,8 +100,8 @@ TEST(CommandLine, NamesThatNoFileCanHaveAreMistakes) {
 }
 
 TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
-    const TemporaryFolder folder;
-    std::filesystem::copy_file(KERF_BINARY_DIR "/kerf", folder / "other");
+    const test::TemporaryFolder folder;
+    fs::copy_file(KERF_BINARY_DIR "/kerf", folder / "other");
     const std::string call = "'" + (folder / "other").string() + "' inspect sphere20 >'" +
                              (folder / "out").string() + "'";
     EXPECT_EQ(std::system(call.c_str()), 0);
@@ -126,8 +109,8 @@ TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
 }
 
 TEST(CommandLine, SaysWhereTheLaboratoryWouldLie) {
-    const TemporaryFolder folder;
-    std::filesystem::copy_file(KERF_BINARY_DIR "/kerf", folder / "kerf");
+    const test::TemporaryFolder folder;
+    fs::copy_file(KERF_BINARY_DIR "/kerf", folder / "kerf");
     const std::string call = "'" + (folder / "kerf").string() + "' experiment --help 2>'" +
                              (folder / "errors").string() + "'";
     EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 3);
@@ -151,7 +134,7 @@ TEST(CommandLine, MissingInputsAreExitCode3) {
 }
 
 TEST(CommandLine, WrongSessionsAreExitCode3AndWriteNothing) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::string head =
         R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"}, "steps": 5, )";
     writeText(folder / "key.kerf.json", head + R"("params": {"gravty": [0, 0, 0]}})");
@@ -162,11 +145,11 @@ TEST(CommandLine, WrongSessionsAreExitCode3AndWriteNothing) {
     expectMistake(replay("key.kerf.json"), 3,
                   "key.kerf.json: params.gravty: there is no parameter");
     expectMistake(replay("nan.kerf.json"), 3, "nan.kerf.json: line 2, column ");
-    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 TEST(CommandLine, AModelThatChangedIsRefused) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeText(folder / "a.obj", openBox());
     writeText(folder / "a.kerf.json",
               R"({"format": "kerf-session", "version": 1, "steps": 5, "model": {"path": "a.obj",
@@ -176,17 +159,17 @@ TEST(CommandLine, AModelThatChangedIsRefused) {
 }
 
 TEST(CommandLine, TextRenamedToObjIsRefused) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeText(folder / "notes.obj", "Dear diary, today I did not model anything.\n");
     expectMistake(runKerf({"inspect", folder / "notes.obj"}), 3, "notes.obj");
 }
 
 TEST(CommandLine, AnOpenMeshIsReportedAndRefused) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeText(folder / "open.obj", openBox());
     const ProgramRun run = runKerf({"inspect", folder / "open.obj", "--json"});
     expectMistake(run, 3, "3 open edges");
-    const auto report = nlohmann::json::parse(run.out);
+    const auto report = Json::parse(run.out);
     EXPECT_EQ(report["closed"], false);
     EXPECT_EQ(report["cuttable"], false);
     EXPECT_EQ(report["open_edges"], 3);
@@ -196,7 +179,7 @@ TEST(CommandLine, InspectReportsABuiltinModel) {
     const ProgramRun run = runKerf({"inspect", "sphere80", "--json"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1);
-    const auto report = nlohmann::json::parse(run.out);
+    const auto report = Json::parse(run.out);
     EXPECT_EQ(report["vertices"], 42);
     EXPECT_EQ(report["triangles"], 80);
     EXPECT_EQ(report["pieces"], 1);
@@ -207,9 +190,9 @@ TEST(CommandLine, InspectReportsABuiltinModel) {
 
 TEST(CommandLine, InspectPrintsATableOfThePieces) {
     const test::TemporaryFolder folder;
-    const TriangleSoup two = test::joined(test::boxSoup(Vec3(1, 1, 1), 1),
-                                          test::boxSoup(Vec3(1, 1, 3), 1), Vec3(5, 0, 0));
-    test::writeText(folder / "two.obj", test::objText(two));
+    const TriangleSoup two =
+        joined(boxSoup(Vec3(1, 1, 1), 1), boxSoup(Vec3(1, 1, 3), 1), Vec3(5, 0, 0));
+    writeText(folder / "two.obj", objText(two));
     const ProgramRun run = runKerf({"inspect", folder / "two.obj", "--pieces"});
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
@@ -229,5 +212,142 @@ TEST(CommandLine, DocumentsEveryParameter) {
     }
 }
 
+// A reset of the graphics driver without a window; with one: tests/app/window/editor_kill_test.cpp.
+
+TEST(DriverReset, EndsAReplayWithASentence) {
+    const test::TemporaryFolder folder;
+    writeText(folder / "test.kerf.json", smallSession());
+    writeText(folder / "lose", "");
+    const ProgramRun run = runKerf({"replay", folder / "test.kerf.json", "--out", folder / "out"},
+                                   {{"KERF_LOSE_CONTEXT", (folder / "lose").string()}});
+    expectEnd(run, 4, "The graphics driver was reset");
+    EXPECT_FALSE(fs::exists(folder / "out" / "summary.json"));
+}
+
+// What the verbs say of memory, and what they do where it does not do.
+
+class Memory : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        writeText(folder / "fall.kerf.json",
+                  R"({"format": "kerf-session", "version": 1,
+                            "model": {"builtin": "sphere768"}, "params": {"floor": -0.6},
+                            "steps": 2, "events": []})");
+    }
+    ProgramRun replay(const std::map<std::string, std::string>& environment) const {
+        return runKerf({"replay", folder / "fall.kerf.json", "--out", folder / "out"}, environment);
+    }
+
+    test::TemporaryFolder folder;
+};
+
+TEST_F(Memory, InspectTellsWhatAModelNeeds) {
+    const ProgramRun run = runKerf({"inspect", "banana"});
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    EXPECT_THAT(run.out, HasSubstr("memory     about"));
+    const auto bytes = [](const std::string& model) {
+        return Json::parse(
+            runKerf({"inspect", model, "--json"}, {{"KERF_MEMORY_BYTES", "123000000"}})
+                .out)["memory_bytes"];
+    };
+    const auto banana = bytes("banana");
+    EXPECT_EQ(banana["free"], 123'000'000);
+    EXPECT_GT(banana["needed"], bytes("sphere20")["needed"]);
+    EXPECT_GT(banana["graphics"], bytes("sphere20")["graphics"]);
+}
+
+TEST_F(Memory, AReplayBeyondTheMeansIsRefusedBeforeItBegins) {
+    for (const char* bytes : {"0", "1000000", "200000000"}) {
+        const ProgramRun run = replay({{"KERF_MEMORY_BYTES", bytes}});
+        EXPECT_EQ(run.exitCode, 5) << bytes << ": " << run.errors;
+        EXPECT_THAT(run.errors, HasSubstr("cutting it needs about"));
+        EXPECT_THAT(run.errors, HasSubstr("--remesh"));
+        EXPECT_EQ(std::ranges::count(run.errors, '\n'), 1) << run.errors;
+        EXPECT_FALSE(fs::exists(folder / "out" / "summary.json"));
+    }
+    EXPECT_EQ(replay({{"KERF_MEMORY_BYTES", "20000000000"}}).exitCode, 0);
+}
+
+/// Whatever the limit is, a run ends well or with one sentence, and never by a signal.
+TEST_F(Memory, NoLimitOfTheProcessEndsInACrash) {
+    for (const std::uint64_t megabytes : {400, 700, 1000, 1400, 2000, 4000}) {
+        const ProgramRun run = runKerf(
+            {"replay", folder / "fall.kerf.json", "--out", folder / std::to_string(megabytes)}, {},
+            megabytes << 20);
+        EXPECT_TRUE(run.exitCode == 0 || run.exitCode == 5)
+            << megabytes << " MB: " << run.exitCode << " " << run.errors;
+        EXPECT_EQ(run.errors.empty(), run.exitCode == 0) << run.errors;
+    }
+}
+
+// What `cmake --install` puts into a folder works from there, with its own shaders and assets.
+
+class Installed : public testing::Test {
+  protected:
+    Installed() {
+        said_ = outputOf("cmake --install '" KERF_BINARY_DIR "' --prefix '" + prefix() + "' 2>&1");
+    }
+    std::string prefix() const { return folder_ / "moved"; }
+    std::string run(const std::string& arguments) const {
+        return outputOf("cd '" + folder_.path().string() + "' && '" + prefix() + "/bin/kerf' " +
+                        arguments + " 2>&1");
+    }
+
+    test::TemporaryFolder folder_;
+    std::string said_;
+};
+
+TEST_F(Installed, TheProgramReadsWhatWasInstalledWithIt) {
+    ASSERT_THAT(said_, Not(HasSubstr("failed")));
+    const std::string replay =
+        "replay moved/share/kerf/assets/sessions/sphere20.kerf.json --until 12 --out out";
+    EXPECT_THAT(run(replay), HasSubstr("sphere20: 12 steps"));
+
+    // What the source tree has is as it was: only the copies that lie there are changed.
+    fs::copy_file(prefix() + "/share/kerf/assets/materials/gelatin.json",
+                  prefix() + "/share/kerf/assets/materials/unobtainium.json");
+    EXPECT_THAT(run("materials"), HasSubstr("unobtainium"));
+    for (const auto& shader : fs::recursive_directory_iterator(prefix() + "/share/kerf/shaders")) {
+        if (shader.path().extension() == ".comp") {
+            writeText(shader.path(), "no shader");
+        }
+    }
+    EXPECT_THAT(run(replay), HasSubstr("syntax error"));
+}
+
+TEST_F(Installed, ThePagesKnowAllVerbs) {
+    const std::string page = outputOf("zcat '" + prefix() + "/share/man/man1/kerf.1.gz'");
+    const std::string completion = readBytes(prefix() + "/share/bash-completion/completions/kerf");
+    for (const char* const verb : {"replay", "experiment", "inspect", "compare", "test",
+                                   "materials", "schema", "sweep", "doctor"}) {
+        EXPECT_THAT(completion, HasSubstr(std::string(verb) + ") words='"));
+        EXPECT_THAT(page, HasSubstr(std::string("kerf ") + verb + " "));
+    }
+    EXPECT_THAT(page, HasSubstr("\\-\\-movie FILE\n"));
+    EXPECT_THAT(page, Not(HasSubstr("TEXT")));
+    const auto completed = [&](const std::string& words, int at) {
+        return outputOf("bash -c \"source '" + prefix() +
+                        "/share/bash-completion/completions/kerf'; COMP_WORDS=(" + words +
+                        "); COMP_CWORD=" + std::to_string(at) +
+                        "; _kerf; echo \\${COMPREPLY[*]}\"");
+    };
+    EXPECT_EQ(completed("kerf ex", 1), "experiment\n");
+    EXPECT_EQ(completed("kerf replay --mo", 2), "--movie\n");
+    EXPECT_EQ(completed("kerf replay --meshes v", 3), "vtp\n");
+    EXPECT_EQ(completed("kerf materials gel", 2), "gelatin\n");
+    EXPECT_EQ(completed("kerf inspect --out", 2), "\n") << "that is no option of it";
+}
+
+TEST_F(Installed, TheDesktopFindsAllItsParts) {
+    for (const char* const part :
+         {"share/applications/kerf.desktop", "share/mime/packages/kerf.xml",
+          "share/metainfo/kerf.metainfo.xml", "share/icons/hicolor/scalable/apps/kerf.svg",
+          "share/doc/kerf/copyright", "share/kerf/assets/models/banana.obj",
+          "share/kerf/assets/environments/studio-dark.hdr"}) {
+        EXPECT_TRUE(fs::exists(fs::path(prefix()) / part)) << part;
+    }
+    EXPECT_FALSE(fs::exists(prefix() + "/share/kerf/assets/models/make_models.py"));
+}
+
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -1,43 +1,26 @@
 // `kerf inspect` of models that are hollow or broken.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "render/scene/image.h"
 #include "sim/base/size_params.h"
-#include "tests/paths.h"
 #include "tests/support/model_defects.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/written_png.h"
 
 namespace kerf {
 namespace {
-
-using test::ProgramRun;
-using test::runKerf;
-using testing::HasSubstr;
-using testing::Not;
 
 class Inspect : public ::testing::Test {
   protected:
     std::string file(const std::string& name) const { return folder / name; }
     void write(const std::string& name, const TriangleSoup& soup) const {
-        test::writeText(folder / name, test::objText(soup));
+        writeText(folder / name, objText(soup));
     }
-    static nlohmann::json reportOf(const std::string& model) {
-        return nlohmann::json::parse(runKerf({"inspect", model, "--json"}).out);
+    static Json reportOf(const std::string& model) {
+        return Json::parse(runKerf({"inspect", model, "--json"}).out);
     }
 
-    test::TemporaryFolder folder;
+    TemporaryFolder folder;
 };
 
 TEST_F(Inspect, AHollowModelIsOnePieceWithACavity) {
-    write("hollow.obj", test::joined(test::boxSoup(Vec3(2, 2, 2)), test::boxSoup(), Vec3::Zero()));
+    write("hollow.obj", joined(boxSoup(Vec3(2, 2, 2)), boxSoup(), Vec3::Zero()));
     const ProgramRun run = runKerf({"inspect", file("hollow.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("turned 1 shell inside another one inwards"), std::string::npos);
@@ -48,9 +31,9 @@ TEST_F(Inspect, AHollowModelIsOnePieceWithACavity) {
 }
 
 TEST_F(Inspect, RepairsWhatIsBroken) {
-    TriangleSoup soup = test::soundBall();
-    test::modelDefects().at("large hole")(soup);
-    test::modelDefects().at("doubles")(soup);
+    TriangleSoup soup = soundBall();
+    modelDefects().at("large hole")(soup);
+    modelDefects().at("doubles")(soup);
     write("broken.obj", soup);
     const ProgramRun refused = runKerf({"inspect", file("broken.obj")});
     EXPECT_EQ(refused.exitCode, 3);
@@ -65,18 +48,18 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
 TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
     std::map<std::string, TriangleSoup> models;
     for (const char* defect : {"sheets that touch it in vertices", "large hole"}) {
-        models[defect] = test::soundBall();
-        test::modelDefects().at(defect)(models[defect]);
+        models[defect] = soundBall();
+        modelDefects().at(defect)(models[defect]);
     }
     // Thinner than what is parted at a vertex moves apart.
     models["a spike at a corner"] =
-        weldExactly(test::joined(test::boxSoup(),
-                                 {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
-                                  {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
-                                 Vec3::Constant(0.5)));
+        weldExactly(joined(boxSoup(),
+                           {{{0, 0, 0}, {0.9, 0.5, 0}, {0, 0.4, 0.8}, {3e-5, 6e-5, 2e-5}},
+                            {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}},
+                           Vec3::Constant(0.5)));
     models["a sheet"] = {{{0, 0, 0}, {0.9, 0.1, 0.3}, {1.5, 1.1, 0.8}, {0.6, 1, 0.5}},
                          {{0, 1, 2}, {0, 2, 3}}};
-    models["a sheet"] = test::joined(models["a sheet"], models["a sheet"], Vec3(0, 0, 1));
+    models["a sheet"] = joined(models["a sheet"], models["a sheet"], Vec3(0, 0, 1));
     for (const auto& [name, model] : models) {
         SCOPED_TRACE(name);
         write("model.obj", model);
@@ -88,7 +71,7 @@ TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
 }
 
 TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
-    write("two.obj", test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.4, 0.3)));
+    write("two.obj", joined(boxSoup(), boxSoup(), Vec3(0.5, 0.4, 0.3)));
     const ProgramRun run = runKerf({"inspect", file("two.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("would try: unite 2 pieces that cross"), std::string::npos) << run.out;
@@ -97,18 +80,18 @@ TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
 }
 
 /// Two boxes with a material and an image each, of which one is missing.
-std::string writePainted(const std::filesystem::path& folder, bool open) {
-    test::writePng({3, 2, std::vector<std::uint8_t>(24, 255)}, folder / "tile.png");
-    test::writeText(folder / "paint.mtl",
-                    "newmtl wood\nmap_Kd tile.png\nnewmtl stone\nmap_Kd gone.png\n");
-    TriangleSoup second = test::boxSoup(Vec3(1, 1, 2));
+std::string writePainted(const fs::path& folder, bool open) {
+    writePng({3, 2, std::vector<std::uint8_t>(24, 255)}, folder / "tile.png");
+    writeText(folder / "paint.mtl",
+              "newmtl wood\nmap_Kd tile.png\nnewmtl stone\nmap_Kd gone.png\n");
+    TriangleSoup second = boxSoup(Vec3(1, 1, 2));
     second.triangles.resize(second.triangles.size() - (open ? 1 : 0));
-    const std::string text = test::objText(test::joined(test::boxSoup(), second, Vec3(3, 0, 0)));
+    const std::string text = objText(joined(boxSoup(), second, Vec3(3, 0, 0)));
     const auto faces = text.find("f ");
     const auto last = text.rfind("f ");
-    test::writeText(folder / "painted.obj",
-                    "mtllib paint.mtl\n" + text.substr(0, faces) + "usemtl wood\nvt 0 0\n" +
-                        text.substr(faces, last - faces) + "usemtl stone\n" + text.substr(last));
+    writeText(folder / "painted.obj",
+              "mtllib paint.mtl\n" + text.substr(0, faces) + "usemtl wood\nvt 0 0\n" +
+                  text.substr(faces, last - faces) + "usemtl stone\n" + text.substr(last));
     return folder / "painted.obj";
 }
 
@@ -134,16 +117,14 @@ TEST_F(Inspect, TellsInOneScreenWhatAModelHas) {
 TEST_F(Inspect, TellsProgramsTheSame) {
     const auto report = reportOf(writePainted(folder.path(), false));
     EXPECT_EQ(report["format"], "obj");
-    EXPECT_EQ(report["size"], nlohmann::json::array({4, 1, 2}));
+    EXPECT_EQ(report["size"], Json::array({4, 1, 2}));
     ASSERT_EQ(report["largest_pieces"].size(), 2U);
     EXPECT_NEAR(report["largest_pieces"][0].get<double>(), 2, 1e-9);
     EXPECT_NEAR(report["largest_pieces"][1].get<double>(), 1, 1e-9);
     ASSERT_EQ(report["remarks"].size(), 1U);
     const auto& looks = report["looks"];
-    EXPECT_EQ(looks["materials"],
-              nlohmann::json::parse(R"([{"name": "wood"}, {"name": "stone"}])"));
-    EXPECT_EQ(looks["images"],
-              nlohmann::json::parse(R"([{"name": "tile.png", "width": 3, "height": 2}])"));
+    EXPECT_EQ(looks["materials"], Json::parse(R"([{"name": "wood"}, {"name": "stone"}])"));
+    EXPECT_EQ(looks["images"], Json::parse(R"([{"name": "tile.png", "width": 3, "height": 2}])"));
     EXPECT_EQ(looks["vertex_colors"], false);
     const auto refused = reportOf(writePainted(folder.path(), true));
     EXPECT_EQ(refused["looks"]["materials"], looks["materials"]);
@@ -179,7 +160,7 @@ TEST_F(Inspect, NeedsNoOpenGl) {
     const ProgramRun run = runKerf({"inspect", "sphere80"}, none);
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_THAT(run.out, Not(HasSubstr("speed")));
-    const auto report = nlohmann::json::parse(runKerf({"inspect", "sphere80", "--json"}, none).out);
+    const auto report = Json::parse(runKerf({"inspect", "sphere80", "--json"}, none).out);
     EXPECT_TRUE(report["speed"]["real_time_factor"].is_null());
     EXPECT_THAT(report["speed"]["problem"], HasSubstr("KERF_FORCE_NO_GL"));
 }
@@ -188,15 +169,15 @@ TEST_F(Inspect, ForecastsNothingForWhichThereIsNoMemory) {
     const ProgramRun run =
         runKerf({"inspect", "sphere80", "--json"}, {{"KERF_MEMORY_BYTES", "1000000"}});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
-    const auto speed = nlohmann::json::parse(run.out)["speed"];
+    const auto speed = Json::parse(run.out)["speed"];
     EXPECT_TRUE(speed["iterations"].is_null());
     EXPECT_THAT(speed["problem"], HasSubstr("needs about"));
 }
 
 TEST_F(Inspect, LeavesTheModelAsItIs) {
-    write("own.obj", test::boxSoup());
-    const std::string before = test::readBytes(folder / "own.obj");
-    std::filesystem::create_symlink("own.obj", folder / "link.obj");
+    write("own.obj", boxSoup());
+    const std::string before = readBytes(folder / "own.obj");
+    fs::create_symlink("own.obj", folder / "link.obj");
     for (const char* out : {"own.obj", "link.obj"}) {
         for (const char* option : {"--repair", "--remesh"}) {
             const ProgramRun run = runKerf({"inspect", file("own.obj"), option, file(out)});
@@ -204,7 +185,7 @@ TEST_F(Inspect, LeavesTheModelAsItIs) {
             EXPECT_NE(run.errors.find("choose another name"), std::string::npos) << run.errors;
         }
     }
-    EXPECT_EQ(test::readBytes(folder / "own.obj"), before);
+    EXPECT_EQ(readBytes(folder / "own.obj"), before);
 }
 
 TEST_F(Inspect, WritesNothingOfWhatCannotBeRepaired) {
@@ -213,14 +194,14 @@ TEST_F(Inspect, WritesNothingOfWhatCannotBeRepaired) {
     const ProgramRun run = runKerf({"inspect", file("sheet.obj"), "--repair", file("out.ply")});
     EXPECT_EQ(run.exitCode, 3);
     EXPECT_NE(run.errors.find("after the repair still"), std::string::npos) << run.errors;
-    EXPECT_FALSE(std::filesystem::exists(folder / "out.ply"));
+    EXPECT_FALSE(fs::exists(folder / "out.ply"));
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--repair", file("none/out.ply")}).exitCode, 5);
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--repair", file("out.txt")}).exitCode, 2);
 }
 
 TEST_F(Inspect, MakesEvenTrianglesWhereFloatsAreFarApart) {
     // A float tells places 0.03 apart there.
-    TriangleSoup soup = test::cubeSphereSoup(12, 0.2);
+    TriangleSoup soup = cubeSphereSoup(12, 0.2);
     for (Vec3& p : soup.positions) {
         p += Vec3::Constant(4e5);
     }
@@ -240,19 +221,19 @@ TEST_F(Inspect, SendsNoModelToTheOriginThatIsThere) {
         "\nproperty list uchar int vertex_indices\nend_header\n"
         "0 0 0\n1 0 0\n1 1 0\n0.5 0.3 1\n1.0000000001 0.5 0\n"
         "3 0 2 4\n3 0 4 1\n3 1 4 2\n3 0 1 3\n3 1 2 3\n";
-    test::writeText(folder / "needle.ply", head + "6" + body + "3 2 0 3\n");
+    writeText(folder / "needle.ply", head + "6" + body + "3 2 0 3\n");
     const ProgramRun run = runKerf({"inspect", file("needle.ply"), "--repair", file("out.ply")});
     EXPECT_EQ(run.exitCode, 3);
     EXPECT_NE(run.errors.find("32-bit numbers"), std::string::npos) << run.errors;
     EXPECT_EQ(run.errors.find("origin"), std::string::npos) << run.errors;
     EXPECT_EQ(run.errors.find("--edge"), std::string::npos) << run.errors;
     EXPECT_NE(run.errors.find("dissolve them"), std::string::npos) << run.errors;
-    test::writeText(folder / "open.ply", head + "5" + body);
+    writeText(folder / "open.ply", head + "5" + body);
     EXPECT_FALSE(reportOf(file("open.ply"))["repairable"]) << "it would end there, too";
 }
 
 TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
-    write("cube.obj", test::boxSoup());
+    write("cube.obj", boxSoup());
     const ProgramRun run = runKerf({"inspect", file("cube.obj")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("The mesh is coarse: 12 triangles, edges up to 1.41; --remesh OUT.ply "
@@ -311,7 +292,7 @@ TEST_F(Inspect, ASheetThatIsThereForEachSideBecomesOneBody) {
 }
 
 TEST_F(Inspect, TooThickASheetIsRefusedWithAThicknessThatDoes) {
-    TriangleSoup bowl = test::icosphereSoup(3);
+    TriangleSoup bowl = icosphereSoup(3);
     std::erase_if(bowl.triangles,
                   [&](const Triangle& t) { return bowl.positions[t[0]].y() > 0.1; });
     write("bowl.obj", weldExactly(bowl));
@@ -320,7 +301,7 @@ TEST_F(Inspect, TooThickASheetIsRefusedWithAThicknessThatDoes) {
     EXPECT_EQ(run.exitCode, 3);
     EXPECT_NE(run.errors.find("bowl.obj: a thickness of 1.5 is too much"), std::string::npos);
     EXPECT_NE(run.errors.find("; 0.38 does"), std::string::npos) << run.errors;
-    EXPECT_FALSE(std::filesystem::exists(folder / "out.ply"));
+    EXPECT_FALSE(fs::exists(folder / "out.ply"));
     EXPECT_EQ(
         runKerf({"inspect", file("bowl.obj"), "--thicken", file("out.ply"), "--thickness", "0.38"})
             .exitCode,
@@ -351,7 +332,7 @@ TEST_F(Inspect, EdgesThatMakeTooManyTrianglesAreRefusedAtOnce) {
         EXPECT_EQ(run.exitCode, 2) << edge;
         EXPECT_NE(run.errors.find("is no length above zero"), std::string::npos) << run.errors;
     }
-    EXPECT_FALSE(std::filesystem::exists(folder / "fine.ply"));
+    EXPECT_FALSE(fs::exists(folder / "fine.ply"));
 }
 
 /// How many pixels have about this colour.
@@ -373,10 +354,10 @@ constexpr std::array<int, 3> kDouble{0, 158, 115};
 constexpr std::array<int, 3> kNeedle{230, 159, 0};
 
 TEST_F(Inspect, APictureHasLinesOfEachFaultAndItsLegend) {
-    TriangleSoup soup = test::soundBall();
-    test::modelDefects().at("large hole")(soup);
-    test::modelDefects().at("turned triangles")(soup);
-    test::modelDefects().at("doubles")(soup);
+    TriangleSoup soup = soundBall();
+    modelDefects().at("large hole")(soup);
+    modelDefects().at("turned triangles")(soup);
+    modelDefects().at("doubles")(soup);
     write("broken.obj", soup);
     const ProgramRun run = runKerf(
         {"inspect", file("broken.obj"), "--picture", file("broken.png"), "--size", "640x480"});
@@ -402,7 +383,7 @@ TEST_F(Inspect, APictureOfASoundModelHasNoLines) {
 }
 
 TEST_F(Inspect, APictureShowsWhatARepairLeaves) {
-    TriangleSoup soup = test::boxSoup(Vec3(1, 20, 1));
+    TriangleSoup soup = boxSoup(Vec3(1, 20, 1));
     soup.triangles.erase(soup.triangles.begin());
     write("open.obj", soup);
     const ProgramRun run = runKerf({"inspect", file("open.obj"), "--repair", file("closed.ply"),
@@ -424,7 +405,7 @@ TEST_F(Inspect, RefusesPicturesThatCannotBe) {
     }
     EXPECT_EQ(runKerf({"inspect", "sphere80", "--size", "640x480"}).exitCode, 2);
     EXPECT_EQ(runKerf({"inspect", file("none.obj"), "--picture", file("b.png")}).exitCode, 3);
-    EXPECT_FALSE(std::filesystem::exists(folder / "b.png"));
+    EXPECT_FALSE(fs::exists(folder / "b.png"));
 }
 
 }  // namespace

@@ -1,33 +1,22 @@
 #include "app/doctor/doctor.h"
 
-#include <gmock/gmock.h>
-
-#include <cstdlib>
 #include <ostream>
-
-#include "app/doctor/findings.h"
-#include "app/files/io/file_io.h"
-#include "gpu/data_path.h"
-#include "tests/app/doctor/wrong_findings.h"
-#include "tests/paths.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/variable.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
+/// A line about each finding that is wrong.
+std::vector<std::string> wrongOnes(const std::vector<DriverFinding>& findings) {
+    std::vector<std::string> wrong;
+    for (const DriverFinding& finding : findings) {
+        if (!finding.right) {
+            wrong.push_back(finding.check + ": " + finding.seen + ", asked " + finding.asked);
+        }
+    }
+    return wrong;
+}
 
-namespace fs = std::filesystem;
-
-class DoctorTest : public test::GlTest {};
+class DoctorTest : public GlTest {};
 
 TEST_F(DoctorTest, FindsNothingWrongHere) {
     std::vector<std::string> parts;
@@ -71,7 +60,7 @@ TEST(DriverCache, TheExaminationLeavesTheKernelsOfAStrokeInIt) {
 }
 
 /// Shaders are those of a folder in which one has a fault, as if the driver compiled it so.
-class FaultyDriver : public test::GlTest {
+class FaultyDriver : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -84,11 +73,11 @@ class FaultyDriver : public test::GlTest {
         std::string text = readInputFile(file, 1 << 20);
         const std::size_t place = text.find(right);
         ASSERT_NE(place, std::string::npos) << shader << " has no " << right;
-        test::writeText(file, text.replace(place, right.size(), wrong));
+        writeText(file, text.replace(place, right.size(), wrong));
     }
 
     test::TemporaryFolder folder_;
-    std::optional<test::Variable> data_;
+    std::optional<Variable> data_;
 };
 
 TEST_F(FaultyDriver, AShaderThatDoesNotCompileIsAFinding) {
@@ -149,7 +138,7 @@ TEST_P(FaultyKernel, IsFound) {
         KERF_BY_NIGHT();
     }
     replaceIn(fault.shader, fault.right, fault.wrong);
-    const test::Variable kernels("KERF_KERNELS", fault.kernels);
+    const Variable kernels("KERF_KERNELS", fault.kernels);
     const bool ofCut = std::string_view(fault.session).empty();
     EXPECT_THAT(wrongOnes(ofCut ? cutFindings().findings : sessionFindings(fault.session)),
                 Contains(HasSubstr(fault.check)));
@@ -169,7 +158,7 @@ TEST_F(FaultyDriver, AFormOfKernelsThatBreaksIsFound) {
 TEST_F(DoctorTest, ShortSessionsEndAsExpected) {
     for (const ShortSession& session : shortSessions()) {
         if (std::getenv("KERF_RENEW") != nullptr) {
-            test::writeText(expectedPieces(session), formatPieces(playShortSession(session)));
+            writeText(expectedPieces(session), formatPieces(playShortSession(session)));
         } else {
             EXPECT_THAT(wrongOnes(sessionFindings(session.name)), IsEmpty());
         }
@@ -208,6 +197,181 @@ TEST(Diagnosis, OneWrongFindingIsEnough) {
     diagnosis.findings.pop_back();
     diagnosis.debugErrors = 1;
     EXPECT_FALSE(diagnosis.right());
+}
+
+// Faults that drivers have had, or may have, stand between Kerf and OpenGL: kerf doctor must find
+// each.
+
+using ::testing::AllOf;
+
+/// What a fault stands before.
+struct Functions {
+    PFNGLNAMEDBUFFERSUBDATAPROC subData = glad_glNamedBufferSubData;
+    PFNGLCOPYNAMEDBUFFERSUBDATAPROC copy = glad_glCopyNamedBufferSubData;
+    PFNGLCLEARNAMEDBUFFERSUBDATAPROC clear = glad_glClearNamedBufferSubData;
+    PFNGLGETNAMEDBUFFERSUBDATAPROC get = glad_glGetNamedBufferSubData;
+    PFNGLDISPATCHCOMPUTEPROC dispatch = glad_glDispatchCompute;
+    PFNGLMEMORYBARRIERPROC barrier = glad_glMemoryBarrier;
+    PFNGLGETINTEGERI_VPROC limit = glad_glGetIntegeri_v;
+};
+Functions driver;
+std::function<void()> late;  // a command whose effect comes after that of the next one
+
+void comeLate() {
+    if (late) {
+        std::exchange(late, nullptr)();
+    }
+}
+
+class OrderFindings : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        driver = Functions();
+        glad_glCopyNamedBufferSubData = [](auto... all) {
+            comeLate();
+            driver.copy(all...);
+        };
+        glad_glGetNamedBufferSubData = [](auto... all) {
+            comeLate();
+            driver.get(all...);
+        };
+    }
+    void TearDown() override {
+        comeLate();
+        glad_glNamedBufferSubData = driver.subData;
+        glad_glCopyNamedBufferSubData = driver.copy;
+        glad_glClearNamedBufferSubData = driver.clear;
+        glad_glGetNamedBufferSubData = driver.get;
+        glad_glDispatchCompute = driver.dispatch;
+        glad_glMemoryBarrier = driver.barrier;
+        glad_glGetIntegeri_v = driver.limit;
+        GlTest::TearDown();
+    }
+    static std::vector<std::string> wrong() { return wrongOnes(orderFindings({4, 4096})); }
+};
+
+TEST_F(OrderFindings, AreRightHere) {
+    EXPECT_THAT(wrong(), IsEmpty());
+    EXPECT_THAT(wrongOnes(formFindings()), IsEmpty());
+}
+
+// As NVIDIA's 580.159 did (docs/notes/drivers.md).
+TEST_F(OrderFindings, TellOfAClearThatComesAfterTheNextWrite) {
+    glad_glClearNamedBufferSubData = [](GLuint buffer, GLenum format, GLintptr first,
+                                        GLsizeiptr bytes, GLenum words, GLenum type,
+                                        const void* data) {
+        comeLate();
+        GLint mapped = 0;
+        glGetNamedBufferParameteriv(buffer, GL_BUFFER_MAPPED, &mapped);
+        if (mapped != 0) {  // the mark of a ReadBack, which would wait for it
+            driver.clear(buffer, format, first, bytes, words, type, data);
+            return;
+        }
+        late = [=, value = *static_cast<const std::uint32_t*>(data)] {
+            if (glIsBuffer(buffer) == GL_TRUE) {
+                driver.clear(buffer, format, first, bytes, words, type, &value);
+            }
+        };
+    };
+    glad_glNamedBufferSubData = [](auto... all) {
+        driver.subData(all...);
+        comeLate();
+    };
+    glad_glDispatchCompute = [](auto... all) {
+        driver.dispatch(all...);
+        comeLate();
+    };
+    const std::vector<std::string> found = wrong();
+    for (const char* write : {"A write by glNamedBufferSubData()", "A write by a kernel"}) {
+        for (const char* format : {"GL_R8UI", "GL_R32UI"}) {
+            EXPECT_THAT(found, Contains(AllOf(HasSubstr(write), HasSubstr("after a clear"),
+                                              HasSubstr(format), HasSubstr("lost"),
+                                              HasSubstr("4 bytes and 4 KB"))));
+        }
+    }
+    // As docs/gpus.md has it.
+    EXPECT_THAT(found,
+                Contains("A write by glNamedBufferSubData() after a clear by "
+                         "glClearNamedBufferSubData(GL_R8UI): lost in buffers of 4 bytes and 4 KB, "
+                         "as seen by a kernel, a uniform block, an indirect dispatch, "
+                         "glGetNamedBufferSubData(), mapped memory and texels, asked what was "
+                         "written last"));
+    EXPECT_THAT(found, Not(Contains(HasSubstr("after a copy"))));
+}
+
+TEST_F(OrderFindings, TellOfAWriteThatTheNextKernelDoesNotSee) {
+    glad_glNamedBufferSubData = [](GLuint buffer, GLintptr first, GLsizeiptr bytes,
+                                   const void* data) {
+        comeLate();
+        const auto* const from = static_cast<const std::byte*>(data);
+        late = [=, copy = std::vector<std::byte>(from, from + bytes)] {
+            if (glIsBuffer(buffer) == GL_TRUE) {
+                driver.subData(buffer, first, bytes, copy.data());
+            }
+        };
+    };
+    glad_glDispatchCompute = [](auto... all) {
+        driver.dispatch(all...);
+        comeLate();
+    };
+    EXPECT_THAT(wrong(), Contains(AllOf(HasSubstr("glNamedBufferSubData()"), HasSubstr("lost"),
+                                        HasSubstr("a kernel"))));
+}
+
+GLbitfield ignoredBarriers = 0;
+GLbitfield passedBarriers = 0;  // since the last kernel
+
+/// A kernel's writes come with the next command that no barrier lets wait.
+void writeKernelsLate() {
+    glad_glDispatchCompute = [](auto... all) {
+        comeLate();
+        driver.dispatch(all...);
+        passedBarriers = 0;
+        late = [=] { driver.dispatch(all...); };
+    };
+    glad_glMemoryBarrier = [](GLbitfield bits) {
+        driver.barrier(bits);
+        passedBarriers |= bits & ~ignoredBarriers;
+        if ((passedBarriers & GL_BUFFER_UPDATE_BARRIER_BIT) != 0) {
+            comeLate();
+        }
+    };
+    glad_glNamedBufferSubData = [](auto... all) {
+        driver.subData(all...);
+        comeLate();
+    };
+    glad_glClearNamedBufferSubData = [](auto... all) {
+        driver.clear(all...);
+        comeLate();
+    };
+}
+
+TEST_F(OrderFindings, HaveTheBarriersThatADriverMayAskFor) {
+    ignoredBarriers = 0;
+    writeKernelsLate();
+    EXPECT_THAT(wrong(), IsEmpty());
+}
+
+TEST_F(OrderFindings, TellOfABarrierThatDoesNotWork) {
+    ignoredBarriers = GL_BUFFER_UPDATE_BARRIER_BIT;
+    writeKernelsLate();
+    const std::vector<std::string> found = wrong();
+    for (const char* write : {"A write by glNamedBufferSubData()", "A clear by"}) {
+        EXPECT_THAT(found, Contains(AllOf(HasSubstr(write), HasSubstr("after a write by a kernel"),
+                                          HasSubstr("lost"))));
+    }
+}
+
+TEST_F(OrderFindings, TellOfWorkGroupsThatAreLeftOut) {
+    glad_glGetIntegeri_v = [](GLenum name, GLuint index, GLint* value) {
+        driver.limit(name, index, value);
+        *value = name == GL_MAX_COMPUTE_WORK_GROUP_COUNT ? 1 << 20 : *value;
+    };
+    glad_glDispatchCompute = [](GLuint x, GLuint y, GLuint z) {
+        driver.dispatch(x & 0xffff, y, z);
+    };
+    EXPECT_THAT(wrongOnes(formFindings()), Contains("Work groups at once: 4464, asked 70000"));
 }
 
 }  // namespace

@@ -1,32 +1,123 @@
 // Every shader that Kerf can come to compile, seen by the reference compiler of GLSL and held
 // against what Kerf asks of a driver.
+
 #include <glad/gl.h>
-#include <gmock/gmock.h>
 
 #include <cctype>
-#include <cstdlib>
-#include <regex>
 
-#include "app/doctor/findings.h"
 #include "gpu/context.h"
-#include "gpu/data_path.h"
-#include "gpu/program.h"
 #include "render/renderer.h"
-#include "tests/support/every_kernel.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/program_output.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/variable.h"
+#include "sim/body/solver_uniforms.h"
+#include "sim/contact/contact_solver.h"
+#include "sim/mesh/triangle_soup.h"
+#include "sim/solve/float_vectors.h"
+#include "sim/solve/gpu_solver.h"
+#include "sim/solve/implicit/vertex_groups.h"
+#include "sim/solve/implicit_stepper.h"
 
 namespace kerf::app {
 namespace {
 
-namespace fs = std::filesystem;
+/// Two boxes of a metre, one above the other, that overlap a little: a body that needs the kernels
+/// of contact.
+SurfaceMesh touchingBoxes() {
+    const TriangleSoup box = test::boxSoup(Vec3::Ones(), 2);
+    return test::meshOf(test::joined(box, box, Vec3(0, 0.95, 0)));
+}
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
+/// A body, and how it is solved.
+struct Case {
+    SurfaceMesh mesh;
+    Params params;
+    bool folded = false;
+};
+
+Params paramsOf(SolverMode mode, bool paperContact) {
+    Params params;
+    params.solver = mode;
+    params.floor = -0.5;
+    params.paperContact = paperContact ? 1 : 0;
+    return params;
+}
+
+/// Thin, so that it may pierce the skin.
+StaticBox plate() {
+    StaticBox box;
+    box.size = Vec3(2, 1e-3, 2);
+    return box;
+}
+
+/// So thick that nothing pierces it.
+StaticBox block() {
+    StaticBox box = plate();
+    box.size = Vec3(2, 1, 2);
+    return box;
+}
+
+BladeMotion standingBlade() {
+    BladeFrame frame;
+    frame.halfLength = 1;
+    BladeMotion motion;
+    motion.frames = {frame, frame};
+    motion.back = 1;
+    motion.bevel = 0.1;
+    motion.halfThickness = 0.01;
+    return motion;
+}
+
+PressingEdge pressingEdge() {
+    PressingEdge edge;
+    edge.to = Vec3::UnitX();
+    edge.ahead = -Vec3::UnitY();
+    edge.reach = edge.stiffness = edge.mostForce = 1;
+    return edge;
+}
+
+/// A step of a body that meets all that bodies meet, so that it asks for the kernels of all.
+void beginStepOf(const Case& wanted) {
+    const BodyState state = stateOf(wanted.mesh);
+    GpuSolver solver;
+    solver.setModel(buildBodyModel(wanted.mesh), state);
+    solver.setUniforms(solverUniforms(wanted.params));
+    solver.collisions().setSettings(contactSettings(wanted.params));
+    solver.step();  // meets nothing
+    solver.collisions().setBoxes({plate()});
+    solver.collisions().setBlade(standingBlade());
+    solver.collisions().feelBlade(true);
+    solver.collisions().setEdge(pressingEdge());
+    solver.setPulls(std::vector<shared::PullRecord>(1));
+    RelativeMotion motion;
+    motion.touching = true;
+    motion.folded = wanted.folded;
+    solver.collisions().expect(boundsOf(state.positions), boxOf({Vec3(0, -1, 0), Vec3(0, 1, 0)}),
+                               motion);
+    solver.step();
+    ImplicitStep small;
+    small.aggregateSize = kPatchSize;  // so many that large meshes have regions
+    solver.stepImplicitly(buildBodyModel(wanted.mesh), wanted.params, small, {});
+    solver.step();
+    solver.stepBySweeps();
+    solver.collisions().setBlade(std::nullopt);
+    solver.collisions().setEdge(std::nullopt);
+    for (const std::vector<StaticBox>& boxes : {std::vector{block()}, {}}) {
+        solver.collisions().setBoxes(boxes);
+        solver.step();
+    }
+    if (wanted.params.paperContact != 0) {
+        solver.collisions().respondAsThePaper();
+    }
+}
+
+/// Links every kernel that a simulation may need on the driver of the current context, as chosen by
+/// gpu::kernelWay(), and dispatches most. Throws gpu::ShaderError, gpu::OutOfMemory.
+void linkEveryKernel() {
+    for (const bool folded : {true, false}) {
+        beginStepOf({touchingBoxes(), paramsOf(SolverMode::implicit, false), folded});
+    }
+    beginStepOf({test::box(Vec3::Ones(), 20), paramsOf(SolverMode::implicit, false)});
+    beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, false)});
+    beginStepOf({touchingBoxes(), paramsOf(SolverMode::pbd, true)});
+}
 
 /// During its lifetime no kernel runs, for which drivers compile it to the end.
 class NoDispatches {
@@ -73,13 +164,13 @@ Texts textsOf(const std::vector<gpu::LinkedProgram>& programs) {
     return all;
 }
 
-class EveryShader : public test::GlTest {
+class EveryShader : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
         if (programs().empty()) {
             for (const char* way : {"images", "shared"}) {
-                const test::Variable kernels("KERF_KERNELS", way);
+                const Variable kernels("KERF_KERNELS", way);
                 std::ranges::copy(everyProgram(), std::back_inserter(programs()));
             }
         }
@@ -98,11 +189,11 @@ TEST_F(EveryShader, IsAcceptedByTheReferenceCompiler) {
     for (const auto& [text, file] : texts()) {
         std::string name =
             std::to_string(command.size()) + "-" + fs::path(file).filename().string();
-        test::writeText(folder / name, text);
+        writeText(folder / name, text);
         command.append(" ").append((folder / name).string());
     }
     ASSERT_THAT(texts().size(), ::testing::Gt(300u));
-    const std::string said = test::outputOf(command + " 2>&1");
+    const std::string said = outputOf(command + " 2>&1");
     EXPECT_THAT(said.substr(0, 4000), Not(HasSubstr("ERROR")));
     EXPECT_THAT(said, Not(HasSubstr("failed")));
 }
@@ -159,7 +250,7 @@ std::set<std::string> switchesIn(const fs::path& folder) {
     static const std::regex name("\\b[A-Z][A-Z_]+\\b");
     std::set<std::string> switches;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        const std::string text = entry.is_regular_file() ? test::readBytes(entry.path()) : "";
+        const std::string text = entry.is_regular_file() ? readBytes(entry.path()) : "";
         for (std::sregex_iterator line(text.begin(), text.end(), word), end; line != end; ++line) {
             const std::string condition = (*line)[1];
             for (std::sregex_iterator at(condition.begin(), condition.end(), name); at != end;
@@ -253,11 +344,11 @@ std::map<std::string, std::int64_t> mostNeeded(const Texts& texts) {
     for (const auto& [text, file] : texts) {
         const std::string ending = fs::path(file).extension();
         const fs::path copy = folder / (std::to_string(files.size()) + ending);
-        test::writeText(copy, std::string(text).append("\n").append(kEnd).append("\n"));
+        writeText(copy, std::string(text).append("\n").append(kEnd).append("\n"));
         command.append(" ").append(copy.string());
         files.push_back(file);
     }
-    const std::string all = test::outputOf(command);
+    const std::string all = outputOf(command);
     std::map<std::string, std::int64_t> most;
     std::size_t begin = 0;
     for (const std::string& file : files) {
@@ -282,11 +373,11 @@ std::int64_t askedFor(const std::string& name) {
 }
 
 TEST_F(EveryShader, NeedsWhatKerfAsksOfADriver) {
-    const test::Variable images("KERF_KERNELS", "images");
+    const Variable images("KERF_KERNELS", "images");
     for (const auto& [name, needs] : mostNeeded(texts())) {
         EXPECT_EQ(askedFor(name), needs) << name;
     }
-    const test::Variable shared("KERF_KERNELS", "shared");
+    const Variable shared("KERF_KERNELS", "shared");
     EXPECT_EQ(askedFor("GL_MAX_COMPUTE_IMAGE_UNIFORMS"), 1) << "GPUs need one";
 }
 

@@ -1,27 +1,11 @@
 // Models with faults in the editor's view, and even triangles as a step that is undone.
-#include <gmock/gmock.h>
 
-#include "app/files/io/file_io.h"
-#include "app/scene/document/document_loading.h"
-#include "app/scene/document/editor_document.h"
-#include "app/scene/document/rest_of_body.h"
-#include "app/scene/editor_scene.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 #include "tests/support/model_defects.h"
-#include "tests/support/shapes.h"
 #include "tests/support/sheet_soup.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr std::array<int, 3> kOpen{213, 94, 0};
 
@@ -47,14 +31,12 @@ class EditorFaultsTest : public EditorTest {
         frames(2);
     }
     void openBroken(const std::vector<std::string>& defects) {
-        TriangleSoup soup = test::soundBall();
+        TriangleSoup soup = soundBall();
         for (const std::string& defect : defects) {
-            test::modelDefects().at(defect)(soup);
+            modelDefects().at(defect)(soup);
         }
-        test::writeText(folder / "broken.obj", test::objText(soup));
-        editor->open(folder / "broken.obj");
-        waitForWork();
-        frames(2);
+        writeText(folder / "broken.obj", objText(soup));
+        open(folder / "broken.obj", 2);
     }
     /// Unfolds the section of the model, where it is folded.
     void unfoldModel() {
@@ -64,23 +46,13 @@ class EditorFaultsTest : public EditorTest {
     }
     void even() {
         unfoldModel();
-        click("model.remesh");
-        waitForWork();
+        clickAndWait("model.remesh");
         frames(2);
     }
     std::string hash() { return editor->scene()->simulation().stateHash(); }
-    void cut() {
-        drag(kTop + Vec2(160, 0), kBottom + Vec2(160, 500), 12);
-        settle();
-    }
-    void undo() {
-        tap(Key::z, {.control = true});
-        frames(2);
-    }
-    void redo() {
-        tap(Key::y, {.control = true});
-        frames(2);
-    }
+    void cut() { dragAndSettle(kTop + Vec2(160, 0), kBottom + Vec2(160, 500), 12); }
+    void undo() { tap(Key::z, {.control = true}, 2); }
+    void redo() { tap(Key::y, {.control = true}, 2); }
     std::vector<std::string> faultLabels() {
         std::vector<std::string> labels;
         for (const ui::FaultRow& row : panels().looks.faults) {
@@ -105,8 +77,7 @@ TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
     ASSERT_EQ(panels().looks.faults.size(), 1U);
     EXPECT_THAT(panels().looks.faults[0].label, HasSubstr("open edges"));
     EXPECT_GT(pixelsOf(editor->readPicture(), kOpen), 200);
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_FALSE(panels().looks.showsFaulty);
     EXPECT_THAT(panels().looks.faults, IsEmpty());
     EXPECT_EQ(pixelsOf(editor->readPicture(), kOpen), 0);
@@ -122,31 +93,25 @@ TEST_F(EditorFaultsTest, TheViewCanBeTurnedBesideTheQuestion) {
     frames(3);
     EXPECT_NE(viewPixels(editor->readPicture()), viewPixels(before));
     EXPECT_NE(panels().question.text, "") << "it is still asked";
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     const render::Image back = editor->readPicture();
-    editor->open(folder / "broken.obj");
-    waitForWork();
-    tap(Key::escape);
-    frames(2);
+    open(folder / "broken.obj");
+    tap(Key::escape, 2);
     EXPECT_EQ(viewPixels(editor->readPicture()), viewPixels(back)) << "the camera is as it was";
 }
 
 TEST_F(EditorFaultsTest, WhatNothingMendsIsShownUntilOneGoesBack) {
     // A square with both of its sides, and nothing between.
-    test::writeText(folder / "flat.obj",
-                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
-                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
-    editor->open(folder / "flat.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "flat.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
+              "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
+    open(folder / "flat.obj", 2);
     EXPECT_EQ(panels().question.text, "");
     EXPECT_TRUE(panels().toast.isError);
     EXPECT_TRUE(panels().looks.showsFaulty);
     EXPECT_THAT(panels().help.hint.text, HasSubstr("flat.obj can't be cut"));
     const std::string state = hash();
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_FALSE(panels().looks.showsFaulty);
     EXPECT_EQ(hash(), state);
 }
@@ -155,9 +120,7 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     openBroken({"large hole", "doubles"});
     const std::vector<std::string> shown = faultLabels();
     ASSERT_FALSE(shown.empty());
-    tap(Key::enter);
-    waitForWork();
-    frames(2);
+    confirm(2);
     EXPECT_EQ(editor->title(), "Kerf - broken - 1 piece");
     EXPECT_THAT(changes(), ElementsAre("Repair"));
     const std::string mended = hash();
@@ -165,21 +128,18 @@ TEST_F(EditorFaultsTest, ARepairIsTakenBackAndDoneAgain) {
     EXPECT_EQ(panels().question.title, "Undone: Repair");
     EXPECT_TRUE(panels().looks.showsFaulty);
     EXPECT_EQ(faultLabels(), shown);
-    tap(Key::enter);
-    frames(2);
+    tap(Key::enter, 2);
     EXPECT_EQ(hash(), mended);
     EXPECT_FALSE(panels().looks.showsFaulty);
     undo();
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_EQ(editor->scene(), nullptr);
     EXPECT_EQ(editor->title(), "Kerf");
 }
 
 /// A bent cloth of 0.8 m.
 TriangleSoup wavySheet() {
-    TriangleSoup soup =
-        test::sheetSoup(8, [](double x, double) { return 0.0375 * std::sin(8 * x); });
+    TriangleSoup soup = sheetSoup(8, [](double x, double) { return 0.0375 * std::sin(8 * x); });
     for (Vec3& p : soup.positions) {
         p *= 0.8;
     }
@@ -187,16 +147,12 @@ TriangleSoup wavySheet() {
 }
 
 TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
-    test::writeText(folder / "cloth.obj", test::objText(wavySheet()));
-    editor->open(folder / "cloth.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "cloth.obj", objText(wavySheet()));
+    open(folder / "cloth.obj", 2);
     EXPECT_THAT(panels().question.choices, ElementsAre("Thicken", "Fill 1 hole", "Cancel"));
     EXPECT_THAT(panels().question.text, HasSubstr("With a thickness of 2.3 cm it can be cut"));
     EXPECT_TRUE(panels().looks.showsFaulty);
-    tap(Key::enter);
-    waitForWork();
-    frames(2);
+    confirm(2);
     EXPECT_EQ(editor->title(), "Kerf - cloth - 1 piece");
     EXPECT_THAT(panels().toast.text, HasSubstr("gave 1 sheet a thickness of 0.023"));
     EXPECT_THAT(changes(), ElementsAre("Thicken"));
@@ -204,38 +160,31 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     undo();
     EXPECT_EQ(panels().question.title, "Undone: Thicken");
     EXPECT_TRUE(panels().looks.showsFaulty);
-    tap(Key::enter);
-    frames(2);
+    tap(Key::enter, 2);
     EXPECT_EQ(hash(), mended);
     cut();
-    tap(Key::s, {.control = true});
-    frames(2);
-    type("sheet");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::s, {.control = true}, 2);
+    enter("sheet");
     const Session session = readSession(folder / "sheet.kerf.json");
     EXPECT_EQ(session.model.thicken, 0.023);
     expectReplayed(session, loadSessionModel(session));
 }
 
 TEST_F(EditorFaultsTest, AnAssemblyIsPartedIntoModelsAsAStepThatIsUndone) {
-    const TriangleSoup lower = test::boxSoup(Vec3::Ones(), 8);
-    const TriangleSoup upper = test::boxSoup(Vec3::Constant(0.5), 8);
-    std::string text = test::objText(test::joined(lower, upper, 0.75 * Vec3::UnitY()));
+    const TriangleSoup lower = boxSoup(Vec3::Ones(), 8);
+    const TriangleSoup upper = boxSoup(Vec3::Constant(0.5), 8);
+    std::string text = objText(joined(lower, upper, 0.75 * Vec3::UnitY()));
     std::size_t face = text.find("f ");
     for (std::size_t t = 0; t < lower.triangles.size(); ++t) {
         face = text.find('\n', face) + 1;
     }
     text.insert(face, "o upper\n");
-    test::writeText(folder / "two.obj", text);
-    editor->open(folder / "two.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "two.obj", text);
+    open(folder / "two.obj", 2);
     const std::string whole = hash();
     EXPECT_THAT(panels().toast.text, HasSubstr("The file contains 2 objects"));
     tap(Key::o, {.shift = true});
-    waitForWork();
-    frames(2);
+    waitForWork(2);
     EXPECT_EQ(panels().model.models.size(), 2U);
     EXPECT_EQ(panels().model.objects, 0) << "there is nothing more to part";
     EXPECT_THAT(changes(), ElementsAre("Split into models"));
@@ -274,10 +223,8 @@ TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
 }
 
 TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
-    test::writeText(folder / "cube.obj", test::objText(test::boxSoup()));
-    editor->open(folder / "cube.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "cube.obj", objText(boxSoup()));
+    open(folder / "cube.obj", 2);
     EXPECT_EQ(panels().body.triangles, 12) << "nothing is refined unasked";
     EXPECT_THAT(panels().toast.text,
                 HasSubstr("The mesh is coarse: 12 triangles, edges up to 1.41 m. "
@@ -285,8 +232,7 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     ASSERT_TRUE(panels().toast.choice);
     EXPECT_EQ(panels().toast.choice->id, ui::ActionId::remesh);
     EXPECT_NEAR(panels().model.models[0].edge, std::sqrt(3) / 25, 1e-6);
-    click("toast.Shift+R");
-    waitForWork();
+    clickAndWait("toast.Shift+R");
     frames(2);
     EXPECT_GT(panels().body.triangles, 2000);
     EXPECT_THAT(panels().toast.text, HasSubstr(" instead of 12, 0 slivers left"));
@@ -315,9 +261,7 @@ TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
     const std::size_t own = changes().size();
     even();
     EXPECT_THAT(panels().question.title, HasSubstr("reset the cuts?"));
-    tap(Key::enter);
-    waitForWork();
-    frames(2);
+    confirm(2);
     EXPECT_TRUE(panels().model.untouched);
     EXPECT_EQ(changes().size(), own + 1);
     undo();
@@ -347,9 +291,7 @@ TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
     cut();
     const std::string cutHash = hash();
     even();
-    tap(Key::enter);
-    waitForWork();
-    frames(2);
+    confirm(2);
     const std::string evened = hash();
     cut();
     const std::string both = hash();
@@ -384,11 +326,8 @@ TEST_F(EditorFaultsTest, ASessionSavedAfterwardsReplaysToTheBit) {
     even();
     cut();
     ASSERT_FALSE(panels().model.untouched);
-    tap(Key::s, {.control = true});
-    frames(2);
-    type("even");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::s, {.control = true}, 2);
+    enter("even");
     const Session session = readSession(folder / "even.kerf.json");
     EXPECT_TRUE(session.model.remesh);
     EXPECT_EQ(lastCheck(session).hash, hash());
@@ -397,40 +336,33 @@ TEST_F(EditorFaultsTest, ASessionSavedAfterwardsReplaysToTheBit) {
 }
 
 TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
-    test::writeText(folder / "bar.obj", test::objText(test::boxSoup(Vec3(1, 20, 1))));
-    editor->open(folder / "bar.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "bar.obj", objText(boxSoup(Vec3(1, 20, 1))));
+    open(folder / "bar.obj", 2);
     EXPECT_EQ(panels().model.faultCount, 8);
     EXPECT_THAT(panels().looks.faults, IsEmpty());
     EXPECT_THAT(panels().model.models[0].triangles, HasSubstr("12 triangles, 8 slivers"));
     unfoldModel();
     constexpr std::array<int, 3> kNeedle{230, 159, 0};
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
-    click("model.faults");
-    frames(2);
+    click("model.faults", 2);
     EXPECT_THAT(faultLabels(), ElementsAre("8 slivers"));
     EXPECT_GT(pixelsOf(editor->readPicture(), kNeedle), 100);
-    click("model.faults");
-    frames(2);
+    click("model.faults", 2);
     EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
     even();
     EXPECT_EQ(panels().model.faultCount, 0) << panels().toast.text;
 }
 
 TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
-    test::writeText(folder / "boxes.obj", test::objText(test::joined(test::boxSoup(Vec3::Ones(), 4),
-                                                                     test::boxSoup(Vec3::Ones(), 4),
-                                                                     Vec3(0.53, 0.27, 0.11))));
-    editor->open(folder / "boxes.obj");
-    waitForWork();
-    frames(2);
+    writeText(folder / "boxes.obj",
+              objText(joined(boxSoup(Vec3::Ones(), 4), boxSoup(Vec3::Ones(), 4),
+                             Vec3(0.53, 0.27, 0.11))));
+    open(folder / "boxes.obj", 2);
     EXPECT_EQ(editor->scene()->simulation().report().pieces, 2);
     EXPECT_TRUE(panels().model.models[0].crosses);
     const std::string before = hash();
     unfoldModel();
-    click("model.unite");
-    waitForWork();
+    clickAndWait("model.unite");
     frames(2);
     EXPECT_EQ(editor->scene()->simulation().report().pieces, 1);
     EXPECT_FALSE(panels().model.models[0].crosses);
@@ -441,8 +373,7 @@ TEST_F(EditorFaultsTest, PiecesThatCrossAreUnitedAsAStepThatIsUndone) {
 }
 
 TEST_F(EditorFaultsTest, AModelOfTheCommandLineIsSearchedForPiecesThatCross) {
-    test::writeText(folder / "boxes.obj",
-                    test::objText(test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0, 0))));
+    writeText(folder / "boxes.obj", objText(joined(boxSoup(), boxSoup(), Vec3(0.5, 0, 0))));
     const Document document = openDocument(folder / "boxes.obj", editorReading(memoryMeans()));
     EXPECT_GT(document.faults.of(repair::FaultKind::crossingTriangle).count(), 0);
     EXPECT_THAT(document.note, HasSubstr("pass through others"));

@@ -1,40 +1,61 @@
 // Files on their way into the editor and out of it.
-#include <gmock/gmock.h>
-#include <sys/stat.h>
 
-#include <cstdlib>
+#include <sys/types.h>
+
+#include <csignal>
 
 #include "app/editor/storage/file_work.h"
-#include "app/files/io/errors.h"
-#include "app/files/io/file_io.h"
-#include "app/scene/editor_scene.h"
-#include "app/session/session.h"
-#include "sim/repair/soup_inspection.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/support/slow_reader.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::HasSubstr;
+/// While one lives, models are read by a program that never answers.
+class SlowReader {
+  public:
+    /// Writes the program into `folder`.
+    explicit SlowReader(const fs::path& folder)
+        : pidFile_(folder / "slow-reader.pid"),
+          program_("KERF_EXECUTABLE", (folder / "slow-reader.sh").string()) {
+        const fs::path program = folder / "slow-reader.sh";
+        writeText(program, "#!/bin/sh\necho $$ > '" + pidFile_.string() + "'\nexec sleep 100\n");
+        fs::permissions(program, fs::perms::owner_all);
+    }
+    /// The process that was started last; 0 for none yet.
+    pid_t process() const {
+        pid_t pid = 0;
+        std::ifstream(pidFile_) >> pid;
+        return pid;
+    }
+    /// Waits up to ten seconds for that process to end. False where it goes on.
+    bool hasEnded() const {
+        const pid_t pid = process();
+        for (int i = 0; i < 2000; ++i) {
+            if (pid > 0 && ::kill(pid, 0) != 0) {
+                return true;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
+
+  private:
+    fs::path pidFile_;
+    Variable program_;
+};
 
 class EditorFilesTest : public EditorTest {
   protected:
     /// A model whose reading never ends, until its progress is told.
     void openSlowModel() {
-        test::writeText(folder / "slow.obj", test::objText(test::boxSoup()));
+        writeText(folder / "slow.obj", objText(boxSoup()));
         editor->post(ui::FileDrop{{folder / "slow.obj"}});
-        for (int i = 0; i < 2000 && panels().work.title.empty(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frames(1);
-        }
+        waitWhile([&] { return panels().work.title.empty(); });
         frames(2);
     }
 };
 
 TEST_F(EditorFilesTest, AModelOpensBehindWhatIsOpen) {
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
+    writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
     editor->open(folder / "box.obj");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     waitForWork();
@@ -44,18 +65,17 @@ TEST_F(EditorFilesTest, AModelOpensBehindWhatIsOpen) {
 }
 
 TEST_F(EditorFilesTest, WhatIsOpenCanBeCutWhileAModelIsRead) {
-    const test::SlowReader reader(folder.path());
+    const SlowReader reader(folder.path());
     openSlowModel();
     EXPECT_EQ(panels().work.title, "Opening slow.obj");
     EXPECT_EQ(panels().work.stage, "Reading the file");
     EXPECT_GE(panels().work.seconds, 0.3);
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
-    const test::SlowReader reader(folder.path());
+    const SlowReader reader(folder.path());
     openSlowModel();
     const std::vector<std::uint8_t> before = editor->readPicture().pixels;
     click("work.cancel");
@@ -69,7 +89,7 @@ TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
 
 // It was said while the file was read, and what was told of the model took its place.
 TEST_F(EditorFilesTest, OfSeveralDroppedFilesTheFirstIsOpenedAndThatIsSaid) {
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
+    writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
     editor->post(ui::FileDrop{{folder / "box.obj", folder / "other.obj"}});
     frames(1);
     waitForWork();
@@ -79,7 +99,7 @@ TEST_F(EditorFilesTest, OfSeveralDroppedFilesTheFirstIsOpenedAndThatIsSaid) {
 }
 
 TEST_F(EditorFilesTest, EscapeCancelsTheLoadingToo) {
-    const test::SlowReader reader(folder.path());
+    const SlowReader reader(folder.path());
     openSlowModel();
     tap(Key::escape);
     EXPECT_FALSE(editor->working());
@@ -88,77 +108,66 @@ TEST_F(EditorFilesTest, EscapeCancelsTheLoadingToo) {
 
 TEST_F(EditorFilesTest, AnotherFileTakesThePlaceOfTheOneThatIsRead) {
     {
-        const test::SlowReader reader(folder.path());
+        const SlowReader reader(folder.path());
         openSlowModel();
     }
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup()));
-    editor->open(folder / "box.obj");
-    waitForWork();
+    writeText(folder / "box.obj", objText(boxSoup()));
+    open(folder / "box.obj");
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
 }
 
 TEST_F(EditorFilesTest, LeavingWhileAModelIsReadEndsTheReader) {
-    const test::SlowReader reader(folder.path());
+    const SlowReader reader(folder.path());
     openSlowModel();
     editor.reset();
     EXPECT_TRUE(reader.hasEnded());
 }
 
 TEST_F(EditorFilesTest, AModelIsFoundByTypingAndOpenedByEnter) {
-    std::filesystem::create_directory(folder / "models");
-    test::writeText(folder / "models" / "box.obj", test::objText(test::boxSoup()));
-    test::writeText(folder / "models" / "notes.txt", "no model");
-    tap(Key::o, {.control = true});
-    frames(2);
+    fs::create_directory(folder / "models");
+    writeText(folder / "models" / "box.obj", objText(boxSoup()));
+    writeText(folder / "models" / "notes.txt", "no model");
+    tap(Key::o, {.control = true}, 2);
     ASSERT_EQ(panels().files.purpose, ui::FilePurpose::open);
     type("mod");
-    tap(Key::enter);
-    frames(2);
+    tap(Key::enter, 2);
     ASSERT_EQ(panels().files.folder, folder / "models");
     EXPECT_EQ(panels().files.rows.size(), 1U) << "only what can be opened";
     type("bo");
     EXPECT_EQ(panels().files.selected, 0);
-    for (int i = 0; i < 2000 && panels().files.preview.empty(); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        frames(1);
-    }
-    EXPECT_THAT(panels().files.preview, ::testing::Contains(HasSubstr("12 triangles")));
-    tap(Key::enter);
-    waitForWork();
+    waitWhile([&] { return panels().files.preview.empty(); });
+    EXPECT_THAT(panels().files.preview, Contains(HasSubstr("12 triangles")));
+    confirm();
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     EXPECT_EQ(panels().files.recent.size(), 1U);
 }
 
 TEST_F(EditorFilesTest, OfManyFilesOnlyThoseInViewAreDrawn) {
-    std::filesystem::create_directory(folder / "many");
+    fs::create_directory(folder / "many");
     for (int i = 0; i < 2000; ++i) {
-        test::writeText(folder / ("many/m" + std::to_string(i) + ".obj"), "");
+        writeText(folder / ("many/m" + std::to_string(i) + ".obj"), "");
     }
-    test::writeText(folder / "many/zz##last.obj", "");
-    tap(Key::o, {.control = true});
-    frames(2);
+    writeText(folder / "many/zz##last.obj", "");
+    tap(Key::o, {.control = true}, 2);
     type("many");
-    tap(Key::enter);
-    frames(2);
+    tap(Key::enter, 2);
     ASSERT_EQ(panels().files.rows.size(), 2001U);
-    type("zz");
-    frames(2);
+    type("zz", 2);
     EXPECT_EQ(panels().files.selected, 2000);
     EXPECT_TRUE(editor->itemRects().contains("file.row.zz##last.obj")) << "it is scrolled to";
     EXPECT_LT(editor->itemRects().size(), 500U);
 }
 
 TEST_F(EditorFilesTest, APipeIsNeverReplacedByAFile) {
-    const std::filesystem::path pipe = folder / "pipe.obj";
+    const fs::path pipe = folder / "pipe.obj";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_THROW(writeOutputFile(pipe, "text"), OutputError);
-    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
-    tap(Key::o, {.control = true});
-    frames(2);
+    tap(Key::o, {.control = true}, 2);
     type("w v");
     tap(Key::w);
     tap(Key::v);
@@ -167,27 +176,21 @@ TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
     EXPECT_EQ(panels().parameters.now.gravity, Vec3(Vec3::Zero()));
     EXPECT_FALSE(panels().transport.playing);
     EXPECT_EQ(panels().files.name, "w v");
-    drag(kTop, kBottom, 5);
-    settle();
+    dragAndSettle(kTop, kBottom, 5);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
-    drag(kTop, kBottom, 5);
-    settle();
+    dragAndSettle(kTop, kBottom, 5);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces") << "and afterwards all is as before";
 }
 
 // Dear ImGui kept what it could undo when the name was changed elsewhere, and aborted.
 TEST_F(EditorFilesTest, WhatWasTypedIsNotUndoneInAnotherName) {
-    tap(Key::s, {.control = true});
-    frames(2);
+    tap(Key::s, {.control = true}, 2);
     type("a-name-that-is-longer-than-the-next-one");
     tap(Key::backspace);
-    tap(Key::escape);
-    frames(2);
-    tap(Key::o, {.control = true});
-    frames(2);
+    tap(Key::escape, 2);
+    tap(Key::o, {.control = true}, 2);
     for (int i = 0; i < 5; ++i) {
         tap(Key::z, {.control = true});
         tap(Key::y, {.control = true});
@@ -197,31 +200,25 @@ TEST_F(EditorFilesTest, WhatWasTypedIsNotUndoneInAnotherName) {
 }
 
 TEST_F(EditorFilesTest, ArrowsChooseAndBackspaceGoesUp) {
-    std::filesystem::create_directory(folder / "a");
-    test::writeText(folder / "b2.obj", "");
-    test::writeText(folder / "b10.obj", "");
-    tap(Key::o, {.control = true});
-    frames(2);
+    fs::create_directory(folder / "a");
+    writeText(folder / "b2.obj", "");
+    writeText(folder / "b10.obj", "");
+    tap(Key::o, {.control = true}, 2);
     tap(Key::down);
-    tap(Key::down);
-    frames(1);
+    tap(Key::down, 1);
     EXPECT_EQ(panels().files.name, "b2.obj");
-    tap(Key::down);
-    frames(1);
+    tap(Key::down, 1);
     EXPECT_EQ(panels().files.name, "b10.obj") << "numbers count by their value";
     tap(Key::up);
     tap(Key::up);
-    tap(Key::enter);
-    frames(2);
+    tap(Key::enter, 2);
     EXPECT_EQ(panels().files.folder, folder / "a");
-    tap(Key::backspace);
-    frames(2);
+    tap(Key::backspace, 2);
     EXPECT_EQ(panels().files.folder, folder.path());
 }
 
 TEST_F(EditorFilesTest, AKeyRightAfterTheOneThatClosesTheDialogIsHeard) {
-    tap(Key::s, {.control = true});
-    frames(2);
+    tap(Key::s, {.control = true}, 2);
     for (const Key key : {Key::enter, Key::space}) {
         editor->post(ui::KeyChange{key, true, {}});
         editor->post(ui::KeyChange{key, false, {}});
@@ -231,22 +228,16 @@ TEST_F(EditorFilesTest, AKeyRightAfterTheOneThatClosesTheDialogIsHeard) {
 }
 
 TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplacedUnasked) {
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::s, {.control = true});
-    frames(2);
-    type("mine");
-    tap(Key::enter);
-    waitForWork();
-    const std::filesystem::path file = folder / "mine.kerf.json";
+    dragAndSettle(kTop, kBottom, 10);
+    tap(Key::s, {.control = true}, 2);
+    enter("mine");
+    const fs::path file = folder / "mine.kerf.json";
     EXPECT_FALSE(readSession(file).events.empty());
-    test::writeText(file, "precious");
+    writeText(file, "precious");
     for (const bool replace : {false, true}) {
-        tap(Key::s, {.shift = true, .control = true});
-        frames(2);
+        tap(Key::s, {.shift = true, .control = true}, 2);
         type("mine");
-        tap(Key::enter);
-        frames(2);
+        tap(Key::enter, 2);
         ASSERT_TRUE(panels().files.asksToOverwrite);
         click(replace ? "file.accept" : "file.cancel");
         if (!replace) {
@@ -254,15 +245,14 @@ TEST_F(EditorFilesTest, ASessionIsSavedUnderTheNameThatIsTypedAndNothingIsReplac
             tap(Key::escape);
         }
         waitForWork();
-        EXPECT_EQ(test::readBytes(file) == "precious", !replace);
+        EXPECT_EQ(readBytes(file) == "precious", !replace);
     }
 }
 
 TEST_F(EditorFilesTest, SavingAgainWritesTheSameFileWithoutADialog) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     saveByKeys();
-    const std::filesystem::path file = folder / "ball-cut.kerf.json";
+    const fs::path file = folder / "ball-cut.kerf.json";
     const std::size_t events = readSession(file).events.size();
     tap(Key::v);
     tap(Key::s, {.control = true});
@@ -274,125 +264,107 @@ TEST_F(EditorFilesTest, SavingAgainWritesTheSameFileWithoutADialog) {
 
 TEST_F(EditorFilesTest, AFileThatSomeoneElseChangedIsNotReplacedUnasked) {
     saveByKeys();
-    const std::filesystem::path file = folder / "ball-cut.kerf.json";
-    test::writeText(file, "precious");
+    const fs::path file = folder / "ball-cut.kerf.json";
+    writeText(file, "precious");
     for (const Key answer : {Key::escape, Key::enter}) {
-        tap(Key::s, {.control = true});
-        frames(1);
+        tap(Key::s, {.control = true}, 1);
         EXPECT_EQ(panels().question.title, "Replace ball-cut.kerf.json?");
         EXPECT_THAT(panels().question.text, HasSubstr("changed by another program"));
         tap(answer);
         waitForWork();
-        EXPECT_EQ(test::readBytes(file) == "precious", answer == Key::escape);
+        EXPECT_EQ(readBytes(file) == "precious", answer == Key::escape);
     }
 }
 
 TEST_F(EditorFilesTest, AnOpenedSessionIsNotReplacedUnaskedBeforeItWasSavedHere) {
     saveByKeys();
-    editor->open(folder / "ball-cut.kerf.json");
-    waitForWork();
+    open(folder / "ball-cut.kerf.json");
     tap(Key::v);
-    tap(Key::s, {.control = true});
-    frames(1);
+    tap(Key::s, {.control = true}, 1);
     EXPECT_THAT(panels().question.text, HasSubstr("is the session that you opened"));
-    tap(Key::enter);
-    waitForWork();
-    tap(Key::s, {.control = true});
-    frames(1);
+    confirm();
+    tap(Key::s, {.control = true}, 1);
     EXPECT_EQ(panels().question.text, "") << "it is this window's now";
 }
 
 TEST_F(EditorFilesTest, TheEndOfARecordingAsksForAFile) {
     tap(Key::r, {.control = true});
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::r, {.control = true});
-    frames(2);
+    dragAndSettle(kTop, kBottom, 10);
+    tap(Key::r, {.control = true}, 2);
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
     EXPECT_FALSE(panels().transport.recording);
     tap(Key::escape);
     waitForWork();
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    EXPECT_TRUE(fs::is_empty(folder.path()));
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorFilesTest, ARecordingDoesNotBeginOverUnsavedCutsUnasked) {
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::r, {.control = true});
-    frames(1);
+    dragAndSettle(kTop, kBottom, 10);
+    tap(Key::r, {.control = true}, 1);
     EXPECT_EQ(panels().question.title, "Start recording without saving?");
-    tap(Key::escape);
-    frames(1);
+    tap(Key::escape, 1);
     EXPECT_FALSE(panels().transport.recording);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorFilesTest, TheNameIsThatOfTheSavedFileAndUnsavedWorkIsMarked) {
     EXPECT_FALSE(panels().session.unsaved);
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     EXPECT_TRUE(panels().session.unsaved);
-    tap(Key::s, {.shift = true, .control = true});
-    frames(2);
-    type("halves");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::s, {.shift = true, .control = true}, 2);
+    enter("halves");
     EXPECT_FALSE(panels().session.unsaved);
     EXPECT_EQ(editor->title(), "Kerf - halves - 2 pieces");
     EXPECT_EQ(panels().name, "halves");
 }
 
 TEST_F(EditorFilesTest, TheManualOpensAsTheDesktopHasIt) {
-    const std::filesystem::path program = folder / "xdg-open";
+    const fs::path program = folder / "xdg-open";
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
-    test::writeText(program, "#!/bin/sh\necho \"$1\" >\"$(dirname \"$0\")/shown\"\n");
-    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    writeText(program, "#!/bin/sh\necho \"$1\" >\"$(dirname \"$0\")/shown\"\n");
+    fs::permissions(program, fs::perms::owner_all);
     EXPECT_EQ(openOutside(manualPage()), "Opened " + manualPage().string());
-    EXPECT_EQ(test::readBytes(folder / "shown"), manualPage().string() + "\n");
-    test::writeText(program, "#!/bin/sh\nexit 3\n");
+    EXPECT_EQ(readBytes(folder / "shown"), manualPage().string() + "\n");
+    writeText(program, "#!/bin/sh\nexit 3\n");
     EXPECT_THROW(openOutside(manualPage()), OutputError) << "no browser";
     ::setenv("PATH", folder.path().c_str(), 1);
-    std::filesystem::remove(program);
+    fs::remove(program);
     EXPECT_THROW(openOutside(manualPage()), OutputError) << "no xdg-open";
     EXPECT_THROW(openOutside(folder / "gone.html"), OutputError);
     ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_F(EditorFilesTest, PiecesAreExportedEachIntoAFile) {
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::e, {.control = true});
-    frames(2);
+    dragAndSettle(kTop, kBottom, 10);
+    tap(Key::e, {.control = true}, 2);
     EXPECT_EQ(panels().files.name, "ball-cut.obj");
     type("half.glb");
     click("file.per_piece");
     EXPECT_TRUE(panels().files.filePerPiece);
-    tap(Key::enter);
-    waitForWork();
+    confirm();
     EXPECT_THAT(panels().toast.text, HasSubstr("half-1.glb and 1 more file"));
     MeshReport report;
     loadModel(folder / "half-1.glb", &report);
     EXPECT_EQ(report.pieces, 1);
-    EXPECT_TRUE(std::filesystem::exists(folder / "half-2.glb"));
-    EXPECT_FALSE(std::filesystem::exists(folder / "half.glb"));
+    EXPECT_TRUE(fs::exists(folder / "half-2.glb"));
+    EXPECT_FALSE(fs::exists(folder / "half.glb"));
 }
 
 /// A box without its lid.
 std::string openBox() {
-    TriangleSoup soup = test::boxSoup(Vec3::Ones(), 3);
+    TriangleSoup soup = boxSoup(Vec3::Ones(), 3);
     std::erase_if(soup.triangles, [&](const Triangle& t) {
         return soup.positions[t[0]].y() > 0.4 && soup.positions[t[1]].y() > 0.4 &&
                soup.positions[t[2]].y() > 0.4;
     });
-    return test::objText(soup);
+    return objText(soup);
 }
 
 TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
-    test::writeText(folder / "open.obj", openBox());
-    editor->open(folder / "open.obj");
-    waitForWork();
+    writeText(folder / "open.obj", openBox());
+    open(folder / "open.obj");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_THAT(panels().question.text, HasSubstr("12 open edges"));
     ASSERT_EQ(panels().question.choices.size(), 3U);
@@ -402,17 +374,12 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
     EXPECT_EQ(panels().question.text, "");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
 
-    editor->open(folder / "open.obj");
-    waitForWork();
-    tap(Key::enter);
-    waitForWork();
+    open(folder / "open.obj");
+    confirm();
     EXPECT_EQ(editor->title(), "Kerf - open - 1 piece");
     EXPECT_THAT(panels().toast.text, HasSubstr("filled 1 hole"));
-    tap(Key::s, {.control = true});
-    frames(2);
-    type("filled");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::s, {.control = true}, 2);
+    enter("filled");
     const Session session = readSession(folder / "filled.kerf.json");
     EXPECT_NEAR(meshVolume(loadSessionModel(session).mesh), std::pow(session.placement.scale, 3),
                 1e-5);
@@ -420,35 +387,29 @@ TEST_F(EditorFilesTest, AHoleIsFilledWhereThePersonWantsItAndASessionKeepsIt) {
 
 TEST_F(EditorFilesTest, NothingIsOfferedWhereItIsNoHelp) {
     // A square with both of its sides, and nothing between.
-    test::writeText(folder / "flat.obj",
-                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
-                    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
-    editor->open(folder / "flat.obj");
-    waitForWork();
+    writeText(folder / "flat.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv 0.4 0.4 0\n"
+              "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\n");
+    open(folder / "flat.obj");
     EXPECT_EQ(panels().question.text, "");
     EXPECT_TRUE(panels().toast.isError);
 }
 
 TEST_F(EditorFilesTest, ARepairIsOfferedWhereFillingIsNoHelpAndASessionKeepsIt) {
     // A side stands twice.
-    test::writeText(folder / "odd.obj",
-                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-                    "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 4\n");
-    editor->open(folder / "odd.obj");
-    waitForWork();
+    writeText(folder / "odd.obj",
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+              "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 2 3 4\n");
+    open(folder / "odd.obj");
     EXPECT_THAT(panels().question.text, HasSubstr("dropped 1 double of a triangle"));
     ASSERT_EQ(panels().question.choices.size(), 2U);
     EXPECT_EQ(panels().question.choices[0], "Repair");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    tap(Key::enter);
-    waitForWork();
+    confirm();
     EXPECT_EQ(editor->title(), "Kerf - odd - 1 piece");
     EXPECT_THAT(panels().toast.text, HasSubstr("dropped 1 double of a triangle"));
-    tap(Key::s, {.control = true});
-    frames(2);
-    type("mended");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::s, {.control = true}, 2);
+    enter("mended");
     const Session session = readSession(folder / "mended.kerf.json");
     EXPECT_TRUE(session.model.repair);
     EXPECT_NEAR(meshVolume(loadSessionModel(session).mesh),

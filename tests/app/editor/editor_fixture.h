@@ -80,44 +80,81 @@ class EditorTest : public test::GlTest {
             frame();
         }
     }
-    /// Frames until nothing moves any more.
-    void settle() {
+    /// Frames until nothing moves any more; here and below, `more` frames follow.
+    void settle(int more = 0) {
         for (int i = 0; i < 400 && editor->idleSeconds() == 0; ++i) {
             frame();
         }
+        frames(more);
     }
-    void moveTo(double x, double y) { editor->post(ui::PointerMove{x, y, {}}); }
+    void moveTo(double x, double y, int more = 0) {
+        editor->post(ui::PointerMove{x, y, {}});
+        frames(more);
+    }
+    void moveTo(const Vec2& to, int more = 0) { moveTo(to.x(), to.y(), more); }
     void press(bool down, Button button = Button::left) {
         editor->post(ui::ButtonChange{button, down, {}});
     }
+    void press(bool down, int more) {
+        press(down);
+        frames(more);
+    }
+    void release() {
+        press(false);
+        settle();
+    }
     /// Frames until no file is on its way in or out any more, a minute at most.
-    void waitForWork() {
+    void waitForWork(int more = 0) {
         frame();
         for (int i = 0; i < 12000 && editor->working(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             frame();
         }
         ASSERT_FALSE(editor->working());
-        frames(1);
+        frames(1 + more);
+    }
+    /// Frames as long as `waits` says so, every 5 ms, so many at most.
+    template <class Condition>
+    void waitWhile(const Condition& waits, int most = 2000) {
+        for (int i = 0; i < most && waits(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            frames(1);
+        }
+    }
+    void open(const std::filesystem::path& file, int more = 0) {
+        editor->open(file);
+        waitForWork(more);
     }
     /// Opens a session and goes back to its start.
     void openAtStart(const std::filesystem::path& file) {
-        editor->open(file);
-        waitForWork();
+        open(file);
         settle();
         tap(Key::r);
     }
-    void tap(Key key, const ui::Modifiers& modifiers = {}) {
+    void tap(Key key, const ui::Modifiers& modifiers = {}, int more = 0) {
         editor->post(ui::KeyChange{key, true, modifiers});
         editor->post(ui::KeyChange{key, false, {}});
-        frames(1);
+        frames(1 + more);
+    }
+    void tap(Key key, int more) { tap(key, {}, more); }
+    /// By Enter, and waits for what that begins.
+    void confirm(int more = 0) {
+        tap(Key::enter);
+        waitForWork(more);
+    }
+    void undo() {
+        editor->post(ui::KeyChange{Key::z, true, {.control = true}});
+        settle();
+    }
+    /// So many frames of time that runs.
+    void playFor(int count) {
+        tap(Key::space, count);
+        tap(Key::space);
     }
     /// Saves a session under the name that is proposed.
     void saveByKeys() {
-        tap(Key::s, {.control = true});
-        frames(2);
-        tap(Key::enter);
-        waitForWork();
+        tap(Key::s, {.control = true}, 2);
+        confirm();
     }
     /// Starts or stops a recording and saves nothing.
     void toggleRecording() {
@@ -130,20 +167,28 @@ class EditorTest : public test::GlTest {
         }
         settle();
     }
-    void type(const std::string& text) {
+    void type(const std::string& text, int more = 0) {
         for (const char letter : text) {
             editor->post(ui::Character{static_cast<std::uint32_t>(letter)});
         }
-        frames(2);
+        frames(2 + more);
     }
     /// Presses and releases the left button over a named item.
-    void click(const std::string& item) {
+    void click(const std::string& item, int more = 0) {
         ASSERT_TRUE(editor->itemRects().contains(item)) << item;
         const ui::Rect place = editor->itemRects().at(item);
         moveTo(place.x + place.width / 2, place.y + place.height / 2);
         press(true);
         press(false);
-        frames(2);
+        frames(2 + more);
+    }
+    void enter(const std::string& text) {
+        type(text);
+        confirm();
+    }
+    void clickAndWait(const std::string& item) {
+        click(item);
+        waitForWork();
     }
     /// All events at once, as a hand faster than the frames would send them.
     void drag(const Vec2& from, const Vec2& to, int points, Button button = Button::left) {
@@ -155,12 +200,16 @@ class EditorTest : public test::GlTest {
         }
         press(false, button);
     }
+    void dragAndSettle(const Vec2& from, const Vec2& to, int points, Button button = Button::left) {
+        drag(from, to, points, button);
+        settle();
+    }
     /// Nearly all the way to the right.
     void dragSlider(const std::string& item) {
         const ui::Rect place = editor->itemRects().at(item);
         const double y = place.y + place.height / 2;
-        drag(Vec2(place.x + 0.3 * place.width, y), Vec2(place.x + 0.9 * place.width, y), 5);
-        settle();
+        dragAndSettle(Vec2(place.x + 0.3 * place.width, y), Vec2(place.x + 0.9 * place.width, y),
+                      5);
     }
     const ui::PanelModel& panels() const { return editor->panels(); }
 

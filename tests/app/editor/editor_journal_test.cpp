@@ -1,29 +1,19 @@
 // No work is lost: what an editor leaves behind that ended without being closed, and questions
 // before work goes.
-#include <gmock/gmock.h>
-
-#include <cerrno>
 
 #include "app/journal/journal_folder.h"
-#include "app/scene/editor_scene.h"
 #include "app/scene/readout/scene_readout.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
-#include "tests/support/file_fault.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
 
 class EditorJournalTest : public EditorTest {
   protected:
     void SetUp() override {
         EditorTest::SetUp();
-        test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
-        test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
-        test::writeText(folder / "settings.json", "{}");
+        writeText(folder / "ball.obj", objText(icosphereSoup(2)));
+        writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
+        writeText(folder / "settings.json", "{}");
         editor.reset();
         editor = newEditor();
         frames(2);
@@ -40,52 +30,37 @@ class EditorJournalTest : public EditorTest {
     void crash() { editor.reset(); }
     /// Until it asks something.
     void awaitQuestion() {
-        for (int i = 0; i < 2000 && panels().question.text.empty(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frames(1);
-        }
+        waitWhile([&] { return panels().question.text.empty(); });
         frames(2);
         ASSERT_FALSE(panels().question.text.empty());
     }
     bool asksSoon() {
-        for (int i = 0; i < 40 && panels().question.text.empty(); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frames(1);
-        }
+        waitWhile([&] { return panels().question.text.empty(); }, 40);
         return !panels().question.text.empty();
     }
     void cut() {
-        drag(kTop, kBottom, 10);
-        settle();
+        dragAndSettle(kTop, kBottom, 10);
         frames(2);
     }
     void cutAcross() {
-        drag(kTop + Vec2(-80, 0), kBottom + Vec2(100, 0), 10);
-        settle();
+        dragAndSettle(kTop + Vec2(-80, 0), kBottom + Vec2(100, 0), 10);
         frames(2);
     }
     std::string hash() { return editor->scene()->simulation().stateHash(); }
     std::size_t files() {
-        return static_cast<std::size_t>(
-            std::distance(std::filesystem::directory_iterator(journals.path()), {}));
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(journals.path()), {}));
     }
     /// Until there are so many files beside each other.
     void expectFiles(std::size_t count) {
-        for (int i = 0; i < 2000 && files() != count; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frames(1);
-        }
+        waitWhile([&] { return files() != count; });
         EXPECT_EQ(files(), count);
     }
     /// Goes on from what was left, until the journal of this editor alone has it.
     void takeOver() {
-        const std::filesystem::path left = lookForLeftWork(journals.path()).at(0).journal->file();
+        const fs::path left = lookForLeftWork(journals.path()).at(0).journal->file();
         goOn();
-        for (int i = 0; i < 2000 && std::filesystem::exists(left); ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            frames(1);
-        }
-        ASSERT_FALSE(std::filesystem::exists(left));
+        waitWhile([&] { return fs::exists(left); });
+        ASSERT_FALSE(fs::exists(left));
     }
     /// The session that can be gone on from.
     Session leftSession() {
@@ -96,10 +71,8 @@ class EditorJournalTest : public EditorTest {
     void goOn() {
         editor = newEditor();
         awaitQuestion();
-        click("question.0");
-        waitForWork();
-        settle();
-        frames(2);
+        clickAndWait("question.0");
+        settle(2);
     }
     /// What comes back has the bits that were lost, and a replay has them too.
     void expectAllIsBack(const std::string& before, const std::string& title) {
@@ -121,8 +94,7 @@ TEST_F(EditorJournalTest, AfterACrashItGoesOnWithTheSameBits) {
     const std::string title = editor->title();
     crash();
     expectAllIsBack(before, title);
-    drag(kTop + Vec2(-40, 0), kBottom + Vec2(-30, 0), 10);
-    settle();
+    dragAndSettle(kTop + Vec2(-40, 0), kBottom + Vec2(-30, 0), 10);
     EXPECT_NE(editor->title(), title) << "it can be gone on from";
 }
 
@@ -169,8 +141,7 @@ TEST_F(EditorJournalTest, WhatComesBackInPortionsIsToldOfAtOnce) {
     crash();
     editor = newEditor(true);
     awaitQuestion();
-    click("question.0");
-    waitForWork();
+    clickAndWait("question.0");
     EXPECT_EQ(panels().plots.history, &editor->scene()->readout().readings().history());
 }
 
@@ -179,9 +150,7 @@ TEST_F(EditorJournalTest, UndoneAndFallingWorkComesBackToo) {
     cutAcross();
     tap(Key::z, {.control = true});
     settle();
-    tap(Key::space);
-    frames(12);
-    tap(Key::space);
+    playFor(12);
     frames(3);
     const std::string before = hash();
     crash();
@@ -189,11 +158,8 @@ TEST_F(EditorJournalTest, UndoneAndFallingWorkComesBackToo) {
 }
 
 TEST_F(EditorJournalTest, AnAddedModelComesBackWithoutACut) {
-    tap(Key::o, {.shift = true, .control = true});
-    frames(2);
-    type("box.obj");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::o, {.shift = true, .control = true}, 2);
+    enter("box.obj");
     EXPECT_EQ(panels().model.models.size(), 2U);
     crash();
     goOn();
@@ -201,20 +167,13 @@ TEST_F(EditorJournalTest, AnAddedModelComesBackWithoutACut) {
 }
 
 TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
-                   {"step": 41, "type": "lift"}]})");
+    writeText(folder / "slice.kerf.json", sliceSession(kLift));
     openAtStart(folder / "slice.kerf.json");
     editor->scene()->seek(20);
     settle();
-    tap(Key::v);
-    frames(2);
+    tap(Key::v, 2);
     editor->scene()->seek(60);
-    settle();
-    frames(2);
+    settle(2);
     const std::string before = hash();
     crash();
     expectAllIsBack(before, "Kerf - slice - 2 pieces");
@@ -242,14 +201,12 @@ TEST_F(EditorJournalTest, DiscardedWorkIsGoneAndPutOffWorkIsOfferedAgain) {
     crash();
     editor = newEditor();
     awaitQuestion();
-    tap(Key::escape);
-    frames(3);
+    tap(Key::escape, 3);
     EXPECT_TRUE(panels().question.text.empty());
     crash();
     editor = newEditor();
     awaitQuestion();
-    click("question.1");
-    frames(2);
+    click("question.1", 2);
     EXPECT_FALSE(asksSoon());
     crash();
     editor = newEditor();
@@ -268,53 +225,45 @@ TEST_F(EditorJournalTest, OtherWindowsAreLeftAlone) {
     awaitQuestion();
     click("question.1");
     awaitQuestion();
-    click("question.1");
-    frames(2);
+    click("question.1", 2);
     EXPECT_FALSE(asksSoon());
 }
 
 TEST_F(EditorJournalTest, OneThatIsSwitchedOffKeepsNothing) {
     crash();
-    std::filesystem::remove_all(journals.path());
-    test::writeText(folder / "settings.json", R"({"keep_journal": false})");
+    fs::remove_all(journals.path());
+    writeText(folder / "settings.json", R"({"keep_journal": false})");
     editor = newEditor();
     cut();
     frames(90);
-    EXPECT_FALSE(std::filesystem::exists(journals.path()));
-    std::filesystem::create_directories(journals.path());
+    EXPECT_FALSE(fs::exists(journals.path()));
+    fs::create_directories(journals.path());
 }
 
 TEST_F(EditorJournalTest, AModelThatHasChangedSinceIsSaidAndTheWorkStays) {
     cut();
     crash();
-    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(1)));
+    writeText(folder / "ball.obj", objText(icosphereSoup(1)));
     goOn();
     EXPECT_TRUE(panels().toast.isError);
     EXPECT_THAT(panels().toast.text, HasSubstr("ball.obj"));
     EXPECT_THAT(panels().toast.text, HasSubstr("offered again"));
     crash();
-    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
+    writeText(folder / "ball.obj", objText(icosphereSoup(2)));
     goOn();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorJournalTest, OnAFullDiskOneSentenceComesAndEditingGoesOn) {
     // Else the journal of the ball might be what the full disk meets.
-    for (int i = 0; i < 2000 && editor->idleSeconds() < 1; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        frames(1);
-    }
+    waitWhile([&] { return editor->idleSeconds() < 1; });
     ASSERT_GE(editor->idleSeconds(), 1);
-    const test::FileFault fault(1, ENOSPC, true);
-    editor->open(folder / "box.obj");
-    waitForWork();
+    const FileFault fault(1, ENOSPC, true);
+    open(folder / "box.obj");
     const auto isSaid = [&] {
         return panels().toast.text.find("save the session now and then") != std::string::npos;
     };
-    for (int i = 0; i < 2000 && !isSaid(); ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        frames(1);
-    }
+    waitWhile([&] { return !isSaid(); });
     EXPECT_TRUE(isSaid());
     cut();
     EXPECT_EQ(editor->title(), "Kerf - box - 2 pieces");
@@ -329,11 +278,9 @@ TEST_F(EditorJournalTest, OnAFullDiskOneSentenceComesAndEditingGoesOn) {
 
 TEST_F(EditorJournalTest, LeavingAsksAndEscStays) {
     cut();
-    tap(Key::q, {.control = true});
-    frames(2);
+    tap(Key::q, {.control = true}, 2);
     EXPECT_THAT(panels().question.title, HasSubstr("Quit"));
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_FALSE(editor->closing());
     EXPECT_TRUE(panels().question.text.empty());
     editor->askToLeave();
@@ -351,24 +298,19 @@ TEST_F(EditorJournalTest, LeavingWithoutWorkDoesNotAsk) {
 
 TEST_F(EditorJournalTest, LeavingSavesFirstIfThatIsWanted) {
     cut();
-    tap(Key::q, {.control = true});
-    frames(2);
-    tap(Key::enter);
-    frames(2);
+    tap(Key::q, {.control = true}, 2);
+    tap(Key::enter, 2);
     ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
     EXPECT_FALSE(editor->closing());
-    type("kept");
-    tap(Key::enter);
-    waitForWork();
+    enter("kept");
     EXPECT_TRUE(editor->closing());
-    EXPECT_TRUE(std::filesystem::exists(folder / "kept.kerf.json"));
+    EXPECT_TRUE(fs::exists(folder / "kept.kerf.json"));
     expectFiles(0);
 }
 
 TEST_F(EditorJournalTest, LeavingWaitsForWhatIsBeingSaved) {
     cut();
-    tap(Key::s, {.control = true});
-    frames(2);
+    tap(Key::s, {.control = true}, 2);
     type("kept");
     editor->post(ui::KeyChange{Key::enter, true, {}});
     editor->post(ui::KeyChange{Key::enter, false, {}});
@@ -377,17 +319,14 @@ TEST_F(EditorJournalTest, LeavingWaitsForWhatIsBeingSaved) {
     EXPECT_TRUE(panels().question.text.empty());
     waitForWork();
     EXPECT_TRUE(editor->closing());
-    EXPECT_TRUE(std::filesystem::exists(folder / "kept.kerf.json"));
+    EXPECT_TRUE(fs::exists(folder / "kept.kerf.json"));
 }
 
 TEST_F(EditorJournalTest, ADialogLeftWithoutANameStays) {
     cut();
-    tap(Key::q, {.control = true});
-    frames(2);
-    tap(Key::enter);
-    frames(2);
-    tap(Key::escape);
-    frames(2);
+    tap(Key::q, {.control = true}, 2);
+    tap(Key::enter, 2);
+    tap(Key::escape, 2);
     EXPECT_FALSE(editor->closing());
     saveByKeys();
     EXPECT_FALSE(editor->closing()) << "that was another wish";
@@ -396,21 +335,17 @@ TEST_F(EditorJournalTest, ADialogLeftWithoutANameStays) {
 TEST_F(EditorJournalTest, WhereSavingFailsTheWindowStaysAndSoDoesTheWork) {
     cut();
     const std::string before = hash();
-    tap(Key::q, {.control = true});
-    frames(2);
-    tap(Key::enter);
-    frames(2);
+    tap(Key::q, {.control = true}, 2);
+    tap(Key::enter, 2);
     {
-        const test::FileFault fault(1, ENOSPC, true);
-        tap(Key::enter);
-        waitForWork();
+        const FileFault fault(1, ENOSPC, true);
+        confirm();
     }
     EXPECT_FALSE(editor->closing());
     EXPECT_TRUE(panels().toast.isError);
     EXPECT_THAT(panels().toast.text, HasSubstr("free some space"));
     EXPECT_EQ(hash(), before);
-    tap(Key::q, {.control = true});
-    frames(2);
+    tap(Key::q, {.control = true}, 2);
     EXPECT_FALSE(panels().question.text.empty()) << "it is still in no file";
 }
 
@@ -419,13 +354,11 @@ TEST_F(EditorJournalTest, OpeningAnotherFileAsks) {
     editor->post(ui::FileDrop{{folder / "box.obj"}});
     frames(3);
     EXPECT_THAT(panels().question.title, HasSubstr("box.obj"));
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     editor->post(ui::FileDrop{{folder / "box.obj"}});
     frames(3);
-    click("question.1");
-    waitForWork();
+    clickAndWait("question.1");
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     crash();
     editor = newEditor();

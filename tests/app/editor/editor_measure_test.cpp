@@ -1,9 +1,6 @@
 // Distances, angles, areas and volumes by clicks; their points stick to the material.
-#include <fstream>
-#include <sstream>
 
 #include "app/scene/readout/surface_anchor.h"
-#include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
 namespace {
@@ -14,7 +11,7 @@ class EditorMeasureTest : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         Document document = sphereDocument();
-        document.mesh = test::box(Vec3::Ones(), 4);
+        document.mesh = box(Vec3::Ones(), 4);
         document.restBounds = meshBounds(document.mesh);
         document.camera.eye = Vec3(0, 0, 3);
         open(std::move(document));
@@ -32,10 +29,9 @@ class EditorMeasureTest : public EditorTest {
     }
     void clickAt(double x, double y) {
         const Vec2 at = pixelOf(x, y);
-        moveTo(at.x(), at.y());
+        moveTo(at);
         press(true);
-        press(false);
-        frames(2);
+        press(false, 2);
     }
     const std::vector<ui::MeasureRow>& rows() const { return panels().view.measures; }
     double value(std::size_t row, std::size_t figure = 0) const {
@@ -77,7 +73,7 @@ TEST_F(EditorMeasureTest, AClickOnAPieceTellsItsAreaAndVolume) {
 
 TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
     Document document = sphereDocument();
-    document.mesh = test::box(Vec3::Ones(), 4);
+    document.mesh = box(Vec3::Ones(), 4);
     document.restBounds = meshBounds(document.mesh);
     document.camera.eye = Vec3(0, 0, 3);
     document.session.placement.unit = LengthUnit::millimetre;
@@ -88,7 +84,7 @@ TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_NEAR(rows()[0].figures[0].ownValue, 500, 4);
     EXPECT_EQ(rows()[0].figures[0].ownUnit, "mm");
-    EXPECT_THAT(rows()[0].figures[0].text, testing::HasSubstr("mm in its file"));
+    EXPECT_THAT(rows()[0].figures[0].text, HasSubstr("mm in its file"));
 }
 
 TEST_F(EditorMeasureTest, PointsMoveWithTheBody) {
@@ -96,9 +92,7 @@ TEST_F(EditorMeasureTest, PointsMoveWithTheBody) {
     clickAt(0.3, 0.3);
     const ui::PlotPoint before = panels().view.overlay.dots.at(0);
     tap(Key::v);
-    tap(Key::space);
-    frames(12);
-    tap(Key::space);
+    playFor(12);
     settle();
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_GT(panels().view.overlay.dots.at(0).y, before.y + 2) << "it fell";
@@ -112,8 +106,7 @@ TEST_F(EditorMeasureTest, MeasuresGoOnThroughACutAndItsUndo) {
     clickAt(-0.3, 0);
     ASSERT_EQ(rows().size(), 2U);
     tap(Key::c);
-    drag(kTop, kBottom, 30);
-    settle();
+    dragAndSettle(kTop, kBottom, 30);
     frames(4);
     ASSERT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     ASSERT_EQ(rows().size(), 2U);
@@ -121,8 +114,7 @@ TEST_F(EditorMeasureTest, MeasuresGoOnThroughACutAndItsUndo) {
     EXPECT_EQ(rows()[1].figures.size(), 3U) << "it has a face of the cut now";
     EXPECT_NEAR(rows()[1].figures.back().value, 0.5, 0.03);
     tap(Key::z, {.control = true});
-    settle();
-    frames(4);
+    settle(4);
     ASSERT_EQ(rows().size(), 2U);
     EXPECT_NEAR(rows()[1].figures.back().value, 1, 1e-3);
 }
@@ -130,12 +122,10 @@ TEST_F(EditorMeasureTest, MeasuresGoOnThroughACutAndItsUndo) {
 TEST_F(EditorMeasureTest, EscForgetsThePointsAndThenEndsMeasuring) {
     clickAt(0, 0);
     EXPECT_EQ(panels().view.overlay.dots.size(), 1U);
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_EQ(panels().view.overlay.dots.size(), 0U);
     EXPECT_EQ(panels().tools.tool, ui::Tool::measure);
-    tap(Key::escape);
-    frames(2);
+    tap(Key::escape, 2);
     EXPECT_EQ(panels().tools.tool, ui::Tool::stroke);
 }
 
@@ -144,14 +134,12 @@ TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
     clickAt(0.3, 0);
     clickAt(0, -0.3);
     clickAt(0, 0.3);
-    click("measure.csv");
-    waitForWork();
+    clickAndWait("measure.csv");
     std::stringstream text;
     text << std::ifstream(onlyFile(folder.path())).rdbuf();
-    EXPECT_THAT(text.str(),
-                testing::StartsWith("id,measure,quantity,value,unit,value_in_file,unit_in_file\n"
-                                    "1,distance,distance,0."));
-    EXPECT_THAT(text.str(), testing::HasSubstr("\n2,distance,distance,"));
+    EXPECT_THAT(text.str(), StartsWith("id,measure,quantity,value,unit,value_in_file,unit_in_file\n"
+                                       "1,distance,distance,0."));
+    EXPECT_THAT(text.str(), HasSubstr("\n2,distance,distance,"));
     click("measure.remove.1");
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].id, 2);
@@ -161,16 +149,14 @@ TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
 
 TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
     EXPECT_FALSE(panels().pieces.rows.at(0).sums);
-    click("pieces.details");
-    frames(2);
+    click("pieces.details", 2);
     ASSERT_TRUE(panels().pieces.rows.at(0).sums);
     EXPECT_NEAR(panels().pieces.rows[0].sums->skinArea, 6, 1e-5);
     EXPECT_EQ(panels().pieces.rows[0].sums->cutArea, 0);
     EXPECT_NEAR(panels().pieces.rows[0].sums->centroid.norm(), 0, 1e-6);
     EXPECT_NEAR(panels().pieces.rows[0].shareOfAll, 1, 1e-9);
     tap(Key::c);
-    drag(kTop, kBottom, 30);
-    settle();
+    dragAndSettle(kTop, kBottom, 30);
     frames(4);
     ASSERT_EQ(panels().pieces.rows.size(), 2U);
     for (const ui::PieceRow& piece : panels().pieces.rows) {
@@ -179,17 +165,16 @@ TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
         EXPECT_NEAR(std::abs(piece.sums->centroid.x()), 0.25, 0.02);
         EXPECT_TRUE(piece.bounds.center().isApprox(piece.sums->centroid, 0.1));
     }
-    click("pieces.csv");
-    waitForWork();
+    clickAndWait("pieces.csv");
     std::stringstream text;
     text << std::ifstream(onlyFile(folder.path())).rdbuf();
-    EXPECT_THAT(text.str(), testing::StartsWith("piece,triangles,volume_m3,"));
-    EXPECT_THAT(text.str(), testing::HasSubstr("\n2,"));
+    EXPECT_THAT(text.str(), StartsWith("piece,triangles,volume_m3,"));
+    EXPECT_THAT(text.str(), HasSubstr("\n2,"));
 }
 
 TEST(SurfaceAnchor, EndsWhereItsMaterialIsGone) {
-    const SurfaceMesh whole = test::meshOf(test::joined(
-        test::boxSoup(Vec3::Ones(), 1), test::boxSoup(Vec3::Ones(), 1), Vec3(5, 0, 0)));
+    const SurfaceMesh whole =
+        meshOf(joined(boxSoup(Vec3::Ones(), 1), boxSoup(Vec3::Ones(), 1), Vec3(5, 0, 0)));
     SurfaceAnchor anchor(whole, {12, whole.position(whole.triangle(12)[0]), Vec3::UnitX()});
     EXPECT_TRUE(anchor.follow(whole));
     SurfaceMesh rest = whole;
@@ -211,9 +196,7 @@ TEST_F(EditorMeasureTest, APointIsPlottedOverTime) {
     EXPECT_TRUE(editor->itemRects().contains("plot.point_strain"));
     EXPECT_NEAR(lastOf(panels(), ui::Reading::pointStrain), 0, 1e-6);
     tap(Key::v);
-    tap(Key::space);
-    frames(20);
-    tap(Key::space);
+    playFor(20);
     settle();
     const auto buckets = (*panels().plots.history)[ui::Reading::pointSpeed].buckets();
     EXPECT_EQ(buckets.size(), 1U + panels().transport.step) << "a value per step";
@@ -225,8 +208,7 @@ TEST_F(EditorMeasureTest, APointIsPlottedOverTime) {
     EXPECT_EQ(rows().size(), 1U) << "one at a time";
     editor->resize(kWidth, 2 * kHeight);  // so that the button is in view
     frames(2);
-    click("measure.clear");
-    frames(2);
+    click("measure.clear", 2);
     EXPECT_TRUE(rows().empty());
     EXPECT_FALSE(editor->itemRects().contains("plot.point_strain"));
 }
@@ -235,13 +217,11 @@ TEST_F(EditorMeasureTest, APlottedPointFollowsItsMaterialThroughACut) {
     click("measure.Plot");
     clickAt(0.2, 0.1);
     tap(Key::c);
-    drag(pixelOf(0.21, 0.7), pixelOf(0.19, -0.7), 30);
-    settle();
+    dragAndSettle(pixelOf(0.21, 0.7), pixelOf(0.19, -0.7), 30);
     ASSERT_EQ(panels().pieces.rows.size(), 2U);
     ASSERT_EQ(rows().size(), 1U);
     const std::size_t before = (*panels().plots.history)[ui::Reading::pointStrain].buckets().size();
-    tap(Key::period);
-    frames(2);
+    tap(Key::period, 2);
     EXPECT_GT((*panels().plots.history)[ui::Reading::pointStrain].buckets().size(), before);
 }
 

@@ -1,20 +1,12 @@
 // What the editor does where memory does not do, and how it places large models.
-#include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <new>
 
 #include "app/editor/editor_state.h"
-#include "app/files/import/builtin_models.h"
-#include "app/scene/editor_scene.h"
 #include "gpu/buffer.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
 
 class EditorMemoryTest : public EditorTest {
   protected:
@@ -25,18 +17,16 @@ class EditorMemoryTest : public EditorTest {
 };
 
 TEST_F(EditorMemoryTest, AModelBeyondTheMeansOfTheMachineIsSaidAndChangesNothing) {
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup(Vec3::Ones(), 4)));
+    writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
     for (const char* bytes : {"0", "1000", "100000"}) {
         ::setenv("KERF_MEMORY_BYTES", bytes, 1);
-        editor->open(folder / "box.obj");
-        waitForWork();
+        open(folder / "box.obj");
         EXPECT_THAT(panels().toast.text, HasSubstr("box.obj: cutting it needs about")) << bytes;
         EXPECT_TRUE(panels().toast.isError);
         EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     }
     ::unsetenv("KERF_MEMORY_BYTES");
-    editor->open(folder / "box.obj");
-    waitForWork();
+    open(folder / "box.obj");
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
 }
 
@@ -44,10 +34,9 @@ TEST_F(EditorMemoryTest, ASessionOfSeveralModelsIsCountedAsAWhole) {
     const MemoryNeed one = memoryNeedOf(openDocument(builtinModelFile("sphere80")));
     const std::string bytes = std::to_string(3 * (one.memory + one.graphics) / 2);
     ::setenv("KERF_MEMORY_BYTES", bytes.c_str(), 1);
-    editor->open(builtinModelFile("sphere80"));
-    waitForWork();
+    open(builtinModelFile("sphere80"));
     ASSERT_EQ(editor->title(), "Kerf - sphere80 - 1 piece");
-    test::writeText(folder / "two.kerf.json", R"({"format": "kerf-session", "version": 1,
+    writeText(folder / "two.kerf.json", R"({"format": "kerf-session", "version": 1,
         "model": {"builtin": "sphere80"}, "more_models": [
             {"builtin": "sphere80", "placement": {"translate": [3, 0, 0]}}],
         "steps": 1, "events": []})");
@@ -56,7 +45,7 @@ TEST_F(EditorMemoryTest, ASessionOfSeveralModelsIsCountedAsAWhole) {
     EXPECT_EQ(editor->title(), "Kerf - sphere80 - 1 piece");
 }
 
-class EditorOutOfMemoryTest : public test::GlTest {
+class EditorOutOfMemoryTest : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -128,10 +117,8 @@ class EditorPlacingTest : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         editor->resize(1280, 1200);
-        test::writeText(folder / "large.obj", test::objText(test::boxSoup(Vec3::Ones(), 45)));
-        editor->open(folder / "large.obj");
-        waitForWork();
-        frames(2);
+        writeText(folder / "large.obj", objText(boxSoup(Vec3::Ones(), 45)));
+        open(folder / "large.obj", 2);
         ASSERT_GT(panels().body.triangles, 20'000);
     }
     LengthUnit unit() const { return panels().model.models[0].placement.unit.value(); }
@@ -141,8 +128,7 @@ class EditorPlacingTest : public EditorTest {
 TEST_F(EditorPlacingTest, ALargeModelIsPlacedBehindTheScene) {
     ASSERT_EQ(unit(), LengthUnit::metre);
     const std::string before = simulation().stateHash();
-    click("model.unit.cm");
-    waitForWork();
+    clickAndWait("model.unit.cm");
     EXPECT_EQ(unit(), LengthUnit::centimetre);
     EXPECT_NEAR(panels().model.models[0].size.y(), 0.01, 1e-6);
     const std::string placed = simulation().stateHash();
@@ -173,9 +159,8 @@ TEST_F(EditorPlacingTest, CancelLeavesItWhereItIs) {
 
 TEST_F(EditorPlacingTest, AnotherModelTakesThePlaceOfWhatIsBeingPlaced) {
     click("model.unit.cm");
-    test::writeText(folder / "box.obj", test::objText(test::boxSoup()));
-    editor->open(folder / "box.obj");
-    waitForWork();
+    writeText(folder / "box.obj", objText(boxSoup()));
+    open(folder / "box.obj");
     EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
     EXPECT_EQ(unit(), LengthUnit::metre);
 }

@@ -1,11 +1,5 @@
 // The gizmo on boxes, on pins, on the model and on the guillotine.
-#include "app/scene/document/rest_of_body.h"
-#include "app/scene/editor_scene.h"
-#include "app/session/session.h"
 #include "app/tools/view_frame.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
@@ -26,8 +20,7 @@ class EditorMoveTest : public EditorTest {
     }
     void takeTool() {
         tap(Key::u);
-        moveTo(5, kHeight - 5);
-        frames(2);
+        moveTo(5, kHeight - 5, 2);
     }
     /// Pixel of the tip of an arrow.
     Vec2 tip(int axis) {
@@ -60,17 +53,12 @@ class EditorMoveTest : public EditorTest {
         return points.at(6);  // of 48 in one quarter
     }
     void dragSlowly(const Vec2& from, const Vec2& way) {
-        moveTo(from.x(), from.y());
+        moveTo(from);
         press(true);
         for (int i = 1; i <= 5; ++i) {
-            moveTo(from.x() + way.x() * i / 5, from.y() + way.y() * i / 5);
-            frames(1);
+            moveTo(from.x() + way.x() * i / 5, from.y() + way.y() * i / 5, 1);
         }
         frames(1);  // What is drawn over the scene is that of before the last input.
-    }
-    void undo() {
-        editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-        settle();
     }
 };
 
@@ -81,8 +69,7 @@ TEST_F(EditorMoveTest, AnArrowMovesABoxAndOneUndoTakesTheDragBack) {
     dragSlowly(tip(0), Vec2(40, 0));
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand);
     ASSERT_EQ(panels().view.overlay.labels.size(), 1U) << "the number is shown";
-    press(false);
-    settle();
+    release();
     EXPECT_GT(box(0).center.x(), 0.95);
     EXPECT_EQ(box(0).center.y(), -0.3);
     EXPECT_EQ(panels().changes.done, changes + 1) << "one drag is one change";
@@ -94,14 +81,12 @@ TEST_F(EditorMoveTest, SquaresSizeABoxAndRingsTurnIt) {
     addBox(Vec3(0.9, -0.3, 0));
     takeTool();
     dragSlowly(square(1), Vec2(0, -30));
-    press(false);
-    settle();
+    release();
     EXPECT_GT(box(0).size.y(), 0.33);
     EXPECT_EQ(box(0).size.x(), 0.3);
     EXPECT_NEAR(box(0).center.y() - box(0).size.y() / 2, -0.45, 1e-9) << "its underside stays";
     dragSlowly(ring(2), Vec2(-30, 20));
-    press(false);
-    settle();
+    release();
     EXPECT_GT(box(0).rotate.norm(), 3);
 }
 
@@ -109,11 +94,10 @@ TEST_F(EditorMoveTest, ControlSnapsToRoundSteps) {
     addBox(Vec3(0.9, -0.3, 0));
     takeTool();
     const Vec2 from = tip(0);
-    moveTo(from.x(), from.y());
+    moveTo(from);
     press(true);
     editor->post(ui::PointerMove{from.x() + 33, from.y(), {.control = true}});
-    press(false);
-    settle();
+    release();
     const double by = box(0).center.x() - 0.9;
     EXPECT_GT(by, 0);
     EXPECT_NEAR(by / 0.05, std::round(by / 0.05), 1e-6) << by;
@@ -125,8 +109,7 @@ TEST_F(EditorMoveTest, EscTakesTheDragBack) {
     dragSlowly(tip(1), Vec2(0, -40));
     EXPECT_GT(box(0).center.y(), -0.28);
     tap(Key::escape);
-    press(false);
-    settle();
+    release();
     EXPECT_EQ(box(0).center.y(), -0.3);
 }
 
@@ -136,25 +119,21 @@ TEST_F(EditorMoveTest, AClickChoosesAnotherBoxOrTheModel) {
     takeTool();
     EXPECT_GT(tip(1).x(), kMiddle.x()) << "the last box";
     const Vec2 other(kMiddle.x() - (tip(1).x() - kMiddle.x()), kMiddle.y() + 60);
-    moveTo(other.x(), other.y());
-    frames(2);
+    moveTo(other, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand) << "a click would choose it";
     press(true);
-    press(false);
-    frames(2);
+    press(false, 2);
     EXPECT_LT(tip(1).x(), kMiddle.x());
-    moveTo(kMiddle.x(), kMiddle.y());
+    moveTo(kMiddle);
     press(true);
-    press(false);
-    frames(2);
+    press(false, 2);
     EXPECT_NEAR(tip(1).x(), kMiddle.x(), 40) << "the model";
 }
 
 TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
     takeTool();
     dragSlowly(tip(0), Vec2(40, 0));
-    press(false);
-    settle();
+    release();
     const Placement moved = scene().simulation().placement();
     EXPECT_GT(moved.translate.x(), 0.05);
     EXPECT_NEAR(scene().rest().bounds().center().x(), moved.translate.x(), 0.01);
@@ -167,8 +146,7 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
     ASSERT_NE(corner, nullptr);
     const Vec3 middle = scene().rest().bounds().center();
     dragSlowly(Vec2(corner->at.x, corner->at.y), Vec2(30, -30));
-    press(false);
-    settle();
+    release();
     EXPECT_GT(scene().simulation().placement().scale, 1.1);
     EXPECT_LT((scene().rest().bounds().center() - middle).norm(), 1e-3) << "about its middle";
     undo();
@@ -177,15 +155,13 @@ TEST_F(EditorMoveTest, TheModelIsMovedTurnedAndScaledAboutItsMiddle) {
 }
 
 TEST_F(EditorMoveTest, ACutModelStaysAndSaysWhy) {
-    drag(kTop, kBottom, 8);
-    settle();
+    dragAndSettle(kTop, kBottom, 8);
     takeTool();
     EXPECT_TRUE(panels().view.overlay.axisDots.empty());
     moveTo(kMiddle.x() + 40, kMiddle.y());
     press(true);
-    press(false);
-    settle();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("A cut model can't be moved"));
+    release();
+    EXPECT_THAT(panels().toast.text, HasSubstr("A cut model can't be moved"));
 }
 
 TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
@@ -195,8 +171,7 @@ TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
     const Vec3 before = scene().simulation().mesh().position(int(pinned[0]));
     const std::size_t changes = panels().changes.done;
     dragSlowly(tip(0), Vec2(30, 0));
-    press(false);
-    settle();
+    release();
     const Vec3 after = scene().simulation().mesh().position(int(pinned[0]));
     EXPECT_GT(after.x(), before.x() + 0.05);
     EXPECT_NEAR(after.y(), before.y(), 1e-6);
@@ -205,16 +180,14 @@ TEST_F(EditorMoveTest, WhatIsPinnedIsMovedAndReplaysToTheSameBits) {
     EXPECT_GT(panels().transport.step, 5) << "time runs, so that the body follows";
     EXPECT_GT(scene().simulation().bounds().center().x(), 0.02);
     dragSlowly(ring(1), Vec2(20, 10));
-    press(false);
-    settle();
+    release();
     saveByKeys();
     expectReplayed(readSession(onlyFile(folder.path())), sphereDocument().mesh);
 }
 
 TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     tap(Key::g);
-    moveTo(5, kHeight - 5);
-    frames(2);
+    moveTo(5, kHeight - 5, 2);
     ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
     EXPECT_EQ(panels().view.overlay.axisDots.size(), 3U);
     const auto middle = [this] { return panels().view.overlay.handles[0].at; };
@@ -225,8 +198,7 @@ TEST_F(EditorMoveTest, TheGuillotineHasTheSameGizmo) {
     EXPECT_NEAR(held.y, before.y + 30, 3);
     EXPECT_NEAR(held.x, before.x, 3);
     tap(Key::escape);
-    press(false);
-    frames(2);
+    press(false, 2);
     EXPECT_NEAR(middle().y, before.y, 0.5) << "Esc brings it back";
     EXPECT_EQ(panels().transport.step, 0) << "posing cuts nothing";
 }

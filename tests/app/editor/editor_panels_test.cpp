@@ -1,42 +1,28 @@
 // What the panels ask for, in the whole editor without a window.
-#include <gmock/gmock.h>
-
-#include <chrono>
-#include <thread>
-
 #include "app/editor/editor.h"
-#include "app/editor/storage/settings_file.h"
-#include "gpu/data_path.h"
-#include "render/scene/picture_comparison.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/temporary_folder.h"
+#include "app/editor/view/editor_toast.h"
+#include "app/scene/readout/cut_quality.h"
 
 namespace kerf::app {
 namespace {
 
-using ui::Button;
-using ui::Key;
-
-class EditorPanelsTest : public test::GlTest {
+class EditorPanelsTest : public EditorTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        options.width = 1280;
-        options.height = 720;
-        options.quality = render::Quality::light;
-        options.byTheClock = false;
-        options.screenshotFolder = folder.path();
         start();
     }
-    void TearDown() override {
-        editor.reset();
-        GlTest::TearDown();
+    EditorOptions options() override {
+        EditorOptions options = EditorTest::options();
+        options.width = 1280;
+        options.height = 720;
+        options.drawsAll = true;
+        options.settingsFile = settingsFile;
+        return options;
     }
-
     void start() {
-        editor = std::make_unique<Editor>(
-            options, openDocument(gpu::dataPath("assets/sessions/sphere20.kerf.json")));
-        frames(2);
+        EditorTest::start(options(),
+                          openDocument(gpu::dataPath("assets/sessions/sphere20.kerf.json")));
     }
     /// Folds a section first, so that there is room.
     void chooseLight() {
@@ -44,47 +30,21 @@ class EditorPanelsTest : public test::GlTest {
         clickOn("section.window");
         clickOn("window.light");
     }
-    void frames(int count) {
-        for (int i = 0; i < count; ++i) {
-            editor->frame(1.0 / 60);
-        }
-    }
-    /// Pictures until what was asked for is open, or has failed.
-    void waitForWork() {
-        frames(1);
-        while (editor->working()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            frames(1);
-        }
-        frames(2);
-    }
-    void tap(Key key, const ui::Modifiers& modifiers = {}) {
-        editor->post(ui::KeyChange{key, true, modifiers});
-        editor->post(ui::KeyChange{key, false, modifiers});
-        frames(2);
-    }
     void moveOnto(const std::string& item) {
         const ui::Rect place = editor->itemRects().at(item);
-        editor->post(ui::PointerMove{place.x + place.width / 2, place.y + place.height / 2, {}});
+        moveTo(place.x + place.width / 2, place.y + place.height / 2);
     }
     void clickOn(const std::string& item) {
         moveOnto(item);
-        editor->post(ui::ButtonChange{Button::left, true, {}});
-        editor->post(ui::ButtonChange{Button::left, false, {}});
-        frames(3);
+        press(true);
+        press(false, 3);
     }
-    const ui::PanelModel& panels() const { return editor->panels(); }
-    std::vector<std::filesystem::path> files() const {
-        std::vector<std::filesystem::path> found;
-        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-            found.push_back(entry.path());
-        }
-        return found;
+    std::vector<fs::path> files() const {
+        const fs::directory_iterator found(folder.path());
+        return {begin(found), end(found)};
     }
 
-    test::TemporaryFolder folder;
-    EditorOptions options;
-    std::unique_ptr<Editor> editor;
+    fs::path settingsFile;
 };
 
 TEST_F(EditorPanelsTest, AnExperimentShowsThePapersFiguresBesideItsOwn) {
@@ -96,9 +56,7 @@ TEST_F(EditorPanelsTest, AnExperimentShowsThePapersFiguresBesideItsOwn) {
     EXPECT_FALSE(cardOf("sphere20").ours.has_value()) << "nothing is shown that was not measured";
     ASSERT_TRUE(panels().plots.paper.has_value());
     EXPECT_EQ(panels().plots.paper->fps, 172.1);
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     ASSERT_TRUE(cardOf("sphere20").ours.has_value());
     EXPECT_NEAR(cardOf("sphere20").ours->fps, 60, 1);
     EXPECT_NEAR(cardOf("sphere20").ours->volume, 100, 2);
@@ -114,17 +72,15 @@ TEST_F(EditorPanelsTest, AnExperimentShowsThePapersFiguresBesideItsOwn) {
 }
 
 TEST_F(EditorPanelsTest, PlotsAreSavedAsTheyAreShown) {
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     clickOn("plots.csv");
     waitForWork();
     ASSERT_EQ(files().size(), 1U);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(files()[0].string()));
-    const std::string text = test::readBytes(files()[0]);
-    EXPECT_THAT(text, ::testing::StartsWith("plot,curve,time,mean,min,max,values\n"));
-    EXPECT_THAT(text, ::testing::HasSubstr("\nvolume,volume,"));
-    std::filesystem::remove(files()[0]);
+    EXPECT_THAT(panels().toast.text, HasSubstr(files()[0].string()));
+    const std::string text = readBytes(files()[0]);
+    EXPECT_THAT(text, StartsWith("plot,curve,time,mean,min,max,values\n"));
+    EXPECT_THAT(text, HasSubstr("\nvolume,volume,"));
+    fs::remove(files()[0]);
     clickOn("plots.png");
     waitForWork();
     ASSERT_EQ(files().size(), 1U);
@@ -134,15 +90,14 @@ TEST_F(EditorPanelsTest, PlotsAreSavedAsTheyAreShown) {
 }
 
 TEST_F(EditorPanelsTest, PlotsHoldAndFollow) {
-    tap(Key::space);
-    frames(5);
-    tap(Key::h);
+    tap(Key::space, 6);
+    tap(Key::h, 1);
     ASSERT_TRUE(panels().plots.view.end.has_value());
     const double held = *panels().plots.view.end;
     frames(5);
     EXPECT_EQ(panels().plots.view.end, held);
     EXPECT_GT(panels().transport.time, held);
-    tap(Key::h, {.shift = true});
+    tap(Key::h, {.shift = true}, 1);
     EXPECT_EQ(panels().plots.view, ui::PlotView{});
 }
 
@@ -156,7 +111,7 @@ TEST_F(EditorPanelsTest, HiddenAndHoveredPiecesChangeThePictureAlone) {
     clickOn("eye.0");
     EXPECT_TRUE(panels().pieces.rows[0].hidden);
     EXPECT_GT(render::channelDifference(tinted, editor->readPicture()).pixels, 2000);
-    tap(Key::period);
+    tap(Key::period, 1);
     EXPECT_EQ(panels().transport.step, 1) << "it is simulated all the same";
     EXPECT_TRUE(panels().changes.rows.empty()) << "and there is nothing to undo";
     clickOn("pieces.show_all");
@@ -164,30 +119,29 @@ TEST_F(EditorPanelsTest, HiddenAndHoveredPiecesChangeThePictureAlone) {
 }
 
 TEST_F(EditorPanelsTest, TheLogKeepsWhatWasSaid) {
-    editor->open("/no/such/file.obj");
-    waitForWork();
+    open("/no/such/file.obj");
     ASSERT_FALSE(panels().log.empty());
     EXPECT_TRUE(panels().log.back().isError);
-    EXPECT_THAT(panels().log.back().text, ::testing::HasSubstr("/no/such/file.obj"));
+    EXPECT_THAT(panels().log.back().text, HasSubstr("/no/such/file.obj"));
 }
 
 TEST_F(EditorPanelsTest, SettingsAreKeptWhereAFileIsNamed) {
     chooseLight();
     EXPECT_EQ(panels().settings.theme, ui::Theme::light);
     EXPECT_TRUE(files().empty()) << "without a file nothing is written";
-    options.settingsFile = folder / "settings.json";
+    settingsFile = folder / "settings.json";
     start();
-    tap(Key::tab);
+    tap(Key::tab, 1);
     EXPECT_FALSE(panels().settings.showControls);
-    tap(Key::tab);
+    tap(Key::tab, 1);
     chooseLight();
-    EXPECT_EQ(SettingsFile(options.settingsFile).now.theme, ui::Theme::light);
+    EXPECT_EQ(SettingsFile(settingsFile).now.theme, ui::Theme::light);
     start();
     EXPECT_EQ(panels().settings.theme, ui::Theme::light);
-    test::writeText(options.settingsFile, "{");
+    writeText(settingsFile, "{");
     start();
     EXPECT_EQ(panels().settings, ui::Settings{});
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(options.settingsFile.string()));
+    EXPECT_THAT(panels().toast.text, HasSubstr(settingsFile.string()));
 }
 
 TEST_F(EditorPanelsTest, AnotherDisplayMakesThePanelsLarger) {
@@ -200,24 +154,24 @@ TEST_F(EditorPanelsTest, AnotherDisplayMakesThePanelsLarger) {
 
 // They had stayed away at the next start, the menu with them.
 TEST_F(EditorPanelsTest, PanelsThatTabHidesAreBackAtTheNextStart) {
-    options.settingsFile = folder / "settings.json";
+    settingsFile = folder / "settings.json";
     start();
-    tap(Key::tab);
+    tap(Key::tab, 1);
     EXPECT_FALSE(panels().settings.showsPanels());
     ASSERT_TRUE(editor->itemRects().contains("panels.show")) << "which key brings them back";
     start();
     EXPECT_TRUE(panels().settings.showControls && panels().settings.showReadings);
-    tap(Key::tab);
+    tap(Key::tab, 1);
     clickOn("panels.show");
     EXPECT_TRUE(panels().settings.showControls && panels().settings.showReadings);
     EXPECT_FALSE(editor->itemRects().contains("panels.show"));
-    test::writeText(options.settingsFile, R"({"show_controls": false, "show_readings": false})");
+    writeText(settingsFile, R"({"show_controls": false, "show_readings": false})");
     start();
     EXPECT_TRUE(panels().settings.showControls) << "a file of before";
 }
 
 TEST_F(EditorPanelsTest, APanelTakesClicksWhileTheOtherIsHidden) {
-    test::writeText(options.settingsFile, R"({"show_readings": false})");
+    writeText(settingsFile, R"({"show_readings": false})");
     start();
     clickOn("tool.Pin");
     EXPECT_EQ(panels().tools.tool, ui::Tool::pin);
@@ -226,8 +180,95 @@ TEST_F(EditorPanelsTest, APanelTakesClicksWhileTheOtherIsHidden) {
 TEST_F(EditorPanelsTest, EscapeClosesAMenu) {
     clickOn("plots.choose");
     ASSERT_TRUE(editor->itemRects().contains("plots.energy"));
-    tap(Key::escape);
+    tap(Key::escape, 1);
     EXPECT_FALSE(editor->itemRects().contains("plots.energy"));
+}
+
+// The quality of cuts in the panel.
+
+class EditorCuts : public EditorTest {
+  protected:
+    /// Frames until the figures are there.
+    void waitForFigures() {
+        settle();
+        waitWhile([&] { return panels().cuts.note.starts_with("Measuring"); });
+    }
+    void cutAcross() {
+        drag(kTop, kBottom, 10);
+        waitForFigures();
+    }
+    /// Folds others first, so that there is room.
+    void openSection() {
+        for (const char* section : {"section.simulation", "section.tools", "section.cuts"}) {
+            click(section);
+        }
+    }
+    std::string figure(const std::string& quantity) {
+        for (const ui::CutRow& row : panels().cuts.rows) {
+            if (row.quantity == quantity) {
+                return row.all;
+            }
+        }
+        return "none";
+    }
+};
+
+TEST_F(EditorCuts, AreMeasuredWhereTheirSectionIsOpen) {
+    cutAcross();
+    ASSERT_GT(panels().body.triangles, 768) << "it was cut";
+    EXPECT_TRUE(panels().cuts.rows.empty()) << "the section is folded";
+    openSection();
+    waitForFigures();
+    EXPECT_EQ(figure("Self-intersections"), "0");
+    EXPECT_GT(std::stoi(figure("Triangles")), 100);
+    EXPECT_GT(std::stoi(figure("Cutting steps")), 3);
+    EXPECT_EQ(panels().cuts.note, "");
+    EXPECT_TRUE(editor->itemRects().contains("cuts.Triangles"));
+}
+
+TEST_F(EditorCuts, FollowUndo) {
+    openSection();
+    EXPECT_EQ(panels().cuts.note, "No cuts yet.");
+    cutAcross();
+    const std::string made = figure("Triangles");
+    EXPECT_GT(std::stoi(made), 100);
+    tap(Key::z, {.control = true});
+    waitForFigures();
+    EXPECT_EQ(figure("Triangles"), "none");
+    EXPECT_EQ(panels().cuts.note, "No cuts yet.");
+    tap(Key::z, {.shift = true, .control = true});
+    waitForFigures();
+    EXPECT_EQ(figure("Triangles"), made);
+}
+
+bool offers(const EditorToast& toast) {
+    ui::PanelModel model;
+    toast.describe(model);
+    return model.toast.choice.has_value();
+}
+
+TEST(EditorToast, OffersAScreenshotOnceItIsSaved) {
+    EditorToast toast;
+    toast.offerOnceSaved({.step = 7}, 2);
+    toast.show(SavingQueue::Outcome{1, "Saved plots.csv", false});
+    EXPECT_FALSE(offers(toast)) << "another file";
+    toast.show(SavingQueue::Outcome{2, "Saved kerf.png", false});
+    ASSERT_TRUE(offers(toast));
+    const std::optional<JournalPosition> place = toast.takeOffer();
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->step, 7);
+    EXPECT_FALSE(toast.takeOffer()) << "once only";
+}
+
+TEST(EditorToast, OffersNothingThatFailedOrHasFaded) {
+    EditorToast toast;
+    toast.offerOnceSaved({}, 1);
+    toast.show(SavingQueue::Outcome{1, "The disk is full", true});
+    EXPECT_FALSE(offers(toast));
+    toast.offerOnceSaved({}, 2);
+    toast.show(SavingQueue::Outcome{2, "Saved kerf.png", false});
+    toast.elapse(60);
+    EXPECT_FALSE(toast.takeOffer());
 }
 
 }  // namespace

@@ -1,17 +1,7 @@
 // Going back in time by the time line, and on from there.
-#include <gmock/gmock.h>
-
-#include "app/scene/editor_scene.h"
-#include "app/scene/timeline/scene_recorder.h"
-#include "app/session/session.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
 
 class EditorPastTest : public EditorTest {
   protected:
@@ -21,40 +11,34 @@ class EditorPastTest : public EditorTest {
     int pieces() { return scene().simulation().report().pieces; }
     void goTo(int wanted) {
         scene().seek(wanted);
-        settle();
-        frames(1);
+        settle(1);
     }
     void playFor(int pictures) {
         tap(Key::space);
         frames(pictures);
-        tap(Key::space);
-        frames(1);
+        tap(Key::space, 1);
     }
     /// In two halves, which fall.
     void cutAndLetFall() {
-        drag(kTop, kBottom, 10);
-        settle();
-        tap(Key::space, {.shift = true});
-        frames(25);
+        dragAndSettle(kTop, kBottom, 10);
+        tap(Key::space, {.shift = true}, 25);
         tap(Key::space);
         settle();
     }
     /// Half through, and still held.
     void beginStroke() {
-        moveTo(kTop.x(), kTop.y());
+        moveTo(kTop);
         press(true);
         for (int i = 1; i <= 6; ++i) {
             const Vec2 at = kTop + (kBottom - kTop) * (i / 10.0);
-            moveTo(at.x(), at.y());
-            frames(1);
+            moveTo(at, 1);
         }
         settle();
     }
     void dragTimeLineTo(double share) {
         const ui::Rect bar = editor->itemRects().at("scrubber");
-        drag(Vec2(bar.x + bar.width - 4, bar.y + bar.height / 2),
-             Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 3);
-        settle();
+        dragAndSettle(Vec2(bar.x + bar.width - 4, bar.y + bar.height / 2),
+                      Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 3);
         frames(1);
     }
     /// What is saved, without a window.
@@ -63,14 +47,13 @@ class EditorPastTest : public EditorTest {
         const Session session =
             scene().recorder().savedSession(document.camera, document.session.colors).session;
         const auto file = folder / "past.kerf.json";
-        test::writeText(file, formatSession(session, folder.path()));
+        writeText(file, formatSession(session, folder.path()));
         EXPECT_EQ(replayedHash(readSession(file), {document.mesh, document.looks}), hash());
     }
 };
 
 TEST_F(EditorPastTest, EachMomentIsAsItWas) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     playFor(20);
     const int between = step();
     const std::string then = hash();
@@ -112,8 +95,7 @@ TEST_F(EditorPastTest, AStrokeThereLeavesOutWhatCameAfter) {
     const int end = step();
     goTo(3);
     ASSERT_EQ(pieces(), 1);
-    drag(kTop + Vec2(60, 0), kBottom + Vec2(60, 0), 10);
-    settle();
+    dragAndSettle(kTop + Vec2(60, 0), kBottom + Vec2(60, 0), 10);
     EXPECT_EQ(pieces(), 2);
     EXPECT_LT(step(), end);
     EXPECT_FALSE(panels().session.playback.played);
@@ -217,16 +199,10 @@ TEST_F(EditorPastTest, ABladeThatIsLiftedWhereAMomentIsKeptStaysLifted) {
 }
 
 TEST_F(EditorPastTest, ASessionThatAPersonWentOnWithGoesBackIntoItself) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
-                   {"step": 41, "type": "lift"}]})");
+    writeText(folder / "slice.kerf.json", sliceSession(kLift));
     openAtStart(folder / "slice.kerf.json");
     goTo(50);
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     const int end = step();
     const std::string last = hash();
     ASSERT_GT(pieces(), 2);
@@ -235,8 +211,7 @@ TEST_F(EditorPastTest, ASessionThatAPersonWentOnWithGoesBackIntoItself) {
     goTo(end);
     EXPECT_EQ(hash(), last);
     goTo(45);
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     expectItReplays();
     tap(Key::r);
     settle();

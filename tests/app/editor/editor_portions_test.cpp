@@ -1,13 +1,4 @@
 // Steps that are done in portions, with pictures and input in their midst.
-#include "app/scene/editor_scene.h"
-#include "app/scene/editor_stroke.h"
-#include "app/scene/timeline/scene_recorder.h"
-#include "app/scene/timeline/scene_timeline.h"
-#include "app/session/session.h"
-#include "app/session/simulation_driver.h"
-#include "gpu/data_path.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
 namespace {
@@ -29,8 +20,7 @@ class EditorPortionsTest : public EditorTest {
         moveTo(kWidth / 2.0, kHeight / 2.0);
         press(true, Button::right);
         for (int i = 0; i < count; ++i) {
-            moveTo(kWidth / 2.0 + i % 40, kHeight / 2.0);
-            frames(1);
+            moveTo(kWidth / 2.0 + i % 40, kHeight / 2.0, 1);
         }
         press(false, Button::right);
         frames(1);
@@ -83,17 +73,15 @@ TEST_F(EditorPortionsTest, PicturesInTheMidstOfStepsChangeNoBit) {
 
 TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePointer) {
     Document large = sphereDocument();
-    large.mesh = test::cubeSphere(40, 0.5);
+    large.mesh = cubeSphere(40, 0.5);
     show(std::move(large));
-    tap(Key::space);
-    frames(1);
+    tap(Key::space, 1);
     const int before = editor->scene()->simulation().stepCount();
     const Vec3 axis = editor->panels().view.axes.axes[0];
     moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true, Button::right);
     for (int i = 1; i <= 10; ++i) {
-        moveTo(kWidth / 2.0 + 5 * i, kHeight / 2.0);
-        frames(1);
+        moveTo(kWidth / 2.0 + 5 * i, kHeight / 2.0, 1);
     }
     press(false, Button::right);
     EXPECT_NE(editor->panels().view.axes.axes[0], axis) << "the view has turned";
@@ -104,7 +92,7 @@ TEST_F(EditorPortionsTest, AStepOfALargeBodyTakesSeveralPicturesThatHeedThePoint
 /// The last picture before a step ends shows what the one before it drew.
 TEST_F(EditorPortionsTest, TheTimesOfAStepCountAllPicturesSinceTheLastOne) {
     Document large = sphereDocument();
-    large.mesh = test::cubeSphere(40, 0.5);
+    large.mesh = cubeSphere(40, 0.5);
     show(std::move(large));
     tap(Key::space);
     const ui::History& history = *editor->panels().plots.history;
@@ -117,11 +105,9 @@ TEST_F(EditorPortionsTest, TheTimesOfAStepCountAllPicturesSinceTheLastOne) {
 }
 
 TEST_F(EditorPortionsTest, WhatIsAskedForInTheMidstOfAStepIsDoneAfterIt) {
-    tap(Key::space);
-    frames(2);
+    tap(Key::space, 2);
     tap(Key::v);  // in the midst of a step
-    tap(Key::space);
-    frames(400);
+    tap(Key::space, 400);
     EXPECT_GT(editor->scene()->simulation().params().gravity.norm(), 0);
     EXPECT_FALSE(editor->scene()->timeline().playing);
 }
@@ -131,10 +117,8 @@ TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
     slow.session.params.timeStep = 0.0005;
     show(std::move(slow));
     tap(Key::d);
-    moveTo(kWidth / 2.0, kHeight / 2.0);
-    frames(1);
-    press(true);
-    frames(1);
+    moveTo(kWidth / 2.0, kHeight / 2.0, 1);
+    press(true, 1);
     moveTo(kWidth / 2.0 + 150, kHeight / 2.0);
     for (int i = 0; i < 400 && editor->scene()->simulation().hands().empty(); ++i) {
         frames(1);
@@ -144,8 +128,7 @@ TEST_F(EditorPortionsTest, AHandIsAheadOfABodyInSlowMotionWhichIsTold) {
         frames(1);
     }
     EXPECT_THAT(panels().help.hint.text, HasSubstr(told));
-    press(false);
-    frames(1);
+    press(false, 1);
     EXPECT_FALSE(editor->scene()->simulation().hands().empty()) << "it lets go where it was led to";
     for (int i = 0; i < 20000 && !editor->scene()->simulation().hands().empty(); ++i) {
         frames(1);
@@ -187,8 +170,7 @@ TEST_F(EditorPortionsTest, AHiddenWindowIsNotDrawn) {
     const auto picture = [&] { return editor->readPicture().pixels; };
     const auto before = picture();
     editor->hide(true);
-    tap(Key::digit7);
-    frames(30);
+    tap(Key::digit7, 30);
     EXPECT_EQ(picture(), before);
     editor->hide(false);
     frames(30);
@@ -196,17 +178,14 @@ TEST_F(EditorPortionsTest, AHiddenWindowIsNotDrawn) {
 }
 
 TEST_F(EditorPortionsTest, AnotherDocumentTakesThePlaceOfAStepThatIsUnderWay) {
-    tap(Key::space);
-    frames(3);
-    editor->open(gpu::dataPath("assets/sessions/drop-in.kerf.json"));
-    waitForWork();
+    tap(Key::space, 3);
+    open(gpu::dataPath("assets/sessions/drop-in.kerf.json"));
     EXPECT_EQ(editor->title(), "Kerf - drop-in - 1 piece");
     EXPECT_EQ(editor->scene()->simulation().stepCount(), 0);
 }
 
 TEST_F(EditorPortionsTest, IsClosedInTheMidstOfAStep) {
-    tap(Key::space);
-    frames(3);
+    tap(Key::space, 3);
     editor.reset();
 }
 

@@ -1,11 +1,6 @@
 // A task in the window: shown, cut, scored and kept.
-#include <nlohmann/json.hpp>
 
-#include "app/scene/document/editor_document.h"
-#include "app/scene/editor_scene.h"
 #include "app/session/task_run.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
@@ -32,15 +27,14 @@ class EditorPractice : public EditorTest {
         task.spareRegions = {Ball{Vec3(0.4, 0, 0), 0.05}};
         task.limits.deviation = 0.1;
         session.task = task;
-        test::writeText(folder / "halves.kerf.json", formatSession(session));
+        writeText(folder / "halves.kerf.json", formatSession(session));
         start(options(), openDocument(folder / "halves.kerf.json"));
     }
     /// Down through the ball, `aside` pixels beside its middle.
     void cutDown(double aside) {
         const ui::Rect view = ui::layoutPanels(float(kWidth), float(kHeight), 1, {}, true).view;
         const Vec2 middle(view.x + view.width / 2 + aside, view.y + view.height / 2);
-        drag(middle - Vec2(0, 200), middle + Vec2(0, 200), 60);
-        settle();
+        dragAndSettle(middle - Vec2(0, 200), middle + Vec2(0, 200), 60);
     }
     const ui::PracticeState& practice() { return panels().session.practice; }
     std::string figure(const std::string& label) {
@@ -49,9 +43,9 @@ class EditorPractice : public EditorTest {
         }
         return "no such figure";
     }
-    std::vector<std::filesystem::path> keptTries() {
-        std::vector<std::filesystem::path> files;
-        for (const auto& entry : std::filesystem::directory_iterator(folder / "tries")) {
+    std::vector<fs::path> keptTries() {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(folder / "tries")) {
             if (entry.path().string().ends_with(kSessionEnding)) files.push_back(entry.path());
         }
         return files;
@@ -62,34 +56,31 @@ TEST_F(EditorPractice, TheTaskIsShownAndNothingIsScoredBeforeACut) {
     EXPECT_EQ(practice().name, "Halve it");
     EXPECT_TRUE(editor->itemRects().contains("practice.finish"));
     EXPECT_FALSE(panels().view.overlay.traces.empty());
-    tap(Key::enter, {.shift = true});
-    frames(3);
+    tap(Key::enter, {.shift = true}, 3);
     EXPECT_FALSE(practice().finished);
-    EXPECT_THAT(panels().toast.text, testing::HasSubstr("Nothing was cut yet"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Nothing was cut yet"));
 }
 
 TEST_F(EditorPractice, ATryIsScoredKeptAndReplayedToTheSameScore) {
     cutDown(0);
-    click("practice.finish");
-    frames(3);
+    click("practice.finish", 3);
     ASSERT_TRUE(practice().finished);
     EXPECT_NE(figure("Largest deviation"), "");
     EXPECT_NE(figure("Largest force"), "");
     EXPECT_NE(figure("Time"), "");
     const auto files = keptTries();
     ASSERT_EQ(files.size(), 1U);
-    const nlohmann::json kept = nlohmann::json::parse(
-        test::readBytes(files.front().parent_path() / (shortName(files.front()) + ".score.json")));
+    const Json kept = Json::parse(
+        readBytes(files.front().parent_path() / (shortName(files.front()) + ".score.json")));
     const Session session = readSession(files.front());
     const auto score = runForScore(session);
     ASSERT_TRUE(score);
-    EXPECT_EQ(nlohmann::json(toJson(*score, *session.task)), kept);
+    EXPECT_EQ(Json(toJson(*score, *session.task)), kept);
 }
 
 TEST_F(EditorPractice, ANewStartForgetsTheTryBeforeUnlessItIsBroughtBack) {
     cutDown(0);
-    click("practice.finish");
-    frames(3);
+    click("practice.finish", 3);
     const Session once = readSession(keptTries().front());
     const auto score = runForScore(once);
     Session again = once;
@@ -123,23 +114,20 @@ TEST_F(EditorPractice, ANewStartForgetsTheTryBeforeUnlessItIsBroughtBack) {
 
 TEST_F(EditorPractice, ATryIsOfThePersonWhoseNameItHas) {
     cutDown(0);
-    click("practice.finish");
-    frames(3);
+    click("practice.finish", 3);
     ASSERT_EQ(keptTries().size(), 1U);
-    const std::filesystem::path session = keptTries().front();
-    const std::filesystem::path score =
-        session.parent_path() / (shortName(session) + ".score.json");
+    const fs::path session = keptTries().front();
+    const fs::path score = session.parent_path() / (shortName(session) + ".score.json");
     const auto keep = [&](const std::string& name, const std::string& text) {
-        std::filesystem::copy_file(session, session.parent_path() / (name + ".kerf.json"));
-        test::writeText(session.parent_path() / (name + ".score.json"), text);
+        fs::copy_file(session, session.parent_path() / (name + ".kerf.json"));
+        writeText(session.parent_path() / (name + ".score.json"), text);
     };
-    keep("Halve-it_Ann-Lee_2026-01-01", test::readBytes(score));
+    keep("Halve-it_Ann-Lee_2026-01-01", readBytes(score));
     keep("Halve-it_Zoe_2026-01-01", R"({"time": "x", "path": [], "taken": true})");
     const auto lastOf = [&](const std::string& person) {
         click("practice.person");
         tap(Key::a, {.control = true});
-        type(person);
-        frames(2);
+        type(person, 2);
         return practice().hasLast;
     };
     EXPECT_FALSE(lastOf("Ann"));
@@ -150,32 +138,27 @@ TEST_F(EditorPractice, ATryIsOfThePersonWhoseNameItHas) {
 
 TEST_F(EditorPractice, AgainMakesItTheLastTry) {
     cutDown(0);
-    click("practice.finish");
-    frames(3);
+    click("practice.finish", 3);
     ASSERT_TRUE(practice().finished);
     EXPECT_FALSE(practice().hasLast);
     click("practice.again");
-    settle();
-    frames(2);
+    settle(2);
     EXPECT_FALSE(practice().finished);
     EXPECT_TRUE(practice().hasLast);
 }
 
 TEST_F(EditorPractice, AnotherCutOrUndoTakesTheScoreAway) {
     cutDown(0);
-    tap(Key::enter, {.shift = true});
-    frames(3);
+    tap(Key::enter, {.shift = true}, 3);
     ASSERT_TRUE(practice().finished);
     tap(Key::z, {.control = true});
-    settle();
-    frames(2);
+    settle(2);
     EXPECT_FALSE(practice().finished);
 }
 
 TEST_F(EditorPractice, WhatBreaksALimitIsMarked) {
     cutDown(60);
-    tap(Key::enter, {.shift = true});
-    frames(3);
+    tap(Key::enter, {.shift = true}, 3);
     ASSERT_TRUE(practice().finished);
     EXPECT_FALSE(practice().violations.empty());
     EXPECT_TRUE(std::ranges::any_of(practice().rows, &ui::ScoreRow::broken));
@@ -185,15 +168,13 @@ TEST_F(EditorPractice, WhatBreaksALimitIsMarked) {
 TEST_F(EditorPractice, AnotherTryIsCutInABodyThatIsPinnedLikeBefore) {
     Session session = readSession(folder / "halves.kerf.json");
     session.events = {{0, Pin{Bounds{Vec3(-0.6, -0.6, -0.6), Vec3(0.6, -0.3, 0.6)}}}};
-    test::writeText(folder / "pinned.kerf.json", formatSession(session));
-    editor->open(folder / "pinned.kerf.json");
-    waitForWork();
+    writeText(folder / "pinned.kerf.json", formatSession(session));
+    open(folder / "pinned.kerf.json");
     settle();
     const auto pinned = editor->scene()->simulation().pinnedVertices();
     ASSERT_FALSE(pinned.empty());
     cutDown(0);
-    tap(Key::enter, {.shift = true});
-    frames(3);
+    tap(Key::enter, {.shift = true}, 3);
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->scene()->simulation().pinnedVertices(), pinned);

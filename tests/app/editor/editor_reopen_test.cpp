@@ -1,20 +1,9 @@
 // A saved session opens where it was left off.
-#include <gmock/gmock.h>
 
-#include <fstream>
-
-#include "app/scene/editor_scene.h"
-#include "app/scene/timeline/scene_recorder.h"
-#include "app/scene/timeline/scene_timeline.h"
-#include "app/session/session.h"
 #include "sim/run/undo/undo_history.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
 
 class EditorReopenTest : public EditorTest {
   protected:
@@ -30,33 +19,26 @@ class EditorReopenTest : public EditorTest {
     bool canUndo() { return scene().simulation().history().canUndo(); }
 
     /// Cuts a model, lets it fall, and saves a session. Returns its file.
-    std::filesystem::path saveHalves() {
-        std::filesystem::create_directory(folder / "models");
-        test::writeText(folder / "models/ball.kerf.json", R"({
+    fs::path saveHalves() {
+        fs::create_directory(folder / "models");
+        writeText(folder / "models/ball.kerf.json", R"({
             "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
             "placement": {"scale": 0.5},
             "params": {"gravity": [0, 0, 0], "floor": -0.6, "iterations": 4}, "steps": 10})");
-        editor->open(folder / "models/ball.kerf.json");
-        waitForWork();
-        drag(kTop, kBottom, 10);
-        settle();
-        tap(Key::space, {.shift = true});
-        frames(25);
+        open(folder / "models/ball.kerf.json");
+        dragAndSettle(kTop, kBottom, 10);
+        tap(Key::space, {.shift = true}, 25);
         tap(Key::space);
         settle();
         saveByKeys();
         return folder / "models/ball.kerf.json";
     }
-    void reopen(const std::filesystem::path& file, const std::string& driver = "a driver") {
+    void reopen(const fs::path& file, const std::string& driver = "a driver") {
         start(optionsOf(driver));
-        editor->open(file);
-        waitForWork();
-        settle();
-        frames(1);
+        open(file);
+        settle(1);
     }
-    std::filesystem::path storedEnd() {
-        return std::filesystem::directory_iterator(folder / "ends")->path();
-    }
+    fs::path storedEnd() { return fs::directory_iterator(folder / "ends")->path(); }
     void expectAt(int step, const std::string& state) {
         EXPECT_EQ(panels().session.playback.step, step);
         EXPECT_EQ(hash(), state);
@@ -89,9 +71,9 @@ TEST_F(EditorReopenTest, ByPlayingWhereTheStoredEndIsDamaged) {
     const auto file = saveHalves();
     const std::string then = hash();
     const int step = panels().session.playback.step;
-    const auto size = std::filesystem::file_size(storedEnd());
+    const auto size = fs::file_size(storedEnd());
     for (const auto kept : {std::uintmax_t{10}, size / 2, size - 30}) {
-        std::filesystem::resize_file(storedEnd(), kept);
+        fs::resize_file(storedEnd(), kept);
         reopen(file);
         expectAt(step, then);
         EXPECT_TRUE(canUndo()) << kept;
@@ -102,11 +84,11 @@ TEST_F(EditorReopenTest, ByPlayingWhereAByteOfTheStoredEndHasChanged) {
     const auto file = saveHalves();
     const std::string then = hash();
     const int step = panels().session.playback.step;
-    const std::string stored = test::readBytes(storedEnd());
+    const std::string stored = readBytes(storedEnd());
     for (const std::size_t at : {stored.size() / 5, stored.size() / 2, stored.size() - 9}) {
         std::string changed = stored;
         changed[at] = static_cast<char>(changed[at] ^ 0x40);
-        test::writeText(storedEnd(), changed);
+        writeText(storedEnd(), changed);
         reopen(file);
         expectAt(step, then);
         EXPECT_TRUE(canUndo()) << at;
@@ -128,8 +110,7 @@ TEST_F(EditorReopenTest, UndoPlaysItFirst) {
         std::vector<std::string> states;
         for (int i = 0; i < 3; ++i) {
             tap(Key::z, {.control = true});
-            settle();
-            frames(2);
+            settle(2);
             states.push_back(hash());
         }
         return states;
@@ -147,12 +128,10 @@ TEST_F(EditorReopenTest, TheTimeLineGoesToItsStartAndBack) {
     const int step = panels().session.playback.step;
     reopen(file);
     const ui::Rect bar = editor->itemRects().at("scrubber");
-    moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
-    frames(1);
+    moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2, 1);
     const auto goBy = [&](Key key, const ui::Modifiers& modifiers = {}) {
         tap(key, modifiers);
-        settle();
-        frames(1);
+        settle(1);
         return panels().session.playback.step;
     };
     EXPECT_EQ(goBy(Key::home), 0);
@@ -172,27 +151,24 @@ TEST_F(EditorReopenTest, WhatIsDoneThenReplays) {
         const Document& document = scene().document();
         const Session session =
             scene().recorder().savedSession(document.camera, document.session.colors).session;
-        test::writeText(folder / "models/on.kerf.json", formatSession(session, folder.path()));
+        writeText(folder / "models/on.kerf.json", formatSession(session, folder.path()));
         EXPECT_EQ(replayedHash(readSession(folder / "models/on.kerf.json"),
                                {document.mesh, document.looks}),
                   hash());
     };
     reopen(file);
     const int end = panels().session.playback.steps;
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     settle();
     EXPECT_GE(panels().session.playback.steps, end + 10) << "it goes on in time";
     expectItReplays();
-    drag(kTop + Vec2(40, 0), kBottom + Vec2(-40, 0), 8);
-    settle();
-    EXPECT_THAT(editor->title(), ::testing::Not(HasSubstr("2 pieces")));
+    dragAndSettle(kTop + Vec2(40, 0), kBottom + Vec2(-40, 0), 8);
+    EXPECT_THAT(editor->title(), Not(HasSubstr("2 pieces")));
     expectItReplays();
 }
 
 TEST_F(EditorReopenTest, ALongSessionTellsHowFarItIsAndCanBeCancelled) {
-    test::writeText(folder / "long.kerf.json", R"({
+    writeText(folder / "long.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
         "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 1}, "steps": 5000,
         "events": [{"step": 2000, "type": "set", "name": "iterations", "value": 2}]})");
@@ -220,7 +196,7 @@ TEST_F(EditorReopenTest, ALongSessionTellsHowFarItIsAndCanBeCancelled) {
 
 // The view stayed black, or showed what was open before, until the end was reached.
 TEST_F(EditorReopenTest, TheBodyIsSeenWhileItsSessionIsPlayedToTheEnd) {
-    test::writeText(folder / "long.kerf.json", R"({
+    writeText(folder / "long.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere20"},
         "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 1}, "steps": 5000,
         "events": [{"step": 2000, "type": "set", "name": "iterations", "value": 2}]})");

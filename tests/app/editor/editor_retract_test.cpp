@@ -1,12 +1,5 @@
 // Hooks that hold a cut open, and the hand that takes one lip.
 
-#include "app/scene/editor_scene.h"
-#include "app/scene/held_hands.h"
-#include "app/session/session.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
-
 namespace kerf::app {
 namespace {
 
@@ -23,8 +16,7 @@ class EditorRetractTest : public EditorTest {
         settle();
         ASSERT_EQ(editor->scene()->simulation().report().pieces, 1);
         changes_ = panels().changes.done;
-        tap(Key::y);
-        frames(1);
+        tap(Key::y, 1);
     }
     EditorScene& scene() { return *editor->scene(); }
     std::size_t changesSince() { return panels().changes.done - changes_; }
@@ -45,18 +37,15 @@ class EditorRetractTest : public EditorTest {
     }
     /// Hooks the lips at kBeside and draws them apart by this way of the pointer.
     void retract(const Vec2& way) {
-        moveTo(kBeside.x(), kBeside.y());
-        press(true);
-        frames(2);
+        moveTo(kBeside);
+        press(true, 2);
         for (int i = 1; i <= 10; ++i) {
-            moveTo(kBeside.x() + way.x() * i / 10, kBeside.y() + way.y() * i / 10);
-            frames(1);
+            moveTo(kBeside.x() + way.x() * i / 10, kBeside.y() + way.y() * i / 10, 1);
         }
-        press(false);
-        settle();
+        release();
     }
     void clickRight(const Vec2& at) {
-        moveTo(at.x(), at.y());
+        moveTo(at);
         press(true, Button::right);
         press(false, Button::right);
         settle();
@@ -71,8 +60,7 @@ class EditorRetractTest : public EditorTest {
 
 TEST_F(EditorRetractTest, ADragBesideACutHoldsItOpen) {
     EXPECT_LT(gap(), 0.01);
-    moveTo(kBeside.x(), kBeside.y());
-    frames(2);
+    moveTo(kBeside, 2);
     EXPECT_EQ(panels().view.overlay.dots.size(), 2U) << "the lips that it would hook";
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand);
     retract(Vec2(60, 0));
@@ -82,16 +70,13 @@ TEST_F(EditorRetractTest, ADragBesideACutHoldsItOpen) {
     EXPECT_EQ(panels().view.overlay.handles.size(), 2U);
     EXPECT_EQ(changesSince(), 1U);
     EXPECT_EQ(panels().changes.rows.back().name, "Hold open");
-    tap(Key::space);
-    frames(20);
-    tap(Key::space);
+    playFor(20);
     settle();
     EXPECT_NEAR(gap(), opened, 0.15 * opened) << "the hooks stay";
 }
 
 TEST_F(EditorRetractTest, AFlickOpensAsFarAsASlowDrag) {
-    drag(kBeside, kBeside + Vec2(60, 0), 3);
-    settle();
+    dragAndSettle(kBeside, kBeside + Vec2(60, 0), 3);
     EXPECT_GT(gap(), 0.1);
 }
 
@@ -118,8 +103,7 @@ TEST_F(EditorRetractTest, AHookThatIsDraggedAgainMovesItsRetractorOn) {
     const double before = gap();
     const Vec2 hook = pixelOfHook(0);
     const Vec2 away = (hook - pixelOfHook(1)).normalized();
-    drag(hook, hook + 20 * away, 4);
-    settle();
+    dragAndSettle(hook, hook + 20 * away, 4);
     EXPECT_GT(gap(), before + 0.03);
     EXPECT_EQ(panels().body.hooks, 2U);
 }
@@ -127,8 +111,7 @@ TEST_F(EditorRetractTest, AHookThatIsDraggedAgainMovesItsRetractorOn) {
 TEST_F(EditorRetractTest, UndoTakesTheHooksBackAndRedoBringsThem) {
     const std::string before = scene().simulation().stateHash();
     retract(Vec2(60, 0));
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().body.hooks, 0U);
     EXPECT_EQ(scene().simulation().stateHash(), before);
     editor->post(ui::KeyChange{Key::y, true, {.control = true}});
@@ -140,13 +123,12 @@ TEST_F(EditorRetractTest, UndoTakesTheHooksBackAndRedoBringsThem) {
 TEST_F(EditorRetractTest, UndoBringsARemovedRetractorBack) {
     retract(Vec2(60, 0));
     const Vec2 hook = pixelOfHook(1);
-    moveTo(hook.x(), hook.y());
+    moveTo(hook);
     tap(Key::del);
     settle();
     EXPECT_EQ(panels().body.hooks, 0U);
     for (int round = 0; round < 2; ++round) {
-        editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-        settle();
+        undo();
         EXPECT_EQ(panels().body.hooks, 2U);
         editor->post(ui::KeyChange{Key::y, true, {.control = true}});
         settle();
@@ -158,21 +140,17 @@ TEST_F(EditorRetractTest, UndoBringsARemovedRetractorBack) {
 TEST_F(EditorRetractTest, HooksStayWhereSomethingElseIsUndone) {
     retract(Vec2(60, 0));
     tap(Key::v);
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().body.hooks, 2U);
 }
 
 TEST_F(EditorRetractTest, EscTakesANewRetractorAway) {
-    moveTo(kBeside.x(), kBeside.y());
-    press(true);
-    frames(2);
-    moveTo(kBeside.x() + 50, kBeside.y());
-    frames(4);
+    moveTo(kBeside);
+    press(true, 2);
+    moveTo(kBeside.x() + 50, kBeside.y(), 4);
     EXPECT_EQ(panels().view.overlay.labels.size(), 1U) << "how far they stand apart";
     tap(Key::escape);
-    press(false);
-    settle();
+    release();
     EXPECT_EQ(panels().body.hooks, 0U);
 }
 
@@ -188,18 +166,16 @@ TEST_F(EditorRetractTest, APressFarFromEachCutSaysSoAndChangesNothing) {
     settle();
     moveTo(kViewMiddle.x() + 100, kViewMiddle.y());
     press(true);
-    press(false);
-    settle();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("There is no cut nearby"));
+    release();
+    EXPECT_THAT(panels().toast.text, HasSubstr("There is no cut nearby"));
     EXPECT_EQ(changesSince(), 0U);
     EXPECT_EQ(panels().body.hooks, 0U);
 }
 
 TEST_F(EditorRetractTest, TheHandTakesOneLip) {
     tap(Key::d);
-    moveTo(kBeside.x(), kBeside.y());
-    press(true);
-    frames(2);
+    moveTo(kBeside);
+    press(true, 2);
     const SurfaceMesh& mesh = scene().simulation().mesh();
     const auto& held = scene().simulation().hands().at(0).held;
     EXPECT_GT(held.size(), 4U);
@@ -209,11 +185,9 @@ TEST_F(EditorRetractTest, TheHandTakesOneLip) {
         EXPECT_TRUE(group < 0 || groups.insert(group).second) << "both sides of the cut";
         EXPECT_GT(mesh.restPosition(each.vertex).x(), -0.01);
     }
-    moveTo(kBeside.x() + 60, kBeside.y());
-    frames(20);
+    moveTo(kBeside.x() + 60, kBeside.y(), 20);
     EXPECT_GT(gap(), 0.03) << "it opens";
-    press(false);
-    settle();
+    release();
 }
 
 }  // namespace

@@ -1,62 +1,43 @@
 // Pictures, checks and exports of a session, added and removed in the window.
-#include <gmock/gmock.h>
-
-#include "app/scene/editor_scene.h"
-#include "app/session/session.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/support/run_kerf.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::HasSubstr;
 using Kind = ui::SessionMark::Kind;
 
 class EditorSessionTest : public EditorTest {
   protected:
     void openSession() {
-        test::writeText(folder / "slice.kerf.json", R"({
-            "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-            "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-            "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                       {"step": 20, "type": "screenshot", "file": "half.png"},
-                       {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
-                       {"step": 41, "type": "lift"},
-                       {"step": 60, "type": "check", "hash": "0123456789abcdef"}]})");
+        writeText(folder / "slice.kerf.json", sliceSession(kLift + R"(,
+            {"step": 20, "type": "screenshot", "file": "half.png"},
+            {"step": 60, "type": "check", "hash": "0123456789abcdef"})"));
         openAtStart(folder / "slice.kerf.json");
         settle();
     }
     void goTo(int step) {
         editor->scene()->seek(step);
-        settle();
-        frames(1);
+        settle(1);
     }
     Session savedAs(const std::string& name) {
-        tap(Key::s, {.shift = true, .control = true});
-        frames(2);
+        tap(Key::s, {.shift = true, .control = true}, 2);
         type(name);
-        tap(Key::enter);
-        waitForWork();
+        confirm();
         return readSession(folder / (name + ".kerf.json"));
     }
-    std::filesystem::path sessionFile(const std::string& name) {
-        return folder / (name + ".kerf.json");
-    }
+    fs::path sessionFile(const std::string& name) { return folder / (name + ".kerf.json"); }
     /// Asks for a test. A question about its picture is answered by Enter.
     void askForTest(const std::string& name, bool picture) {
-        tap(Key::t, {.control = true});
-        frames(2);
+        tap(Key::t, {.control = true}, 2);
         if (picture) {
             ASSERT_FALSE(panels().question.text.empty());
-            tap(Key::enter);
-            frames(2);
+            tap(Key::enter, 2);
         }
         ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveTest);
         type(name);
         tap(Key::enter);
     }
     void expectTestHolds(const std::string& name) {
-        const test::ProgramRun run = test::runKerf({"test", sessionFile(name)});
+        const ProgramRun run = runKerf({"test", sessionFile(name)});
         EXPECT_EQ(run.exitCode, 0) << run.out << run.errors;
         EXPECT_THAT(run.out, HasSubstr("passed "));
     }
@@ -88,8 +69,7 @@ TEST_F(EditorSessionTest, KeysAddWhatAReplayMakesAtThisStep) {
     tap(Key::f12, {.shift = true});
     tap(Key::e, {.shift = true});
     goTo(50);
-    tap(Key::c, {.shift = true});
-    frames(2);
+    tap(Key::c, {.shift = true}, 2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::picture, Kind::exported, Kind::check,
                                     Kind::check}));
     EXPECT_EQ(panels().session.marks[1].text, "slice-30.png");
@@ -99,15 +79,14 @@ TEST_F(EditorSessionTest, KeysAddWhatAReplayMakesAtThisStep) {
     const Session session = savedAs("more");
     EXPECT_EQ(session.events.size(), 8U);
     EXPECT_EQ(session.steps, 60);
-    EXPECT_THAT(panels().toast.text, ::testing::Not(HasSubstr("Since you")));
+    EXPECT_THAT(panels().toast.text, Not(HasSubstr("Since you")));
 }
 
 TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
     openSession();
     tap(Key::digit7);
     goTo(30);
-    tap(Key::m, {.shift = true});
-    frames(2);
+    tap(Key::m, {.shift = true}, 2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::camera, Kind::check}));
     EXPECT_EQ(panels().toast.text, "Added a camera keyframe at step 30 to the session");
     const Session session = savedAs("seen");
@@ -116,8 +95,7 @@ TEST_F(EditorSessionTest, TheCameraOfFilmsIsWhereAPersonLooks) {
     const auto& key = std::get<CameraEvent>(session.events[2].action);
     EXPECT_GT(key.camera.eye.y(), 1) << "from the top";
     clickMark(30, Button::right);
-    click("mark.remove.30");
-    frames(2);
+    click("mark.remove.30", 2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::check}));
 }
 
@@ -127,25 +105,20 @@ TEST_F(EditorSessionTest, AMarkOnTheTimeLineIsGoneToAndRemoved) {
     settle();
     EXPECT_EQ(panels().session.playback.step, 20);
     clickMark(20, Button::right);
-    click("mark.remove.20");
-    frames(2);
+    click("mark.remove.20", 2);
     EXPECT_EQ(kinds(), std::vector{Kind::check});
     EXPECT_EQ(savedAs("less").events.size(), 4U);
 }
 
 TEST_F(EditorSessionTest, TheListRemovesTooAndHasButtonsThatAdd) {
     openSession();
-    click("tab.Session");
-    frames(2);
+    click("tab.Session", 2);
     click("session.remove.20");
-    click("session.Picture");
-    frames(2);
+    click("session.Picture", 2);
     EXPECT_EQ(kinds(), (std::vector{Kind::picture, Kind::check}));
     EXPECT_EQ(panels().session.marks[0].text, "slice-0.png");
-    click("session.add");
-    frames(2);
-    click("add.Shift+E");
-    frames(2);
+    click("session.add", 2);
+    click("add.Shift+E", 2);
     EXPECT_EQ(panels().session.marks[1].text, "slice-0.ply");
 }
 
@@ -164,21 +137,17 @@ TEST_F(EditorSessionTest, AMereClickLetsTheSessionPlayOnAndAStrokeEndsIt) {
     goTo(5);
     moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true);
-    press(false);
-    frames(3);
+    press(false, 3);
     EXPECT_TRUE(panels().session.playback.played);
-    drag(kTop, kBottom, 5);
-    settle();
+    dragAndSettle(kTop, kBottom, 5);
     EXPECT_FALSE(panels().session.playback.played);
     savedAs("mine");
     EXPECT_THAT(panels().toast.text, HasSubstr("4 later events were dropped"));
 }
 
 TEST_F(EditorSessionTest, ThePicturesOfADocumentThatIsNoSessionAreListedAndSaved) {
-    drag(kTop, kBottom, 6);
-    settle();
-    tap(Key::f12, {.shift = true});
-    frames(2);
+    dragAndSettle(kTop, kBottom, 6);
+    tap(Key::f12, {.shift = true}, 2);
     const int step = panels().transport.step;
     ASSERT_EQ(kinds(), std::vector{Kind::picture});
     const std::string file = "ball-" + std::to_string(step) + ".png";
@@ -196,28 +165,23 @@ TEST_F(EditorSessionTest, AScreenshotWhileRecordingIsOfferedForTheSession) {
     waitForWork();
     EXPECT_FALSE(panels().toast.choice) << "nothing is recorded";
     tap(Key::r, {.control = true});
-    tap(Key::space);
-    frames(4);
+    tap(Key::space, 4);
     tap(Key::f12);
     const int step = panels().transport.step;
-    waitForWork();
-    frames(5);
+    waitForWork(5);
     ASSERT_TRUE(panels().toast.choice);
-    click("toast.Shift+F12");
-    frames(2);
+    click("toast.Shift+F12", 2);
     ASSERT_EQ(panels().session.marks.size(), 1U);
     EXPECT_NEAR(panels().session.marks[0].step, step, 1) << "of the screenshot, not of now";
     EXPECT_FALSE(panels().toast.choice);
-    tap(Key::f12, {.shift = true});
-    frames(2);
+    tap(Key::f12, {.shift = true}, 2);
     ASSERT_EQ(panels().session.marks.size(), 2U);
     EXPECT_GT(panels().session.marks[1].step, step + 3) << "of now";
 }
 
 TEST_F(EditorSessionTest, TheViewOfASessionIsChosenByAKey) {
     openSession();
-    drag(kTop, kTop + Vec2(200, 50), 5, Button::right);
-    settle();
+    dragAndSettle(kTop, kTop + Vec2(200, 50), 5, Button::right);
     EXPECT_FALSE(savedAs("own").view);
     tap(Key::home, {.shift = true});
     EXPECT_TRUE(savedAs("chosen").view);
@@ -230,26 +194,24 @@ TEST_F(EditorSessionTest, ATestThatFailsFromTheStartIsRefusedAndOneThatHoldsIsSa
     EXPECT_TRUE(panels().toast.isError);
     EXPECT_THAT(panels().toast.text, HasSubstr("No test was saved: "));
     EXPECT_THAT(panels().toast.text, HasSubstr("0123456789abcdef"));
-    EXPECT_FALSE(std::filesystem::exists(sessionFile("kept")));
-    EXPECT_FALSE(std::filesystem::exists(folder / "kept.expected"));
+    EXPECT_FALSE(fs::exists(sessionFile("kept")));
+    EXPECT_FALSE(fs::exists(folder / "kept.expected"));
 
     clickMark(60, Button::right);
-    click("mark.remove.60");
-    frames(2);
+    click("mark.remove.60", 2);
     goTo(30);
     tap(Key::c, {.shift = true});
     askForTest("kept", false);
     waitForWork();
     EXPECT_FALSE(panels().toast.isError) << panels().toast.text;
     EXPECT_THAT(panels().toast.text, HasSubstr("kept.kerf.json with 1 picture"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "kept.expected/half.png"));
+    EXPECT_TRUE(fs::exists(folder / "kept.expected/half.png"));
     EXPECT_EQ(readSession(sessionFile("kept")).events.size(), 5U);
     expectTestHolds("kept");
 }
 
 TEST_F(EditorSessionTest, WhatWasDoneSinceTheStartIsSavedAsATestWithAPictureOfItsEnd) {
-    drag(kTop, kBottom, 6);
-    settle();
+    dragAndSettle(kTop, kBottom, 6);
     askForTest("cut", true);
     waitForWork();
     EXPECT_FALSE(panels().toast.isError) << panels().toast.text;
@@ -258,32 +220,26 @@ TEST_F(EditorSessionTest, WhatWasDoneSinceTheStartIsSavedAsATestWithAPictureOfIt
     EXPECT_EQ(last.step, session.steps);
     ASSERT_TRUE(std::holds_alternative<ScreenshotEvent>(last.action)) << "no check of the editor's";
     const std::string picture = std::get<ScreenshotEvent>(last.action).file;
-    EXPECT_TRUE(std::filesystem::exists(folder / "cut.expected" / picture));
+    EXPECT_TRUE(fs::exists(folder / "cut.expected" / picture));
     EXPECT_EQ(kinds(), std::vector{Kind::picture}) << "what is open has it too";
     expectTestHolds("cut");
 }
 
 TEST_F(EditorSessionTest, ATestMayGoWithoutAPictureOrNotBeSavedAtAll) {
-    tap(Key::t, {.control = true});
-    frames(2);
-    tap(Key::escape);
-    frames(2);
+    tap(Key::t, {.control = true}, 2);
+    tap(Key::escape, 2);
     EXPECT_TRUE(panels().question.text.empty());
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
-    tap(Key::t, {.control = true});
-    frames(3);
-    click("question.1");
-    frames(2);
-    type("bare");
-    tap(Key::enter);
-    waitForWork();
+    tap(Key::t, {.control = true}, 3);
+    click("question.1", 2);
+    enter("bare");
     EXPECT_THAT(panels().toast.text, HasSubstr("with no picture"));
-    EXPECT_THAT(kinds(), ::testing::IsEmpty());
+    EXPECT_THAT(kinds(), IsEmpty());
     expectTestHolds("bare");
 }
 
 TEST_F(EditorSessionTest, TheWindowGoesOnWhileALongTestIsSavedAndCancellingLeavesNothing) {
-    test::writeText(folder / "long.kerf.json", R"({
+    writeText(folder / "long.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
         "steps": 1000000,
         "events": [{"step": 9, "type": "screenshot", "file": "9.png"}]})");
@@ -301,8 +257,8 @@ TEST_F(EditorSessionTest, TheWindowGoesOnWhileALongTestIsSavedAndCancellingLeave
     tap(Key::escape);
     EXPECT_FALSE(editor->working());
     editor.reset();  // waits for what was cancelled
-    EXPECT_FALSE(std::filesystem::exists(sessionFile("mine")));
-    EXPECT_FALSE(std::filesystem::exists(folder / "mine.expected"));
+    EXPECT_FALSE(fs::exists(sessionFile("mine")));
+    EXPECT_FALSE(fs::exists(folder / "mine.expected"));
 }
 
 }  // namespace

@@ -5,23 +5,58 @@
 //
 // Without that variable, a few rounds of acts. KERF_FUZZ_SEED sets the acts.
 #include <malloc.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
-#include <fstream>
 
-#include "app/files/import/builtin_models.h"
-#include "gpu/program.h"
 #include "sim/base/freed_memory.h"
 #include "sim/base/stopwatch.h"
 #include "tests/app/editor/editor_storm.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/gl_objects.h"
 
 namespace kerf::app {
 namespace {
+
+/// How many objects of OpenGL the current context has, whoever made them.
+struct GlObjects {
+    int buffers = 0;
+    int textures = 0;
+    int framebuffers = 0;
+    int vertexArrays = 0;
+    int programs = 0;
+    int queries = 0;
+
+    /// Without queries: timers keep as many as a picture once had substeps.
+    int lasting() const { return buffers + textures + framebuffers + vertexArrays + programs; }
+};
+
+/// Names from 1 on, until none has been taken for long. Mesa gives each new object a name beyond
+/// all others, so they are looked for at least up to a fresh one.
+template <class IsTaken, class Generate, class Delete>
+int countNames(IsTaken isTaken, Generate generate, Delete remove) {
+    constexpr GLuint kLongestGap = 4096;
+    GLuint fresh = 0;
+    generate(1, &fresh);
+    remove(1, &fresh);
+    int count = 0;
+    for (GLuint name = 1, last = fresh; name < last || name - last <= kLongestGap; ++name) {
+        if (isTaken(name) == GL_TRUE) {
+            ++count;
+            last = std::max(last, name);
+        }
+    }
+    return count;
+}
+
+/// Counts them by their names, which drivers give out in ascending order and anew.
+GlObjects countGlObjects() {
+    const auto generateProgram = [](GLsizei, GLuint* name) { *name = glCreateProgram(); };
+    const auto deleteProgram = [](GLsizei, const GLuint* name) { glDeleteProgram(*name); };
+    return {countNames(glIsBuffer, glGenBuffers, glDeleteBuffers),
+            countNames(glIsTexture, glGenTextures, glDeleteTextures),
+            countNames(glIsFramebuffer, glGenFramebuffers, glDeleteFramebuffers),
+            countNames(glIsVertexArray, glGenVertexArrays, glDeleteVertexArrays),
+            countNames(glIsProgram, generateProgram, deleteProgram),
+            countNames(glIsQuery, glGenQueries, glDeleteQueries)};
+}
 
 constexpr double kWarmUpMinutes = 10;  // until all kernels are there and the heap has its size
 constexpr double kMostGrowth = 1.05;
@@ -58,8 +93,8 @@ double usedMegabytes() {
     return 1e-6 * static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-int entriesOf(const std::filesystem::path& folder) {
-    const std::filesystem::directory_iterator entries(folder);
+int entriesOf(const fs::path& folder) {
+    const fs::directory_iterator entries(folder);
     return static_cast<int>(std::distance(begin(entries), end(entries)));
 }
 
@@ -78,7 +113,7 @@ struct Sample {
     double minutes = 0;
     double megabytes = 0;
     double used = 0;  ///< of these, by what asked for them [MB]
-    test::GlObjects objects;
+    GlObjects objects;
     int files = 0;
     int threads = 0;
     int journals = 0;
@@ -147,8 +182,7 @@ class EditorSoak : public EditorStorm {
             tap(Key::escape);
         }
         waitForWork();
-        editor->open(folder / "ball.obj");
-        waitForWork();
+        open(folder / "ball.obj");
         if (panels().display.quality == render::Quality::full) {
             tap(Key::q);  // its pictures take 25 MB more
         }
@@ -158,10 +192,13 @@ class EditorSoak : public EditorStorm {
         }
         EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece") << panels().toast.text;
         expectSound();
-        return {
-            sinceStart_.seconds() / 60,    residentMegabytes(),        usedMegabytes(),
-            test::countGlObjects(),        entriesOf("/proc/self/fd"), entriesOf("/proc/self/task"),
-            entriesOf(folder / "journals")};
+        return {sinceStart_.seconds() / 60,
+                residentMegabytes(),
+                usedMegabytes(),
+                countGlObjects(),
+                entriesOf("/proc/self/fd"),
+                entriesOf("/proc/self/task"),
+                entriesOf(folder / "journals")};
     }
 
     static void printHead() {
@@ -171,7 +208,7 @@ class EditorSoak : public EditorStorm {
             "queries  files threads journals  longest frame [s]  processor [s]  during");
     }
     void printRow(const Sample& s) {
-        const test::GlObjects& o = s.objects;
+        const GlObjects& o = s.objects;
         std::printf(
             "%6.1f %5d %7d %12.1f %10.1f %8d %8d %12d %6d %8d %7d %6d %7d %8d %18.2f %14.2f  %s\n",
             s.minutes, row_.acts, row_.frames, s.megabytes, s.used, o.buffers, o.textures,
@@ -249,8 +286,7 @@ class EditorSoak : public EditorStorm {
 
 // There it would take a bookmark of the dialog, and what is saved then lies in somebody's folder.
 TEST_F(EditorSoak, ClicksOnNothingThatLiesUnderAFileDialog) {
-    tap(Key::s, {.control = true});
-    frames(2);
+    tap(Key::s, {.control = true}, 2);
     const ui::Rect bookmark = editor->itemRects().at("file.place.Current folder");
     for (int i = 0; i < 500; ++i) {
         const std::optional<Vec2> at = someItem();
@@ -262,7 +298,7 @@ TEST_F(EditorSoak, ClicksOnNothingThatLiesUnderAFileDialog) {
 
 TEST_F(EditorSoak, MemoryAndObjectsStayTheMeshIsSoundAndNoFrameTakesLong) {
     keepFreedMemory();
-    random_.seed(test::fuzzSeed(20261124));
+    random_.seed(fuzzSeed(20261124));
     writeFiles();
     dropped_.push_back(builtinModelFile("banana"));
     soak(minutesWanted());

@@ -1,15 +1,7 @@
 // Whatever a person does in the editor, in any order: what must hold holds after each act.
 #include "tests/app/editor/editor_storm.h"
 
-#include <cstdlib>
-#include <iostream>
-
-#include "app/scene/document/editor_document.h"
-#include "app/scene/timeline/scene_recorder.h"
-#include "app/scene/timeline/scene_timeline.h"
 #include "sim/run/undo/undo_history.h"
-#include "tests/app/session/replayed_session.h"
-#include "tests/support/nightly.h"
 #include "tests/support/session_validator.h"
 
 namespace kerf::app {
@@ -20,10 +12,6 @@ constexpr int kActs = 30;
 
 // KERF_STORMS, KERF_STORM_ACTS: more of them. KERF_STORM_SEED: others (KERF_STORMS=1 repeats one).
 // KERF_STORM_TRACE: tells each act. KERF_STORM_KEEP: where the last storm is kept as a session.
-unsigned environmentNumber(const char* name, unsigned otherwise) {
-    const char* text = std::getenv(name);
-    return text == nullptr ? otherwise : static_cast<unsigned>(std::atol(text));
-}
 
 /// What is promised of the body, of undo and of the session after a storm.
 class EditorStormTest : public EditorStorm {
@@ -82,14 +70,13 @@ class EditorStormTest : public EditorStorm {
                                      ->recorder()
                                      .savedSession(document.camera, document.session.colors)
                                      .session;
-        test::writeText(folder / "storm.kerf.json", formatSession(recorded, folder.path()));
+        writeText(folder / "storm.kerf.json", formatSession(recorded, folder.path()));
         if (const char* kept = std::getenv("KERF_STORM_KEEP")) {
-            std::filesystem::copy_file(folder / "storm.kerf.json", kept,
-                                       std::filesystem::copy_options::overwrite_existing);
+            fs::copy_file(folder / "storm.kerf.json", kept, fs::copy_options::overwrite_existing);
         }
-        if (test::hasSchemaValidator()) {
-            const std::string text = test::readBytes(folder / "storm.kerf.json");
-            EXPECT_EQ(test::placesWrongBySchema({text})[0], std::vector<std::string>{});
+        if (hasSchemaValidator()) {
+            const std::string text = readBytes(folder / "storm.kerf.json");
+            EXPECT_EQ(placesWrongBySchema({text})[0], std::vector<std::string>{});
         }
         const Session session = readSession(folder / "storm.kerf.json");
         EXPECT_EQ(replayedHash(session, {document.mesh, document.looks}), simulation().stateHash());
@@ -128,11 +115,11 @@ class EditorStormTest : public EditorStorm {
 };
 
 TEST_F(EditorStormTest, WhateverIsDoneLeavesTheBodySoundUndoExactAndTheSessionTrue) {
-    const unsigned first = environmentNumber("KERF_STORM_SEED", kFirstSeed);
+    const auto first = static_cast<unsigned>(environmentNumber("KERF_STORM_SEED", kFirstSeed));
     const auto acts = static_cast<int>(environmentNumber("KERF_STORM_ACTS", kActs));
     std::cout << "first seed " << first << "\n";
     writeFiles();
-    const auto storms = static_cast<unsigned>(test::runs("KERF_STORMS", 2, 12));
+    const auto storms = static_cast<unsigned>(runs("KERF_STORMS", 2, 12));
     for (unsigned i = 0; i < storms; ++i) {
         if (i > 0) {
             TearDown();

@@ -1,23 +1,11 @@
 #include "app/editor/editor.h"
 
-#include <gmock/gmock.h>
-
-#include "app/scene/editor_scene.h"
-#include "app/scene/editor_stroke.h"
-#include "render/scene/picture_comparison.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
-
 namespace kerf::app {
 namespace {
 
 /// A session of one stroke, over 40 of its 60 steps.
-std::filesystem::path writeLongStroke(const std::filesystem::path& folder) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]}]})");
+fs::path writeLongStroke(const fs::path& folder) {
+    writeText(folder / "slice.kerf.json", sliceSession(""));
     return folder / "slice.kerf.json";
 }
 
@@ -36,12 +24,11 @@ TEST_F(EditorTest, OpensPausedAndSaysWhatToDoFirst) {
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_FALSE(panels().transport.playing);
     EXPECT_EQ(panels().transport.step, 0);
-    EXPECT_THAT(panels().help.hint.text, ::testing::HasSubstr("Drag"));
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("Drag"));
 }
 
 TEST_F(EditorTest, AStrokeFromTopToBottomCutsTheSphereInTwo) {
-    drag(kTop, kBottom, 30);
-    settle();
+    dragAndSettle(kTop, kBottom, 30);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     ASSERT_EQ(panels().pieces.rows.size(), 2U);
     EXPECT_NEAR(panels().pieces.rows[0].share, 1, 0.02);
@@ -51,8 +38,7 @@ TEST_F(EditorTest, AStrokeFromTopToBottomCutsTheSphereInTwo) {
 }
 
 TEST_F(EditorTest, TwoMoveEventsAreEnoughForAStroke) {
-    drag(kTop, kBottom, 1);
-    settle();
+    dragAndSettle(kTop, kBottom, 1);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
@@ -66,20 +52,17 @@ TEST_F(EditorTest, ASecondStrokeWaitsForTheFirst) {
 }
 
 TEST_F(EditorTest, AStrokeBesideTheBodyChangesNothing) {
-    drag(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
-    settle();
+    dragAndSettle(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_EQ(panels().body.triangles, 768);
 }
 
 TEST_F(EditorTest, EscapeStopsTheStroke) {
-    moveTo(kTop.x(), kTop.y());
+    moveTo(kTop);
     press(true);
-    moveTo(kBottom.x(), kBottom.y());
-    frames(2);
+    moveTo(kBottom, 2);
     tap(Key::escape);
-    press(false);
-    settle();
+    release();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_FALSE(panels().transport.stroking);
 }
@@ -90,16 +73,14 @@ TEST_F(EditorTest, ASliderDragChangesItsParameterAndAResetKeepsIt) {
     const double chosen = panels().parameters.now.timeStep;
     EXPECT_GT(chosen, before);
     EXPECT_EQ(panels().body.triangles, 768) << "the drag over the panel is no stroke";
-    tap(Key::r);
-    frames(1);
+    tap(Key::r, 1);
     EXPECT_EQ(panels().parameters.now.timeStep, chosen);
 }
 
 TEST_F(EditorTest, ASwitchLeavesTheIterationsToTheProgramAndTheSliderTakesThemBack) {
     click("auto.iterations");
     EXPECT_EQ(panels().parameters.now.iterations, kAutoIterations);
-    tap(Key::period);
-    frames(1);
+    tap(Key::period, 1);
     const int chosen = panels().parameters.iterations;
     EXPECT_LT(chosen, 20);
     click("auto.iterations");
@@ -110,24 +91,20 @@ TEST_F(EditorTest, ASwitchLeavesTheIterationsToTheProgramAndTheSliderTakesThemBa
 }
 
 TEST_F(EditorTest, SpacePlaysAndPausesAndTheDotSteps) {
-    tap(Key::space);
-    frames(5);
+    tap(Key::space, 5);
     EXPECT_TRUE(panels().transport.playing);
     EXPECT_GT(panels().transport.step, 3);
-    tap(Key::space);
-    frames(2);
+    tap(Key::space, 2);
     const int paused = panels().transport.step;
     frames(3);
     EXPECT_EQ(panels().transport.step, paused);
-    tap(Key::period);
-    frames(1);
+    tap(Key::period, 1);
     EXPECT_EQ(panels().transport.step, paused + 1);
     EXPECT_FALSE((*panels().plots.history)[ui::Reading::volumePercent].empty());
 }
 
 TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
@@ -139,8 +116,7 @@ TEST_F(EditorTest, ResetJoinsThePiecesAgain) {
 }
 
 TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     ASSERT_EQ(panels().changes.rows.size(), 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Cut 1");
     EXPECT_GT(panels().changes.bytes, 0U);
@@ -156,7 +132,7 @@ TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
     tapControl(Key::z, true);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     tapControl(Key::z, true);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("nothing to redo"));
     tap(Key::r);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
@@ -165,15 +141,14 @@ TEST_F(EditorTest, ACutIsUndoneAndRedoneByKeys) {
 }
 
 TEST_F(EditorTest, UndoInTheMiddleOfAStrokeEndsIt) {
-    moveTo(kTop.x(), kTop.y());
+    moveTo(kTop);
     press(true);
     moveTo(kBottom.x(), kBottom.y() - 200);
     settle();
     EXPECT_GT(panels().body.triangles, 768);
     editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    moveTo(kBottom.x(), kBottom.y());
-    press(false);
-    settle();
+    moveTo(kBottom);
+    release();
     EXPECT_EQ(panels().body.triangles, 768);
     EXPECT_FALSE(panels().transport.stroking);
 }
@@ -197,7 +172,7 @@ TEST_F(EditorTest, ABodyThatTurnsInsideOutSaysSoOnce) {
         std::ranges::move(scene.takeMessages(), std::back_inserter(told));
     }
     ASSERT_EQ(told.size(), 1U);
-    EXPECT_THAT(told[0], ::testing::HasSubstr("the body turned inside out"));
+    EXPECT_THAT(told[0], HasSubstr("the body turned inside out"));
 }
 
 TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
@@ -205,8 +180,7 @@ TEST_F(EditorTest, OneUndoTakesBackAllOfASliderDrag) {
     dragSlider("param.time_step");
     ASSERT_NE(panels().parameters.now.timeStep, before);
     EXPECT_EQ(panels().changes.rows.size(), 1U);
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().parameters.now.timeStep, before);
 }
 
@@ -221,14 +195,14 @@ TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
     const double chosen = panels().parameters.now.timeStep;
     ASSERT_NE(chosen, before);
     tapControl(Key::z, false);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Time step"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Undone: Time step"));
     toggleRecording();
     EXPECT_EQ(panels().parameters.now.timeStep, before);
     toggleRecording();
     dragSlider("param.time_step");
     tapControl(Key::z, false);
     tapControl(Key::z, true);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Redone: Time step"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Redone: Time step"));
     const double again = panels().parameters.now.timeStep;
     ASSERT_NE(again, before);
     toggleRecording();
@@ -238,8 +212,7 @@ TEST_F(EditorTest, AParameterThatWasTakenBackStaysSoInARecording) {
 // What the blade has swept is cut where it is put away, and then there is nothing to redo.
 TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
     dragSlider("param.time_step");
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     moveTo(kWidth / 2.0, kHeight / 2.0);
     press(true);
     moveTo(kWidth / 2.0, kHeight / 2.0 + 7);
@@ -250,18 +223,15 @@ TEST_F(EditorTest, ARedoThatEndsAStrokeClaimsNothing) {
     settle();
     ASSERT_EQ(panels().changes.done, 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Cut 1");
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("nothing to redo"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("nothing to redo"));
 }
 
 TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const auto click = [&](const std::string& item) {
         const ui::Rect place = editor->itemRects().at(item);
-        moveTo(place.x + std::min(10.F, place.width / 2), place.y + place.height / 2);
-        frames(1);
-        press(true);
-        frames(1);
-        press(false);
-        settle();
+        moveTo(place.x + std::min(10.F, place.width / 2), place.y + place.height / 2, 1);
+        press(true, 1);
+        release();
     };
     for (const char* row : {"tab.Boxes", "boxes.add", "box.0"}) {
         click(row);
@@ -272,13 +242,11 @@ TEST_F(EditorTest, ABoxIsAddedMovedAndRemovedByThePanelAndIsInTheSession) {
     const StaticBox before = panels().body.boxes[0];
     const ui::Rect row = editor->itemRects().at("box.0.Centre");
     const double y = row.y + row.height / 2;
-    drag(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
-    settle();
+    dragAndSettle(Vec2(row.x + 10, y), Vec2(row.x + 60, y), 5);
     EXPECT_GT(panels().body.boxes[0].center.x(), before.center.x());
     EXPECT_EQ(panels().body.boxes[0].size, before.size);
     EXPECT_EQ(panels().changes.rows.size(), 2U) << "a drag is one change";
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().body.boxes[0], before);
     toggleRecording();
     EXPECT_EQ(panels().body.boxes, std::vector<StaticBox>{before}) << "a recording keeps them";
@@ -308,11 +276,9 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     settle();
     EXPECT_TRUE(panels().transport.recording);
     tap(Key::v);
-    drag(kTop, kBottom, 6);
-    settle();
+    dragAndSettle(kTop, kBottom, 6);
     dragSlider("param.ispc_stiffness");
-    tap(Key::space);
-    frames(8);
+    tap(Key::space, 8);
     drag(Vec2(kWidth / 3.0, kHeight / 2.0), Vec2(kWidth / 1.5, kHeight / 2.0), 3);
     frames(20);
     control(Key::z);
@@ -323,8 +289,7 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
     const int steps = panels().transport.step;
     control(Key::r);
     frames(2);
-    tap(Key::enter);
-    waitForWork();
+    confirm();
     settle();
     waitForWork();
     EXPECT_FALSE(panels().transport.recording);
@@ -336,21 +301,15 @@ TEST_F(EditorTest, WhatWasDoneIsSavedAsASessionThatReplaysToTheSameBits) {
 }
 
 TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
-                   {"step": 41, "type": "lift"},
-                   {"step": 45, "type": "check", "pieces": 2},
-                   {"step": 50, "type": "check", "hash": "0123456789abcdef"}]})");
+    writeText(folder / "slice.kerf.json", sliceSession(kLift + R"(,
+        {"step": 45, "type": "check", "pieces": 2},
+        {"step": 50, "type": "check", "hash": "0123456789abcdef"})"));
     openAtStart(folder / "slice.kerf.json");
     settle();
     const auto scrubTo = [&](double share) {
         const ui::Rect bar = editor->itemRects().at("scrubber");
-        drag(Vec2(bar.x + 3, bar.y + bar.height / 2),
-             Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 1);
-        settle();
+        dragAndSettle(Vec2(bar.x + 3, bar.y + bar.height / 2),
+                      Vec2(bar.x + share * bar.width, bar.y + bar.height / 2), 1);
     };
     scrubTo(0.98);
     EXPECT_GT(panels().session.playback.step, 55);
@@ -360,47 +319,41 @@ TEST_F(EditorTest, APlayedSessionCanBeScrubbedAndTellsWhereItDiverged) {
     EXPECT_LT(panels().session.playback.step, 20);
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
     tap(Key::l);
-    tap(Key::space);
-    frames(62);
+    tap(Key::space, 62);
     EXPECT_TRUE(panels().transport.playing) << "it goes round";
     EXPECT_LT(panels().session.playback.step, 60);
 }
 
 TEST_F(EditorTest, TheScalpelMakesAnIncision) {
     tap(Key::s);
-    drag(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0), 12);
-    settle();
+    dragAndSettle(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0),
+                  12);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_GT(panels().body.triangles, 768);
     ASSERT_EQ(panels().changes.rows.size(), 1U);
 }
 
 TEST_F(EditorTest, TheGuillotineComesDownByAKeyAndByItsSlider) {
-    tap(Key::g);
-    frames(1);
+    tap(Key::g, 1);
     EXPECT_EQ(panels().view.overlay.handles.size(), 4U);
     EXPECT_TRUE(panels().view.overlay.touched.empty()) << "on request alone";
-    tap(Key::w, {.shift = true});
-    frames(1);
+    tap(Key::w, {.shift = true}, 1);
     EXPECT_FALSE(panels().view.overlay.touched.empty()) << "what it will touch is shown before";
     EXPECT_FALSE(panels().view.overlay.wound.empty());
     tap(Key::enter);
     settle();
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     tap(Key::r);
-    tap(Key::g);
-    frames(1);
+    tap(Key::g, 1);
     const ui::Rect slider = editor->itemRects().at("blade.lowered");
     const double y = slider.y + slider.height / 2;
-    drag(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width - 1, y), 4);
-    settle();
+    dragAndSettle(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width - 1, y), 4);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorTest, AGuillotineHandleCanBeDragged) {
     tap(Key::g);
-    moveTo(kWidth / 2.0, kHeight / 2.0);
-    frames(2);
+    moveTo(kWidth / 2.0, kHeight / 2.0, 2);
     ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
     const ui::PlotPoint before = panels().view.overlay.handles[0].at;
     drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
@@ -413,19 +366,17 @@ TEST_F(EditorTest, AGuillotineHandleCanBeDragged) {
 
 TEST_F(EditorTest, AShallowStrokeLeavesOnePiece) {
     const ui::Rect box = editor->itemRects().at("blade.through");
-    drag(Vec2(box.x + 8, box.y + box.height / 2), Vec2(box.x + 8, box.y + box.height / 2), 1);
-    settle();
+    dragAndSettle(Vec2(box.x + 8, box.y + box.height / 2), Vec2(box.x + 8, box.y + box.height / 2),
+                  1);
     EXPECT_FALSE(panels().tools.stroke.throughAll);
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_GT(panels().body.triangles, 768);
 }
 
 TEST_F(EditorTest, TheRightButtonTurnsTheViewAndCutsNothing) {
     const render::Image before = editor->readPicture();
-    drag(kTop, kTop + Vec2(200, 50), 5, Button::right);
-    settle();
+    dragAndSettle(kTop, kTop + Vec2(200, 50), 5, Button::right);
     EXPECT_GT(render::channelDifference(before, editor->readPicture()).pixels, 1000);
     EXPECT_EQ(panels().transport.step, 0);
     tap(Key::home);
@@ -452,8 +403,8 @@ TEST_F(EditorTest, F12SavesThePictureAndSaysWhere) {
     const render::Image shown = editor->readPicture();
     tap(Key::f12);
     waitForWork();
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
         files.push_back(entry.path());
     }
     ASSERT_EQ(files.size(), 1U);
@@ -461,7 +412,7 @@ TEST_F(EditorTest, F12SavesThePictureAndSaysWhere) {
                 ::testing::MatchesRegex("kerf-[0-9]{8}-[0-9]{6}\\.png"));
     EXPECT_EQ(render::channelDifference(shown, render::readPng(files[0])).pixels, 0);
     frames(1);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr(files[0].filename().string()));
+    EXPECT_THAT(panels().toast.text, HasSubstr(files[0].filename().string()));
 }
 
 TEST_F(EditorTest, ControlF12SavesTheSceneAloneOnNoGround) {
@@ -471,8 +422,8 @@ TEST_F(EditorTest, ControlF12SavesTheSceneAloneOnNoGround) {
         }
         tap(Key::f12, {.control = true});
         waitForWork();
-        const std::filesystem::path file = onlyFile(folder.path());
-        EXPECT_THAT(file.filename().string(), ::testing::StartsWith("kerf-scene-"));
+        const fs::path file = onlyFile(folder.path());
+        EXPECT_THAT(file.filename().string(), StartsWith("kerf-scene-"));
         const render::Image picture = render::readPng(file);
         ASSERT_EQ(picture.width, kWidth);
         const auto alphaAt = [&](int x, int y) {
@@ -481,7 +432,7 @@ TEST_F(EditorTest, ControlF12SavesTheSceneAloneOnNoGround) {
         EXPECT_EQ(alphaAt(kWidth / 2, kHeight / 2), 255) << "the ball";
         EXPECT_EQ(alphaAt(2, 2), 0);
         EXPECT_EQ(alphaAt(kWidth / 2, kHeight - 3), 0) << "no floor";
-        std::filesystem::remove(file);
+        fs::remove(file);
     }
 }
 
@@ -490,76 +441,63 @@ TEST_F(EditorTest, PicturesOfOneSecondAreFilesOfTheirOwn) {
         tap(Key::f12);
     }
     waitForWork();
-    const std::filesystem::directory_iterator files(folder.path());
+    const fs::directory_iterator files(folder.path());
     EXPECT_EQ(std::distance(begin(files), end(files)), 3);
 }
 
 TEST_F(EditorTest, APictureThatCannotBeWrittenIsSaid) {
-    std::filesystem::remove_all(folder.path());
+    fs::remove_all(folder.path());
     tap(Key::f12);
     waitForWork();
     EXPECT_TRUE(panels().toast.isError);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("could not be written"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("could not be written"));
 }
 
 TEST_F(EditorTest, UndoInMidStrokeEndsTheStroke) {
     tap(Key::g);
     const ui::Rect slider = editor->itemRects().at("blade.lowered");
     const double y = slider.y + slider.height / 2;
-    drag(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width / 2, y), 4);
-    settle();
+    dragAndSettle(Vec2(slider.x + 4, y), Vec2(slider.x + slider.width / 2, y), 4);
     EXPECT_GT(panels().tools.guillotine.lowered, 0.3);
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().tools.guillotine.lowered, 0) << "the guillotine is above the body again";
     EXPECT_EQ(panels().changes.done, 0U);
 }
 
 // What the stroke had noted before was taken for the next one's.
 TEST_F(EditorTest, ARecordingBegunInMidStrokeCanUndoItsFirstCut) {
-    moveTo(kTop.x(), kTop.y());
+    moveTo(kTop);
     press(true);
     for (int i = 1; i <= 6; ++i) {
-        moveTo(kTop.x(), kTop.y() + i * (kBottom.y() - kTop.y()) / 12);
-        frames(2);
+        moveTo(kTop.x(), kTop.y() + i * (kBottom.y() - kTop.y()) / 12, 2);
     }
     frames(6);
     ASSERT_EQ(panels().changes.rows.size(), 1U) << "the blade is in the body";
     press(false);
     toggleRecording();
-    drag(kTop, kBottom, 8);
-    settle();
+    dragAndSettle(kTop, kBottom, 8);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
 }
 
 TEST_F(EditorTest, WhatCannotBeOpenedLeavesTheSceneAsItWas) {
-    drag(kTop, kBottom, 10);
-    settle();
-    test::writeText(folder / "broken.kerf.json", "{\"format\": \"kerf-session\"");
+    dragAndSettle(kTop, kBottom, 10);
+    writeText(folder / "broken.kerf.json", "{\"format\": \"kerf-session\"");
     editor->post(ui::FileDrop{{folder / "broken.kerf.json"}});
     frames(3);
-    click("question.1");
-    waitForWork();
+    clickAndWait("question.1");
     EXPECT_TRUE(panels().toast.isError);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("broken.kerf.json"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("broken.kerf.json"));
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
     editor->post(ui::FileDrop{{folder / "missing.obj"}});
     frames(3);
-    click("question.1");
-    waitForWork();
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("missing.obj"));
+    clickAndWait("question.1");
+    EXPECT_THAT(panels().toast.text, HasSubstr("missing.obj"));
 }
 
 TEST_F(EditorTest, ADroppedSessionOpensAtItsEndAndPlaysFromItsStart) {
-    test::writeText(folder / "slice.kerf.json", R"({
-        "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
-        "params": {"gravity": [0, 0, 0], "floor": null, "iterations": 4}, "steps": 60,
-        "events": [{"step": 1, "type": "blade", "a": [-2, 1.5, 0.1], "b": [2, 1.5, 0.1]},
-                   {"step": 40, "type": "blade", "a": [-2, -1.5, 0.1], "b": [2, -1.5, 0.1]},
-                   {"step": 41, "type": "lift"}]})");
+    writeText(folder / "slice.kerf.json", sliceSession(kLift));
     editor->post(ui::FileDrop{{folder / "slice.kerf.json"}});
     waitForWork();
     settle();
@@ -567,9 +505,8 @@ TEST_F(EditorTest, ADroppedSessionOpensAtItsEndAndPlaysFromItsStart) {
     EXPECT_EQ(panels().session.playback.step, 60);
     tap(Key::r);
     EXPECT_EQ(editor->title(), "Kerf - slice - 1 piece");
-    EXPECT_THAT(panels().help.hint.text, ::testing::HasSubstr("play the session"));
-    tap(Key::space);
-    frames(3);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("play the session"));
+    tap(Key::space, 3);
     EXPECT_EQ(panels().session.playback.steps, 60);
     frames(45);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
@@ -577,19 +514,15 @@ TEST_F(EditorTest, ADroppedSessionOpensAtItsEndAndPlaysFromItsStart) {
 
 TEST_F(EditorTest, ASessionPlaysOnWhileAParameterIsChanged) {
     openAtStart(writeLongStroke(folder.path()));
-    tap(Key::space);
-    frames(5);
-    tap(Key::v);
-    frames(45);
+    tap(Key::space, 5);
+    tap(Key::v, 45);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
     EXPECT_EQ(panels().session.playback.steps, 60);
 }
 
 TEST_F(EditorTest, UndoOfAParameterDuringAPlayedStrokeLeavesTheStroke) {
     openAtStart(writeLongStroke(folder.path()));
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     Simulation& simulation = editor->scene()->simulation();
     ASSERT_TRUE(simulation.blade());
     const ParamValue before = getParam(simulation.params(), "iterations");
@@ -598,8 +531,7 @@ TEST_F(EditorTest, UndoOfAParameterDuringAPlayedStrokeLeavesTheStroke) {
     EXPECT_EQ(getParam(simulation.params(), "iterations"), before);
     EXPECT_TRUE(simulation.blade());
     EXPECT_EQ(panels().session.playback.steps, 60);
-    tap(Key::space);
-    frames(60);
+    tap(Key::space, 60);
     EXPECT_EQ(editor->title(), "Kerf - slice - 2 pieces");
     EXPECT_EQ(panels().session.playback.step, 60);
 }
@@ -607,8 +539,7 @@ TEST_F(EditorTest, UndoOfAParameterDuringAPlayedStrokeLeavesTheStroke) {
 TEST_F(EditorTest, TheSameEventsGiveTheSamePicture) {
     const auto run = [&] {
         tap(Key::r);
-        drag(kTop, kBottom, 12);
-        settle();
+        dragAndSettle(kTop, kBottom, 12);
         moveTo(kWidth / 2.0, 5);
         settle();
         return viewPixels(editor->readPicture());

@@ -1,11 +1,8 @@
 // The hand that pulls, the pins, the straight stroke.
 
-#include "app/scene/editor_scene.h"
 #include "app/scene/readout/scene_readout.h"
 #include "app/tools/box_placement.h"
 #include "app/tools/stroke_tool.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
 
 namespace kerf::app {
 namespace {
@@ -26,9 +23,8 @@ class EditorToolsTest : public EditorTest {
     }
     /// Takes hold in the middle, pulls to the right and holds there for some pictures.
     void pull(int pictures) {
-        moveTo(kMiddle.x(), kMiddle.y());
-        press(true);
-        frames(2);
+        moveTo(kMiddle);
+        press(true, 2);
         moveTo(kMiddle.x() + 120, kMiddle.y());
         frames(pictures);
     }
@@ -51,39 +47,34 @@ int tealPixels(const render::Image& picture) {
 }
 
 TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
-    moveTo(kTop.x(), kTop.y());
+    moveTo(kTop);
     settle();
     press(true);
     settle();  // The hint goes, whose bar is teal too.
     const int before = tealPixels(editor->readPicture());
-    moveTo(kTop.x() + 40, kTop.y() + 120);
-    frames(2);
+    moveTo(kTop.x() + 40, kTop.y() + 120, 2);
     EXPECT_GT(tealPixels(editor->readPicture()), before + 40);
 }
 
 TEST_F(EditorToolsTest, DotsTellHowFarTheCutLagsBehindThePointer) {
-    moveTo(kTop.x(), kTop.y());
+    moveTo(kTop);
     press(true);
     settle();
-    moveTo(kTop.x(), kBottom.y());
-    frames(2);
+    moveTo(kTop.x(), kBottom.y(), 2);
     const std::vector<ui::PlotPoint> lag = panels().view.overlay.lag;
     ASSERT_GE(lag.size(), 2U);
     EXPECT_NEAR(lag.back().y, kBottom.y(), 1) << "up to the pointer";
     EXPECT_LT(lag.front().y, kBottom.y() - 50);
     EXPECT_TRUE(panels().view.overlay.touched.empty()) << "on request alone";
-    settle();
-    frames(1);
+    settle(1);
     EXPECT_NEAR(panels().view.overlay.lag.front().y, kBottom.y(), 10) << "it has caught up";
 }
 
 TEST_F(EditorToolsTest, AStrokeBesideTheBodyLeavesNoMark) {
-    drag(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
-    settle();
+    dragAndSettle(Vec2(kWidth / 3.0, 20), Vec2(kWidth / 3.0, kHeight - 60), 10);
     EXPECT_GT(panels().transport.step, 0);
     EXPECT_TRUE(panels().session.past.empty());
-    drag(kTop, kBottom, 20);
-    settle();
+    dragAndSettle(kTop, kBottom, 20);
     ASSERT_EQ(panels().session.past.size(), 1U);
     EXPECT_GT(panels().session.past[0].step, 0);
 }
@@ -91,7 +82,7 @@ TEST_F(EditorToolsTest, AStrokeBesideTheBodyLeavesNoMark) {
 TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
     const auto run = [&](int eventsPerPicture) {
         tap(Key::r);
-        moveTo(kTop.x(), kTop.y());
+        moveTo(kTop);
         press(true);
         for (int i = 1; i <= 40; ++i) {
             // A curved way, so that a pose that is lost changes the cut.
@@ -101,8 +92,7 @@ TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
                 editor->frame(1.0 / 3);
             }
         }
-        press(false);
-        settle();
+        release();
         moveTo(kWidth / 2.0, 5);
         settle();
         return std::pair(panels().body.triangles, viewPixels(editor->readPicture()));
@@ -114,17 +104,14 @@ TEST_F(EditorToolsTest, AStrokeIsTheSameHoweverSlowThePicturesAre) {
 }
 
 TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
-    tap(Key::d);
-    frames(1);
-    moveTo(kMiddle.x(), kMiddle.y());
-    frames(2);
+    tap(Key::d, 1);
+    moveTo(kMiddle, 2);
     EXPECT_FALSE(panels().view.overlay.guides.empty()) << "a ring shows what it would take";
     pull(20);
     EXPECT_GE(panels().transport.step, 20) << "time runs while it holds";
     ASSERT_EQ(panels().view.overlay.handles.size(), 1U);
     EXPECT_NEAR(panels().view.overlay.handles[0].at.x, kMiddle.x() + 120, 0.5);
-    press(false);
-    settle();
+    release();
     const int step = panels().transport.step;
     frames(5);
     EXPECT_EQ(panels().transport.step, step) << "and stands when it lets go";
@@ -135,10 +122,8 @@ TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
 TEST_F(EditorToolsTest, APullIsRecordedAndReplaysToTheSameBits) {
     tap(Key::d);
     pull(12);
-    moveTo(kMiddle.x() + 140, kMiddle.y() + 30);
-    frames(3);
-    press(false);
-    settle();
+    moveTo(kMiddle.x() + 140, kMiddle.y() + 30, 3);
+    release();
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
@@ -149,14 +134,13 @@ TEST_F(EditorToolsTest, UndoWhileItHoldsTakesThePullBackAndLetsGo) {
     frames(2);
     EXPECT_EQ(panels().changes.done, 0U);
     EXPECT_TRUE(panels().view.overlay.handles.empty()) << "it holds nothing any more";
-    press(false);
-    settle();
+    release();
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 TEST_F(EditorToolsTest, TheSurfaceIsSearchedOnceForEachQuestion) {
     tap(Key::s);
-    moveTo(kMiddle.x(), kMiddle.y());
+    moveTo(kMiddle);
     settle();
     const auto searches = [this] { return editor->scene()->readout().look().searches(); };
     const int before = searches();
@@ -187,8 +171,7 @@ TEST_F(EditorToolsTest, TheBrushPinsInOneChangeAndTheControlKeyFrees) {
     EXPECT_EQ(panels().changes.rows[0].name, "Pin");
     dragWith({.control = true}, kMiddle, kMiddle + Vec2(1, 0), 1);
     EXPECT_LT(panels().body.pinned, pinned);
-    editor->post(ui::KeyChange{Key::z, true, {.control = true}});
-    settle();
+    undo();
     EXPECT_EQ(panels().body.pinned, pinned);
     editor->post(ui::KeyChange{Key::p, true, {.shift = true}});
     settle();
@@ -212,29 +195,23 @@ TEST_F(EditorToolsTest, PinsAreRecordedAndReplayToTheSameBits) {
     tap(Key::p);
     dragWith({}, kMiddle - Vec2(40, 0), kMiddle + Vec2(40, 0), 4);
     tap(Key::v);
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 TEST_F(EditorToolsTest, ForcesAreRecordedAndReplayToTheSameBits) {
-    tap(Key::p);
-    frames(2);
+    tap(Key::p, 2);
     click("pin.Push");
     dragWith({}, kMiddle - Vec2(60, 0), kMiddle - Vec2(20, 0), 4);
     ASSERT_EQ(panels().changes.rows.size(), 1U);
     EXPECT_EQ(panels().changes.rows[0].name, "Force: (0, 1, 0) N");
     tap(Key::v);
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 TEST_F(EditorToolsTest, MotionsAreRecordedAndReplayToTheSameBits) {
-    tap(Key::p);
-    frames(2);
+    tap(Key::p, 2);
     click("pin.Push");
     dragWith({}, kMiddle - Vec2(60, 0), kMiddle - Vec2(20, 0), 4);
     click("pin.Move");
@@ -242,17 +219,14 @@ TEST_F(EditorToolsTest, MotionsAreRecordedAndReplayToTheSameBits) {
     dragWith({}, kMiddle + Vec2(20, 0), kMiddle + Vec2(60, 0), 4);
     ASSERT_EQ(panels().changes.rows.size(), 2U);
     EXPECT_EQ(panels().changes.rows[1].name, "Move: (0, 0.1, 0) m/s");
-    tap(Key::space);
-    frames(10);
-    tap(Key::space);
+    playFor(10);
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
 // A session with less than a microsecond could not be read again.
 TEST_F(EditorToolsTest, TheShortestMotionIsReadAgain) {
     editor->resize(kWidth, 2 * kHeight);
-    tap(Key::p);
-    frames(2);
+    tap(Key::p, 2);
     click("pin.Move");
     click("pin.seconds.number");
     type("1e-9");

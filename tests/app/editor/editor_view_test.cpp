@@ -1,10 +1,6 @@
 // The camera, the axes in the corner, what is shown and how.
-#include <cstdlib>
 
 #include "app/editor/view/body_display.h"
-#include "app/session/session.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
 
 namespace kerf::app {
 namespace {
@@ -28,16 +24,15 @@ TEST_F(EditorViewTest, WithoutPerspectiveAStrokeStillCutsTheSphereInTwo) {
     tap(Key::digit5);
     settle();
     EXPECT_TRUE(panels().view.orthographic);
-    drag(kTop, kBottom, 30);
-    settle();
+    dragAndSettle(kTop, kBottom, 30);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
 }
 
 TEST_F(EditorViewTest, WithoutPerspectiveTheScalpelFindsTheSurface) {
     tap(Key::digit5);
     tap(Key::s);
-    drag(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0), 12);
-    settle();
+    dragAndSettle(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0),
+                  12);
     EXPECT_GT(panels().body.triangles, 768);
     EXPECT_EQ(panels().changes.rows.size(), 1U);
 }
@@ -45,8 +40,7 @@ TEST_F(EditorViewTest, WithoutPerspectiveTheScalpelFindsTheSurface) {
 TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
     tap(Key::digit5);
     tap(Key::g);
-    moveTo(kWidth / 2.0, kHeight / 2.0);
-    frames(2);
+    moveTo(kWidth / 2.0, kHeight / 2.0, 2);
     ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
     const ui::PlotPoint before = panels().view.overlay.handles[0].at;
     drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
@@ -74,9 +68,8 @@ TEST_F(EditorViewTest, AViewFromBesideABodyMovesAwayUntilItIsSeenAndNoFarther) {
     session.model.builtin = "sphere768";
     session.steps = 1;
     session.view = render::Camera{.eye = {-0.002, 0.1, 0.6}, .target = {0.998, 0.1, 0.6}};
-    test::writeText(folder / "beside.kerf.json", formatSession(session, folder.path()));
-    editor->open(folder / "beside.kerf.json");
-    waitForWork();
+    writeText(folder / "beside.kerf.json", formatSession(session, folder.path()));
+    open(folder / "beside.kerf.json");
     moveTo(5, 5);
     settle();
     const render::Image picture = editor->readPicture();
@@ -88,11 +81,9 @@ TEST_F(EditorViewTest, AViewFromBesideABodyMovesAwayUntilItIsSeenAndNoFarther) {
 }
 
 TEST_F(EditorViewTest, FramingKeepsTheBallAboveTheHint) {
-    drag(kTop, kBottom, 30);
-    settle();
+    dragAndSettle(kTop, kBottom, 30);
     tap(Key::f);
-    settle();
-    frames(2);
+    settle(2);
     ASSERT_TRUE(editor->itemRects().contains("hint.A"));
     const float hint = editor->itemRects().at("hint.A").y;
     moveTo(kWidth / 2.0, 12);
@@ -125,14 +116,12 @@ TEST_F(EditorViewTest, AClickOnAnEndOfTheAxesLooksFromThere) {
 
 TEST_F(EditorLegendTest, TheStrainUnderThePointerIsThatOfTheSurfaceThere) {
     moveTo(kWidth / 2.0, kHeight / 2.0);
-    tap(Key::j);
-    frames(3);
+    tap(Key::j, 3);
     ASSERT_EQ(panels().looks.field.field, render::SurfaceField::strain);
     EXPECT_NEAR(panels().looks.field.range.high, 0.01, 1e-6) << "at rest: the least range";
     ASSERT_TRUE(panels().looks.field.underPointer);
     EXPECT_NEAR(*panels().looks.field.underPointer, 0, 1e-5);
-    moveTo(kWidth / 2.0, 2);
-    frames(2);
+    moveTo(kWidth / 2.0, 2, 2);
     EXPECT_FALSE(panels().looks.field.underPointer) << "beside the body";
 }
 
@@ -146,11 +135,9 @@ TEST_F(EditorLegendTest, BothEndsOfTheRangeAreTypedInAnyOrder) {
         const ui::Rect place = editor->itemRects().at("display.range");
         moveTo(place.x + share * place.width, place.y + place.height / 2);
         press(true);
-        press(false);
-        frames(2);
+        press(false, 2);
         type(text);
-        tap(Key::enter);
-        frames(2);
+        tap(Key::enter, 2);
         return panels().looks.field.range;
     };
     typed(0.8, "10");
@@ -163,12 +150,9 @@ TEST_F(EditorLegendTest, BothEndsOfTheRangeAreTypedInAnyOrder) {
 TEST_F(EditorLegendTest, ABodyThatSqueezesItselfShowsStrainAndItsRangeFollows) {
     tap(Key::j);
     tap(Key::v);
-    tap(Key::space);
-    frames(60);
-    tap(Key::space);
+    playFor(60);
     moveTo(kWidth / 2.0, kHeight / 2.0 + 60);
-    settle();
-    frames(3);
+    settle(3);
     EXPECT_GT(panels().looks.field.range.high, 0.01);
     ASSERT_TRUE(panels().looks.field.underPointer);
     EXPECT_GT(*panels().looks.field.underPointer, 1e-4);
@@ -189,25 +173,21 @@ TEST_F(EditorLegendTest, TheThicknessIsWorkedOutWhileTimeStandsAndSaysWhenItIsOl
     ASSERT_TRUE(panels().looks.field.underPointer);
     EXPECT_NEAR(*panels().looks.field.underPointer, 1, 0.05) << "the diameter";
     tap(Key::v);
-    tap(Key::space);
-    frames(3);
-    EXPECT_THAT(panels().looks.field.note, testing::HasSubstr("From step 0."));
+    tap(Key::space, 3);
+    EXPECT_THAT(panels().looks.field.note, HasSubstr("From step 0."));
 }
 
 TEST_F(EditorViewTest, ASectionOpensThePictureAndItsHandleShiftsItAlongItsNormal) {
     settle();
     const auto whole = viewPixels(editor->readPicture());
-    tap(Key::n);
-    frames(2);
+    tap(Key::n, 2);
     ASSERT_TRUE(panels().display.section);
     EXPECT_EQ(panels().display.section->normal, Vec3::UnitZ()) << "towards the eye";
     EXPECT_NE(viewPixels(editor->readPicture()), whole);
-    tap(Key::n);
-    frames(2);
+    tap(Key::n, 2);
     EXPECT_EQ(viewPixels(editor->readPicture()), whole);
     tap(Key::n);
-    moveTo(2, 2);
-    frames(2);
+    moveTo(2, 2, 2);
     ASSERT_EQ(panels().view.overlay.handles.size(), 2U);
     tap(Key::digit3);  // from the right: the normal lies across the view
     settle();
@@ -234,11 +214,9 @@ TEST_F(EditorViewTest, TheTipOfASectionTurnsIt) {
 
 TEST_F(EditorLegendTest, UnderThePointerIsWhatASectionShows) {
     tap(Key::j);
-    moveTo(kWidth / 2.0, kHeight / 2.0 + 8);
-    frames(3);
+    moveTo(kWidth / 2.0, kHeight / 2.0 + 8, 3);
     ASSERT_TRUE(panels().looks.field.underPointer);
-    tap(Key::n);
-    frames(3);
+    tap(Key::n, 3);
     EXPECT_FALSE(panels().looks.field.underPointer) << "the filled section has no strain";
 }
 
@@ -246,8 +224,7 @@ TEST_F(EditorViewTest, TheLookComesBackAfterAllQuantities) {
     settle();
     const auto before = viewPixels(editor->readPicture());
     for (int i = 0; i < render::kSurfaceFields; ++i) {
-        tap(Key::j);
-        frames(2);
+        tap(Key::j, 2);
         const bool look = panels().display.field.field == render::SurfaceField::look;
         EXPECT_EQ(viewPixels(editor->readPicture()) == before, look) << i;
     }
@@ -263,12 +240,10 @@ TEST_F(EditorViewTest, AViewFromAboveIsSavedAndReadAgain) {
 }
 
 TEST_F(EditorViewTest, AStrokeThatBeginsWhileTheViewFliesIsMadeInTheViewAtItsEnd) {
-    tap(Key::digit3);
-    frames(2);
+    tap(Key::digit3, 2);
     ASSERT_EQ(editor->idleSeconds(), 0) << "it still flies";
-    moveTo(kTop.x(), kTop.y());
-    press(true);
-    frames(2);
+    moveTo(kTop);
+    press(true, 2);
     EXPECT_NEAR(axis(0).z(), 1, 1e-3);
 }
 
@@ -316,10 +291,8 @@ TEST_F(EditorViewTest, ErrorsAreGreyAtRestAndColouredWhereTheBodyIsPulled) {
     const int long0 = pixelsOf(render::kLongColor, viewPixels(editor->readPicture()));
     tap(Key::d);
     moveTo(kWidth / 2.0, kHeight / 2.0);
-    press(true);
-    frames(1);
-    moveTo(kWidth / 2.0 + 150, kHeight / 2.0);
-    frames(15);
+    press(true, 1);
+    moveTo(kWidth / 2.0 + 150, kHeight / 2.0, 15);
     EXPECT_GT(pixelsOf(render::kLongColor, viewPixels(editor->readPicture())), long0 + 50);
 }
 
@@ -336,15 +309,14 @@ TEST_F(EditorViewTest, PinnedVerticesAreMarked) {
 
 TEST_F(EditorViewTest, ContactsAreMarkedWhereHalvesTouch) {
     tap(Key::k);
-    test::writeText(folder / "touch.kerf.json", R"({
+    writeText(folder / "touch.kerf.json", R"({
         "format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
         "params": {"gravity": [0, -9.81, 0], "floor": -0.7, "iterations": 4, "contact": 1},
         "steps": 60,
         "events": [{"step": 1, "type": "blade", "a": [-2, 0.1, -1.5], "b": [2, 0.1, -1.5]},
                    {"step": 40, "type": "blade", "a": [-2, 0.1, 1.5], "b": [2, 0.1, 1.5]},
                    {"step": 41, "type": "lift"}]})");
-    editor->open(folder / "touch.kerf.json");
-    waitForWork();
+    open(folder / "touch.kerf.json");
     tap(Key::space);
     int most = 0;
     for (int i = 0; i < 70; ++i) {
@@ -379,16 +351,15 @@ TEST_F(EditorViewTest, ColoursAreKeptInTheSessionAndShownAgain) {
         session.colors.skin = Vec3(0.1, 0.2, 0.9);
         return session;
     }();
-    test::writeText(folder / "blue.kerf.json", formatSession(before, folder.path()));
-    editor->open(folder / "blue.kerf.json");
-    waitForWork();
+    writeText(folder / "blue.kerf.json", formatSession(before, folder.path()));
+    open(folder / "blue.kerf.json");
     moveTo(5, 5);
     settle();
     EXPECT_EQ(panels().display.colors.skin, Vec3(0.1, 0.2, 0.9));
     const render::Image picture = editor->readPicture();
     const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
     EXPECT_GT(picture.pixels[middle + 2], 2 * picture.pixels[middle]) << "blue, not red";
-    std::filesystem::remove(folder / "blue.kerf.json");
+    fs::remove(folder / "blue.kerf.json");
     saveByKeys();
     EXPECT_EQ(readSession(onlyFile(folder.path())).colors.skin, before.colors.skin);
 }
@@ -399,23 +370,21 @@ TEST_F(EditorViewTest, ALookIsKeptInTheSessionAndShownAgain) {
     before.steps = 1;
     before.view = render::Camera{.eye = {0, 0.4, 3}};
     before.colors.look = render::LookName::marble;
-    test::writeText(folder / "stone.kerf.json", formatSession(before, folder.path()));
-    editor->open(folder / "stone.kerf.json");
-    waitForWork();
+    writeText(folder / "stone.kerf.json", formatSession(before, folder.path()));
+    open(folder / "stone.kerf.json");
     moveTo(5, 5);
     settle();
     EXPECT_EQ(panels().display.colors.look, render::LookName::marble);
     const render::Image picture = editor->readPicture();
     const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
     EXPECT_LT(picture.pixels[middle], 1.3 * picture.pixels[middle + 2]) << "grey, not red";
-    std::filesystem::remove(folder / "stone.kerf.json");
+    fs::remove(folder / "stone.kerf.json");
     saveByKeys();
     EXPECT_EQ(readSession(onlyFile(folder.path())).colors.look, before.colors.look);
 }
 
 TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     BodyDisplay display;
     EXPECT_EQ(display.boundsOf({editor->scene(), false}).diagonal(),
               editor->scene()->simulation().bounds().diagonal());
@@ -441,8 +410,7 @@ TEST_F(EditorViewTest, TheCameraLooksAtTheMiddleOfWhatThePanelsLeaveFree) {
     settle();
     EXPECT_NEAR(middleOfBody(), kWidth / 2.0, 6);
     const ui::Rect edge = editor->itemRects().at("edge.readings");
-    drag(Vec2(edge.x + 3, 200), Vec2(kWidth - 2.0, 200), 5);
-    settle();
+    dragAndSettle(Vec2(edge.x + 3, 200), Vec2(kWidth - 2.0, 200), 5);
     ASSERT_FALSE(panels().settings.showReadings);
     EXPECT_GT(middleOfBody(), kWidth / 2.0 + 100);
 }
@@ -462,44 +430,35 @@ TEST_F(EditorViewTest, ALightThemeHasALightScene) {
 }
 
 TEST_F(EditorViewTest, ThePointerTellsWhatAClickWouldDo) {
-    moveTo(kWidth / 2.0, kHeight / 2.0);
-    frames(2);
+    moveTo(kWidth / 2.0, kHeight / 2.0, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::crosshair);
-    tap(Key::d);
-    frames(2);
+    tap(Key::d, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::hand) << "over the body";
-    moveTo(kWidth / 2.0 + 130, 30);
-    frames(2);
+    moveTo(kWidth / 2.0 + 130, 30, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::arrow) << "beside it";
     const ui::Rect edge = editor->itemRects().at("edge.controls");
-    moveTo(edge.x + edge.width / 2, 200);
-    frames(2);
+    moveTo(edge.x + edge.width / 2, 200, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::resizeX);
     const ui::Rect button = editor->itemRects().at("tool.Grab");
-    moveTo(button.x + 5, button.y + 5);
-    frames(2);
+    moveTo(button.x + 5, button.y + 5, 2);
     EXPECT_EQ(editor->cursor(), ui::Cursor::arrow);
 }
 
 // Gravity alone was taken back, the pieces stayed on the floor, and nothing was said.
 TEST_F(EditorViewTest, AnUndoThatMovesNothingSaysWhatComesNext) {
-    drag(kTop, kBottom, 10);
-    settle();
-    tap(Key::space, {.shift = true});
-    frames(10);
+    dragAndSettle(kTop, kBottom, 10);
+    tap(Key::space, {.shift = true}, 10);
     tap(Key::space);
-    tap(Key::z, {.control = true});
-    frames(2);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Gravity"));
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("m/s\u00b2"));
+    tap(Key::z, {.control = true}, 2);
+    EXPECT_THAT(panels().toast.text, HasSubstr("Undone: Gravity"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("m/s\u00b2"));
     ASSERT_TRUE(panels().toast.choice.has_value());
-    EXPECT_THAT(panels().toast.choice->label, ::testing::HasSubstr("Cut 1"));
+    EXPECT_THAT(panels().toast.choice->label, HasSubstr("Cut 1"));
     click("toast.Ctrl+Z");
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Undone: Cut 1"));
-    tap(Key::z, {.shift = true, .control = true});
-    frames(2);
-    EXPECT_THAT(panels().toast.text, ::testing::HasSubstr("Redone: Cut 1"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("Undone: Cut 1"));
+    tap(Key::z, {.shift = true, .control = true}, 2);
+    EXPECT_THAT(panels().toast.text, HasSubstr("Redone: Cut 1"));
 }
 
 }  // namespace

@@ -1,17 +1,11 @@
 #include "app/editor/view/first_steps.h"
 
-#include <gmock/gmock.h>
-
-#include <cstdlib>
-
 #include "sim/run/parts/step_report.h"
-#include "tests/app/editor/editor_fixture.h"
 #include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::HasSubstr;
 using ui::ActionId;
 
 std::vector<ActionId> choicesOf(const ui::Hint& hint) {
@@ -63,8 +57,7 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
     EXPECT_THAT(choicesOf(steps.hint(now)),
-                ::testing::ElementsAre(ActionId::letFall, ActionId::showApart,
-                                       ui::actionOf(ui::Tool::grab)));
+                ElementsAre(ActionId::letFall, ActionId::showApart, ui::actionOf(ui::Tool::grab)));
     now.tool = ui::Tool::grab;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("pull it")) << "a tool that is new";
@@ -79,7 +72,7 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     EXPECT_EQ(steps.hint(now).text, "") << "what falls is watched";
     now.playing = false;
     EXPECT_THAT(choicesOf(steps.hint(now)),
-                ::testing::ElementsAre(ActionId::undo, ActionId::reset, ActionId::help));
+                ElementsAre(ActionId::undo, ActionId::reset, ActionId::help));
     now.tool = ui::Tool::grab;
     EXPECT_EQ(steps.hint(now).text, "") << "it would not cut";
     now.tool = ui::Tool::stroke;
@@ -157,18 +150,16 @@ TEST(FirstSteps, SayWhyNothingMoves) {
 }
 
 TEST_F(EditorTest, AStrokeThatEndsInsideIsAnIncisionAndTheHintSaysSo) {
-    drag(kTop, Vec2(kWidth / 2.0, kHeight / 2.0), 20);
-    settle();
+    dragAndSettle(kTop, Vec2(kWidth / 2.0, kHeight / 2.0), 20);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_THAT(panels().help.hint.text, HasSubstr("incision"));
     tap(Key::z, {.control = true});
     settle();
-    EXPECT_THAT(panels().help.hint.text, ::testing::Not(HasSubstr("incision")));
+    EXPECT_THAT(panels().help.hint.text, Not(HasSubstr("incision")));
 }
 
 TEST_F(EditorTest, TheHintAfterACutLetsThePiecesFall) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     frames(2);
     click("hint.Shift+Space");
     EXPECT_TRUE(panels().transport.playing);
@@ -176,8 +167,7 @@ TEST_F(EditorTest, TheHintAfterACutLetsThePiecesFall) {
 }
 
 TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
-    drag(kTop, kBottom, 10);
-    settle();
+    dragAndSettle(kTop, kBottom, 10);
     moveTo(kWidth / 2.0, 5);
     settle();
     const std::vector<std::uint8_t> together = viewPixels(editor->readPicture());
@@ -194,8 +184,7 @@ TEST_F(EditorTest, PiecesAreShownApartUntilABladeComes) {
     press(false);
     tap(Key::a);
     EXPECT_GT(panels().display.apart, 0);
-    tap(Key::space);
-    frames(2);
+    tap(Key::space, 2);
     EXPECT_EQ(panels().display.apart, 0);
 }
 
@@ -209,8 +198,7 @@ TEST_F(EditorTest, ACoreIsShownApartFromThePieceAroundIt) {
     for (int i = 1; i <= 52; ++i) {
         moveTo(onLoop(i).x(), onLoop(i).y());
     }
-    press(false);
-    settle();
+    release();
     ASSERT_EQ(panels().pieces.rows.size(), 2U);
     moveTo(kWidth / 2.0, 5);
     settle();

@@ -1,25 +1,12 @@
 // Journals on the disk: what is read of them, whose they are, and how long they stay.
-#include <gmock/gmock.h>
 
-#include <cerrno>
-#include <chrono>
 #include <future>
-#include <stdexcept>
-#include <thread>
 
-#include "app/files/import/model_source.h"
-#include "app/files/io/file_io.h"
 #include "app/journal/journal_folder.h"
 #include "app/journal/journal_writer.h"
-#include "tests/support/file_fault.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-using test::TemporaryFolder;
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 Session sphere() {
     Session session;
@@ -42,8 +29,8 @@ SessionChange stroke(std::size_t at, int step) {
 }
 
 KeptWork readText(const std::string& text) {
-    const TemporaryFolder folder;
-    test::writeText(folder / "a.journal", text);
+    const test::TemporaryFolder folder;
+    writeText(folder / "a.journal", text);
     return readJournal(folder / "a.journal");
 }
 
@@ -159,14 +146,14 @@ TEST(Journal, WhatComesBehindGarbageIsLeftOut) {
 }
 
 TEST(Journal, AnotherFileOfTheModelsNameIsNoticed) {
-    const TemporaryFolder folder;
-    test::writeText(folder / "a.obj", "first");
+    const test::TemporaryFolder folder;
+    writeText(folder / "a.obj", "first");
     Session session;
     session.model.path = folder / "a.obj";
     ModelHashes known;
     addHashes(session, known);
     EXPECT_EQ(session.model.sha256.size(), 64U);
-    test::writeText(folder / "a.obj", "second");
+    writeText(folder / "a.obj", "second");
     Session again = session;
     again.model.sha256.clear();
     addHashes(again, known);
@@ -177,7 +164,7 @@ TEST(Journal, AnotherFileOfTheModelsNameIsNoticed) {
 // --- Windows -----------------------------------------------------------------------------------
 
 TEST(JournalWriter, NobodyTakesTheJournalOfAWindow) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     {
         JournalWriter first(folder.path());
         JournalWriter second(folder.path());
@@ -196,7 +183,7 @@ TEST(JournalWriter, NobodyTakesTheJournalOfAWindow) {
 }
 
 TEST(JournalWriter, WhatWaitsIsDoneInTurnThoughOneOfThemFails) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     std::string done;  // by the thread alone, until it ends
     {
         JournalWriter writer(folder.path());
@@ -212,7 +199,7 @@ TEST(JournalWriter, WhatWaitsIsDoneInTurnThoughOneOfThemFails) {
 }
 
 TEST(JournalWriter, WhatIsRemovedLeavesNothing) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     {
         JournalWriter writer(folder.path());
         writer.add([] { return journalStart("ball", sphere()); });
@@ -229,8 +216,8 @@ TEST(JournalWriter, WhatIsRemovedLeavesNothing) {
 TEST(JournalWriter, WhatCannotBeWrittenIsSaidOnceWhereverItFails) {
     for (const bool lasting : {true, false}) {
         for (int n = 1; n <= 5; ++n) {
-            const TemporaryFolder folder;
-            const test::FileFault fault(n, ENOSPC, lasting);
+            const test::TemporaryFolder folder;
+            const FileFault fault(n, ENOSPC, lasting);
             JournalWriter writer(folder.path());
             writer.add([] { return journalStart("ball", sphere()); });
             for (int i = 0; i < 3; ++i) {
@@ -252,7 +239,7 @@ TEST(JournalWriter, WhatCannotBeWrittenIsSaidOnceWhereverItFails) {
 }
 
 TEST(JournalWriter, BeyondItsLimitItGivesUpAndSaysSo) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     JournalWriter writer(folder.path());
     writer.add([] { return std::string(kMaxJournalBytes + 1, ' '); });
     std::optional<std::string> problem;
@@ -263,8 +250,8 @@ TEST(JournalWriter, BeyondItsLimitItGivesUpAndSaysSo) {
 }
 
 TEST(JournalWriter, AFolderThatCannotBeMadeIsSaid) {
-    const TemporaryFolder folder;
-    test::writeText(folder / "state", "a file");
+    const test::TemporaryFolder folder;
+    writeText(folder / "state", "a file");
     JournalWriter writer(folder / "state/journal");
     writer.add([] { return journalStart("ball", sphere()); });
     std::optional<std::string> problem;
@@ -277,7 +264,7 @@ TEST(JournalWriter, AFolderThatCannotBeMadeIsSaid) {
 // --- The folder --------------------------------------------------------------------------------
 
 TEST(JournalFolder, WhatIsSavedIsTakenAway) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     leave(folder.path(), false);
     const fs::path unsaved = leave(folder.path());
     const std::vector<LeftWork> left = lookForLeftWork(folder.path());
@@ -290,7 +277,7 @@ TEST(JournalFolder, WhatIsSavedIsTakenAway) {
 }
 
 TEST(JournalFolder, OldOnesAndThoseTooManyAreTakenAway) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     for (std::size_t i = 0; i < kMostLeftJournals + 3; ++i) {
         leave(folder.path());
     }
@@ -306,14 +293,14 @@ TEST(JournalFolder, OldOnesAndThoseTooManyAreTakenAway) {
 }
 
 TEST(JournalFolder, HalvesAndLonelyPicturesAreTakenAwayAndGarbageIsLeftAlone) {
-    const TemporaryFolder folder;
-    test::writeText(folder / ".new.journal.part", "{");
-    test::writeText(folder / ".old.journal.part", "{");
+    const test::TemporaryFolder folder;
+    writeText(folder / ".new.journal.part", "{");
+    writeText(folder / ".old.journal.part", "{");
     fs::last_write_time(folder / ".old.journal.part",
                         fs::file_time_type::clock::now() - std::chrono::hours(2));
-    test::writeText(folder / "lonely.png", "");
-    test::writeText(folder / "garbage.journal", "garbage");
-    test::writeText(folder / "mine.txt", "");
+    writeText(folder / "lonely.png", "");
+    writeText(folder / "garbage.journal", "garbage");
+    writeText(folder / "mine.txt", "");
     fs::create_directory(folder / "folder.journal");
     EXPECT_TRUE(lookForLeftWork(folder.path()).empty());
     EXPECT_FALSE(fs::exists(folder / ".old.journal.part"));

@@ -1,11 +1,6 @@
 #include "app/practice/cut_measure.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf::app {
 namespace {
@@ -19,8 +14,8 @@ class PracticeBody {
     explicit PracticeBody(SurfaceMesh whole, double lump = 0)
         : uncut_(std::move(whole)), mesh_(uncut_), lump_(lump) {}
 
-    void cut(const test::Stroke& way) {
-        const CutCheck check = test::runStroke(cutter_, mesh_, way);
+    void cut(const Stroke& way) {
+        const CutCheck check = runStroke(cutter_, mesh_, way);
         ASSERT_EQ(check.problem, "");
         ASSERT_EQ(check.refused, 0) << check.reason;
         ASSERT_GT(check.cuts, 0);
@@ -55,28 +50,26 @@ class PracticeBody {
 };
 
 PracticeBody cube() {
-    return PracticeBody(test::box(Vec3::Ones(), 6));
+    return PracticeBody(box(Vec3::Ones(), 6));
 }
 
 /// A cube with a ball of radius 0.08 m in a cavity in its middle.
 PracticeBody cubeWithLump() {
-    const TriangleSoup hollow = test::joined(
-        test::boxSoup(Vec3::Ones(), 6), test::turned(test::icosphereSoup(2, 0.105)), Vec3::Zero());
-    return PracticeBody(
-        test::meshOf(test::joined(hollow, test::icosphereSoup(2, 0.08), Vec3::Zero())), 0.09);
+    const TriangleSoup hollow =
+        joined(boxSoup(Vec3::Ones(), 6), turned(icosphereSoup(2, 0.105)), Vec3::Zero());
+    return PracticeBody(meshOf(joined(hollow, icosphereSoup(2, 0.08), Vec3::Zero())), 0.09);
 }
 
 /// Downwards across the whole cube in the plane z = `z`, to `depth` below its top [m].
-test::Stroke downTo(double depth, double z = kAt) {
+Stroke downTo(double depth, double z = kAt) {
     const double above = 0.2;
-    return test::straightStroke({0.01, kTop + (above - depth) / 2, z}, Vec3::UnitX(),
-                                -Vec3::UnitY(), 2, above + depth,
-                                static_cast<int>(60 * (above + depth)));
+    return straightStroke({0.01, kTop + (above - depth) / 2, z}, Vec3::UnitX(), -Vec3::UnitY(), 2,
+                          above + depth, static_cast<int>(60 * (above + depth)));
 }
 
 /// By an upright blade that reaches `depth` below the top, from one place there to another [m].
-test::Stroke drawn(const Vec3& from, const Vec3& to, double depth) {
-    test::Stroke stroke;
+Stroke drawn(const Vec3& from, const Vec3& to, double depth) {
+    Stroke stroke;
     const int steps = static_cast<int>(std::ceil(60 * (to - from).norm()));
     for (int i = 0; i <= steps; ++i) {
         const Vec3 at = from + (to - from) * i / steps;
@@ -86,9 +79,9 @@ test::Stroke drawn(const Vec3& from, const Vec3& to, double depth) {
 }
 
 /// All around the middle, right through.
-test::Stroke around(double radius, double turns = 1) {
+Stroke around(double radius, double turns = 1) {
     constexpr int kRound = 88;
-    test::Stroke stroke;
+    Stroke stroke;
     for (int i = 0; i <= turns * kRound; ++i) {
         const double angle = 2 * std::numbers::pi * (i % kRound) / kRound + 0.01;
         const Vec3 at(radius * std::cos(angle), 0, radius * std::sin(angle));
@@ -139,8 +132,8 @@ TEST(CutMeasure, AStraightCutBesideTheLineDeviatesByItsOffset) {
 
 // As large as those of the tasks: what a perfect hand is found to deviate.
 TEST(CutMeasure, ACutOfAPadIsMeasuredToAFewHundredthsOfAMillimetre) {
-    PracticeBody body(test::box({0.12, 0.02, 0.08}, 24));
-    test::Stroke stroke;
+    PracticeBody body(box({0.12, 0.02, 0.08}, 24));
+    Stroke stroke;
     for (int i = 0; i <= 150; ++i) {
         const Vec3 at(-0.075 + 0.001 * i, 0.01, 0.0021);
         stroke.push_back({at + Vec3(0, 0.02, 0), at - Vec3(0, 0.005, 0)});
@@ -167,7 +160,7 @@ TEST(CutMeasure, ASlantedCutDeviatesMoreAndMore) {
 TEST(CutMeasure, ALeaningCutDeviatesByItsRimAlone) {
     PracticeBody body = cube();
     const Vec3 lean(0, 0.5, 0.1);
-    test::Stroke stroke;
+    Stroke stroke;
     for (int i = 0; i <= 80; ++i) {
         const Vec3 at(-0.7 + 1.4 * i / 80, kTop, kAt);
         stroke.push_back({at + 0.4 * lean, at - 0.6 * lean});
@@ -180,7 +173,7 @@ TEST(CutMeasure, ALeaningCutDeviatesByItsRimAlone) {
 
 TEST(CutMeasure, DepthIsNotMeasuredWhereABladeSwingsIn) {
     PracticeBody body = cube();
-    test::Stroke stroke;
+    Stroke stroke;
     for (int i = 0; i <= 84; ++i) {
         const double x = -0.7 + 1.4 * i / 84;
         const double depth = std::clamp(0.4 - std::abs(x), -0.1, 0.2);
@@ -206,7 +199,7 @@ TEST(CutMeasure, HalfTheLengthLeavesHalfOfTheLine) {
 
 TEST(CutMeasure, RimsBeyondTheEndsAreOver) {
     PracticeBody body = cube();
-    body.cut(test::straightStroke({0, kTop, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.6, 0.4, 24));
+    body.cut(straightStroke({0, kTop, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.6, 0.4, 24));
     const CutScore longer = body.score(taskOf(-0.2, 0.2));
     EXPECT_NEAR(*longer.lengthOver, 0.2, 0.01);
     EXPECT_NEAR(*longer.lengthUnder, 0, 1e-9);
@@ -353,7 +346,7 @@ TEST(CutMeasure, ALumpInAPieceApartIsTaken) {
     body.cut(around(0.3));
     const CutScore score = body.score(task);
     EXPECT_TRUE(*score.taken);
-    const double cavity = meshRestVolume(test::icosphere(2, 0.105));
+    const double cavity = meshRestVolume(icosphere(2, 0.105));
     EXPECT_NEAR(*score.excisedVolume, std::numbers::pi * 0.3 * 0.3 - cavity, 3e-3);
     EXPECT_NEAR(*score.marginLeast, 0.3 - 0.08, 5e-3);
 }
@@ -374,7 +367,7 @@ TEST(CutMeasure, ALumpInTheRestOfTheBodyIsNotTaken) {
 
 TEST(CutMeasure, ALumpThatIsCutIsNotTakenWhole) {
     PracticeBody body = cubeWithLump();
-    body.cut(test::straightStroke({0, 0.045, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.05, 0.1, 40));
+    body.cut(straightStroke({0, 0.045, kAt}, Vec3::UnitX(), -Vec3::UnitY(), 0.05, 0.1, 40));
     body.cut(around(0.3));
     Task task;
     task.take = 1;

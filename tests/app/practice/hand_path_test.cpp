@@ -1,7 +1,5 @@
 #include "app/practice/hand_path.h"
 
-#include <gtest/gtest.h>
-
 namespace kerf::app {
 namespace {
 

@@ -1,17 +1,9 @@
 #include "app/practice/score_table.h"
 
-#include <gmock/gmock.h>
-
-#include "app/practice/score.h"
-
 namespace kerf::app {
 namespace {
 
 using nlohmann::ordered_json;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 Scored tryOf(const std::string& person, const std::string& task, const std::string& date) {
     Task asked;

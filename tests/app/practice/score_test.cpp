@@ -1,18 +1,7 @@
 #include "app/practice/score.h"
 
-#include <gmock/gmock.h>
-
-#include <nlohmann/json.hpp>
-
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf::app {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// A cube of 1 m that is cut 0.3 m deep along a line, by a hand that takes 2 s.
 class ScoreTest : public testing::Test {
@@ -31,10 +20,10 @@ class ScoreTest : public testing::Test {
     }
 
     void cut(double depth = 0.3, double z = 0.013) {
-        const test::CutCheck check =
-            test::runStroke(cutter_, mesh_,
-                            test::straightStroke({0.01, 0.5 + (0.2 - depth) / 2, z}, Vec3::UnitX(),
-                                                 -Vec3::UnitY(), 2, 0.2 + depth, 30));
+        const CutCheck check =
+            runStroke(cutter_, mesh_,
+                      straightStroke({0.01, 0.5 + (0.2 - depth) / 2, z}, Vec3::UnitX(),
+                                     -Vec3::UnitY(), 2, 0.2 + depth, 30));
         ASSERT_EQ(check.problem, "");
         ASSERT_EQ(check.refused, 0);
     }
@@ -51,7 +40,7 @@ class ScoreTest : public testing::Test {
     Score score() { return scoreOf(run()); }
 
     Task task_;
-    SurfaceMesh uncut_ = test::box(Vec3::Ones(), 6);
+    SurfaceMesh uncut_ = box(Vec3::Ones(), 6);
     SurfaceMesh mesh_ = uncut_;
     Cutter cutter_{mesh_, CutSettings{}};
     std::vector<HandPose> hand_;
@@ -173,9 +162,8 @@ TEST_F(ScoreTest, HalfACutAndNoCutDoNotPass) {
     EXPECT_THAT(score().violations,
                 ElementsAre("Largest deviation: not measured (at most 2.00 mm).",
                             "Not cut: 1000.00 mm (at most 4.00 mm)."));
-    test::runStroke(
-        cutter_, mesh_,
-        test::straightStroke({0, 0.5, 0.013}, Vec3::UnitX(), -Vec3::UnitY(), 0.5, 0.4, 24));
+    runStroke(cutter_, mesh_,
+              straightStroke({0, 0.5, 0.013}, Vec3::UnitX(), -Vec3::UnitY(), 0.5, 0.4, 24));
     EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Not cut: 5")));
     task_.lines[0].points = {{-0.1, 0.5, 0.013}, {0.1, 0.5, 0.013}};
     EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Cut elsewhere: ")));

@@ -1,20 +1,12 @@
 // Folders of expectations that come from somebody else: what is read, written and removed stays
 // inside of them.
-#include <gmock/gmock.h>
-
-#include "app/files/io/errors.h"
-#include "app/files/io/file_io.h"
 #include "app/regression/judgement.h"
 #include "app/regression/picture_check.h"
+#include "app/regression/run_trace.h"
 #include "app/regression/test_session.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-namespace fs = std::filesystem;
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
 
 render::Image grey(int brightness) {
     return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, static_cast<std::uint8_t>(brightness))};
@@ -30,15 +22,15 @@ class ExpectationPaths : public ::testing::Test {
         }
         writePicture(grey(200), run_ / "a.png");
         writePicture(grey(7), elsewhere_ / "kept.png");
-        test::writeText(run_ / kHashesFile, "step,state_hash,topology_hash\n");
-        kept_ = test::readBytes(elsewhere_ / "kept.png");
+        writeText(run_ / kHashesFile, "step,state_hash,topology_hash\n");
+        kept_ = readBytes(elsewhere_ / "kept.png");
         results_.folder = run_;
         results_.driver = {"llvmpipe", "4.5"};
         results_.pictures = {{"a.png", 0}};
         results_.hashes = HashTrace::read(run_ / kHashesFile);
     }
     ~ExpectationPaths() override {
-        EXPECT_EQ(test::readBytes(elsewhere_ / "kept.png"), kept_);
+        EXPECT_EQ(readBytes(elsewhere_ / "kept.png"), kept_);
         EXPECT_THAT(entries(elsewhere_), SizeIs(1));
     }
 
@@ -53,13 +45,8 @@ class ExpectationPaths : public ::testing::Test {
     std::string refusalOf(const std::string& picture) {
         Expectation expectation;
         expectation.pictures = {{picture, {}, {}}};
-        test::writeText(expected_ / kExpectedFile, formatExpectation(expectation));
-        try {
-            readExpectation(expected_ / kExpectedFile);
-            return "";
-        } catch (const InputError& error) {
-            return error.what();
-        }
+        writeText(expected_ / kExpectedFile, formatExpectation(expectation));
+        return inputErrorOf([&] { readExpectation(expected_ / kExpectedFile); });
     }
 
     test::TemporaryFolder folder_;
@@ -85,7 +72,7 @@ TEST_F(ExpectationPaths, APictureOfANameThatNoFileHasIsMissing) {
     const std::string name = std::string(300, 'a') + ".png";
     Expectation expectation = readExpectation(expected_ / kExpectedFile);
     expectation.pictures = {{name, {}, {}}};
-    test::writeText(expected_ / kExpectedFile, formatExpectation(expectation));
+    writeText(expected_ / kExpectedFile, formatExpectation(expectation));
     const Judgement judgement = judge(expected_, results_, folder_ / "diff");
     EXPECT_TRUE(judgement.pictures.front().missing);
 }
@@ -101,7 +88,7 @@ TEST_F(ExpectationPaths, NoPictureIsWrittenThroughALink) {
     EXPECT_THROW(writeExpectation(expected_, results_), OutputError);
     fs::remove(expected_ / "a.png");
     writeExpectation(expected_, results_);
-    EXPECT_EQ(test::readBytes(expected_ / "a.png"), test::readBytes(run_ / "a.png"));
+    EXPECT_EQ(readBytes(expected_ / "a.png"), readBytes(run_ / "a.png"));
 }
 
 TEST_F(ExpectationPaths, PicturesBehindALinkAreNotRemoved) {
@@ -115,12 +102,8 @@ TEST_F(ExpectationPaths, NoPictureIsReadThroughALinkThatLeadsOut) {
     writeExpectation(expected_, results_);
     fs::remove(expected_ / "a.png");
     fs::create_symlink(elsewhere_ / "kept.png", expected_ / "a.png");
-    try {
-        judge(expected_, results_, folder_ / "diff");
-        FAIL() << "it was read";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("leads out of the folder of expectations"));
-    }
+    EXPECT_THAT(inputErrorOf([&] { judge(expected_, results_, folder_ / "diff"); }),
+                HasSubstr("leads out of the folder of expectations"));
 }
 
 TEST_F(ExpectationPaths, DifferencesAreNotWrittenThroughALink) {
@@ -134,6 +117,42 @@ TEST_F(ExpectationPaths, ReferencesAreNotRenewedThroughALink) {
     fs::create_directories(folder_ / "reference");
     fs::create_symlink(elsewhere_ / "kept.png", folder_ / "reference/a.png");
     EXPECT_THROW(renewReference({{"a.png", false, ""}}, folder_ / "reference", run_), OutputError);
+}
+
+/// Two pieces before the first step, one after some.
+PieceTrace someCourse() {
+    return {{0, {{1.5, {Vec3(-1, 0, 2), Vec3(1, 4, 3)}}, {0.5, {Vec3(0, 0, 0), Vec3(1, 1, 1)}}}},
+            {7, {{2, {Vec3(-2, -1, 0), Vec3(2, 3, 3)}}}}};
+}
+
+TEST(RunCourse, PiecesAreReadAsTheyWereWritten) {
+    const test::TemporaryFolder folder;
+    const std::string text = formatPieces(someCourse());
+    writeText(folder / "pieces.csv", text);
+    const PieceTrace read = readPieces(folder / "pieces.csv");
+    ASSERT_EQ(read.size(), 2U);
+    ASSERT_EQ(read.at(0).size(), 2U);
+    EXPECT_EQ(read.at(0)[1].volume, 0.5);
+    EXPECT_EQ(read.at(7)[0].box.high, Vec3(2, 3, 3));
+    EXPECT_EQ(formatPieces(read), text);
+    EXPECT_EQ(lastStepOf(read), 7);
+    EXPECT_EQ(lastStepOf({}), -1);
+}
+
+TEST(RunCourse, TheBoxAroundAllPiecesHoldsEachOfThem) {
+    const Bounds box = boxOf(someCourse().at(0), &PieceBox::box);
+    EXPECT_EQ(box.low, Vec3(-1, 0, 0));
+    EXPECT_EQ(box.high, Vec3(1, 4, 3));
+}
+
+TEST(RunCourse, CountsAreReadAsTheyWereWritten) {
+    const test::TemporaryFolder folder;
+    const std::string text = formatTrace({{2.25, 1, 10, 16}, {2, 2, 14, 24}});
+    writeText(folder / "course.csv", text);
+    const RunTrace read = readTrace(folder / "course.csv");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].triangles, 16);
+    EXPECT_EQ(formatTrace(read), text);
 }
 
 }  // namespace

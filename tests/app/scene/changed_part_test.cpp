@@ -1,9 +1,5 @@
 #include "app/scene/timeline/changed_part.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 namespace kerf::app {
 namespace {
 

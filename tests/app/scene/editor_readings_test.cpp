@@ -1,10 +1,10 @@
 #include "app/scene/readout/editor_readings.h"
 
-#include <gmock/gmock.h>
-
 #include "app/editor/storage/file_saving.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
+#include "app/scene/document/triangle_text.h"
+#include "app/scene/readout/cut_quality.h"
+#include "app/scene/readout/surface_look.h"
+#include "app/session/cut_report.h"
 
 namespace kerf::app {
 namespace {
@@ -41,11 +41,11 @@ TEST(ImpactWatch, NewPiecesAreFollowedToo) {
     EXPECT_TRUE(watch.see(two, 0.0, 1.7));
 }
 
-class EditorReadingsTest : public test::GlTest {};
+class EditorReadingsTest : public GlTest {};
 
 /// Whenever the times of a step are known, and whatever time stood still.
 TEST_F(EditorReadingsTest, WhatNoStageCountsIsTheRestOfTheFrames) {
-    Simulation simulation(test::cubeSphere(4, 0.5), Params{});
+    Simulation simulation(cubeSphere(4, 0.5), Params{});
     EditorReadings readings;
     double stages = 0;
     const auto step = [&] {
@@ -72,7 +72,7 @@ TEST_F(EditorReadingsTest, WhatNoStageCountsIsTheRestOfTheFrames) {
 TEST_F(EditorReadingsTest, TheRealTimeFactorIsOfWhatTheClockSaw) {
     Params params;
     params.iterations = 4;
-    Simulation simulation(test::cubeSphere(4, 0.5), params);
+    Simulation simulation(cubeSphere(4, 0.5), params);
     EditorReadings readings;
     EXPECT_FALSE(readings.realTimeFactor());
     const auto picture = [&](int steps, double seconds) {
@@ -102,7 +102,7 @@ TEST_F(EditorReadingsTest, FollowsABodyThatFalls) {
     Params params;
     params.floor = -0.7;
     params.iterations = 4;
-    Simulation simulation(test::cubeSphere(4, 0.5), params);
+    Simulation simulation(cubeSphere(4, 0.5), params);
     EditorReadings readings;
     EXPECT_FALSE(readings.figures().has_value());
     for (int i = 0; i < 60; ++i) {
@@ -132,7 +132,7 @@ TEST_F(EditorReadingsTest, CountsThePiecesThatWereTakenBack) {
     Params params;
     params.gravity = Vec3::Zero();
     params.floor.reset();
-    Simulation simulation(test::icosphere(1), params);
+    Simulation simulation(icosphere(1), params);
     EditorReadings readings;
     const auto stepOnce = [&] {
         simulation.step();
@@ -164,6 +164,104 @@ TEST(FormatPlots, HasARowPerValue) {
               "plot,curve,time,mean,min,max,values\n"
               "volume,volume,0,1.5,1.5,1.5,1\n"
               "volume,volume,0.25,2,2,2,1\n");
+}
+
+// What is under the pointer while the body moves: the same as of the whole mesh, without reading
+// it.
+
+constexpr int kSteps = 12;
+
+/// Falls, and is cut in the first steps.
+class SurfaceLookTest : public GlTest {
+  protected:
+    static Simulation falling() { return Simulation(cubeSphere(12), Params{}); }
+    static void step(Simulation& simulation, int i) {
+        const Vec3 middle(0, 0.6 - 0.05 * i, 0.03);
+        simulation.execute(MoveBlade{{middle - Vec3(0.8, 0, 0), middle + Vec3(0.8, 0, 0)}});
+        simulation.step();
+    }
+    static render::Ray rayAt(double x, double y) { return {Vec3(x, y, 3), -Vec3::UnitZ()}; }
+    static std::vector<Blade> wayAt(double y) {
+        return {{Vec3(-0.7, y, 0.1), Vec3(0.7, y, 0.1)},
+                {Vec3(-0.7, y - 0.3, 0.1), Vec3(0.7, y - 0.3, 0.1)}};
+    }
+};
+
+TEST_F(SurfaceLookTest, FindsWhatTheWholeMeshHasWithoutReadingIt) {
+    Simulation looked = falling();
+    Simulation whole = falling();
+    SurfaceLook look;
+    int hits = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        step(looked, i);
+        step(whole, i);
+        const int before = looked.wholeReads();
+        for (const double x : {-0.3, 0.02, 0.24, 0.6}) {
+            const auto found = look.pick(looked, rayAt(x, 0.1));
+            const auto wanted =
+                pickSurface(whole.mesh(), livingTriangles(whole.mesh()), rayAt(x, 0.1));
+            ASSERT_EQ(found.has_value(), wanted.has_value()) << "step " << i << ", x " << x;
+            if (wanted) {
+                ++hits;
+                EXPECT_EQ(found->triangle, wanted->triangle);
+                EXPECT_EQ(found->position, wanted->position);
+                EXPECT_EQ(found->normal, wanted->normal);
+            }
+        }
+        const CutPreview& found = look.preview(looked, wayAt(0.3));
+        const CutPreview wanted =
+            previewCut(whole.mesh(), livingTriangles(whole.mesh()), wayAt(0.3));
+        EXPECT_EQ(found.touched, wanted.touched) << "step " << i;
+        EXPECT_EQ(found.wound, wanted.wound) << "step " << i;
+        EXPECT_FALSE(wanted.touched.empty());
+        EXPECT_EQ(looked.wholeReads(), before) << "step " << i;
+    }
+    EXPECT_GT(hits, 2 * kSteps);
+    EXPECT_EQ(looked.stateHash(), whole.stateHash()) << "to look changes nothing";
+}
+
+TEST_F(SurfaceLookTest, NoWayTouchesNothing) {
+    Simulation simulation = falling();
+    SurfaceLook look;
+    EXPECT_TRUE(look.preview(simulation, {}).touched.empty());
+}
+
+std::string ofAll(const CutReport& report, const std::string& quantity) {
+    for (const ui::CutRow& row : rowsOf(report)) {
+        if (row.quantity == quantity) {
+            return row.all;
+        }
+    }
+    ADD_FAILURE() << "no row about " << quantity;
+    return "";
+}
+
+CutReport reportWith(const ShapeFigures& walls) {
+    CutReport report;
+    report.all.walls = walls;
+    report.strokes.push_back(report.all);
+    return report;
+}
+
+TEST(CutQuality, AnglesAreToldWhereThereAreTriangles) {
+    ShapeFigures walls;
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, worst"), "-");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, mean"), "-");
+    walls.triangles = 2;
+    walls.worstAngle = 12.34;
+    walls.angleSum = 60;
+    EXPECT_EQ(ofAll(reportWith(walls), "Triangles"), "2");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, worst"), "12.3\u00b0");
+    EXPECT_EQ(ofAll(reportWith(walls), "Minimum angle, mean"), "30.0\u00b0");
+}
+
+TEST(TriangleText, TellsNeedlesWhereThereAreSome) {
+    TriangleFigures figures = figuresOf(boxSoup(Vec3(1, 20, 1)));
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 8 slivers; edge length "));
+    figures.needles = 1;
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles, 1 sliver; edge length "));
+    figures.needles = 0;
+    EXPECT_THAT(trianglesText(figures), StartsWith("12 triangles; edge length "));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "app/scene/editor_stroke.h"
 
-#include <gmock/gmock.h>
+#include "app/scene/held_hands.h"
+#include "app/scene/incision.h"
+#include "app/scene/timeline/hooks.h"
 
 namespace kerf::app {
 namespace {
@@ -281,6 +283,141 @@ TEST(BladeStroke, CancelBeforeTheFirstStepLeavesNothing) {
     stroke.moveTo({0, -0.5});
     stroke.cancel();
     EXPECT_EQ(stroke.next(), std::nullopt);
+}
+
+// Hands that keep to the time of the body.
+
+class HeldHandsTest : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        UploadedDocument uploaded(prepareDocument(sphereDocument()));
+        scene.emplace(std::move(uploaded.document), std::move(uploaded.body));
+        ASSERT_EQ(hands().grab(kAt, 0.2), "");
+    }
+    HeldHands& hands() { return scene->hands(); }
+    /// Where the hand is.
+    Vec3 place() { return scene->simulation().hands().at(0).to; }
+    double stepLength() { return kSpeed * scene->simulation().params().timeStep; }
+
+    static constexpr double kSpeed = 2;  // [m/s]
+    const Vec3 kAt{0.5, 0, 0};
+    const Vec3 kTo{0.6, 0.1, 0};
+    std::optional<EditorScene> scene;
+};
+
+TEST_F(HeldHandsTest, AreWhereTheyAreDraggedToWithoutALimit) {
+    hands().dragTo(kTo);
+    scene->step();
+    EXPECT_EQ(place(), kTo);
+    EXPECT_EQ(hands().ahead(), 0);
+}
+
+TEST_F(HeldHandsTest, MoveNoFasterThanTheirLimitInSimulatedTime) {
+    hands().limitSpeed(kSpeed);
+    hands().dragTo(kTo);
+    const double way = (kTo - kAt).norm();
+    Vec3 before = kAt;
+    int steps = 0;
+    for (; place() != kTo && steps < 1000; ++steps) {
+        EXPECT_TRUE(hands().pulling());
+        EXPECT_NEAR(hands().ahead(), way - steps * stepLength(), 1e-9);
+        scene->step();
+        EXPECT_LE((place() - before).norm(), stepLength() * (1 + 1e-9));
+        before = place();
+    }
+    EXPECT_EQ(steps, static_cast<int>(std::ceil(way / stepLength())));
+    EXPECT_EQ(hands().ahead(), 0);
+}
+
+TEST_F(HeldHandsTest, LetGoOnceTheyHaveArrived) {
+    hands().limitSpeed(kSpeed);
+    hands().dragTo(kTo);
+    scene->step();
+    hands().letGoThere();
+    int steps = 1;
+    for (; hands().pulling() && steps < 1000; ++steps) {
+        ASSERT_EQ(scene->simulation().hands().size(), 1U) << "still on its way";
+        scene->step();
+    }
+    EXPECT_GE(steps * stepLength(), (kTo - kAt).norm());
+    EXPECT_TRUE(scene->simulation().hands().empty());
+}
+
+TEST_F(HeldHandsTest, LetGoAtOnceWhereThatIsAskedFor) {
+    hands().limitSpeed(kSpeed);
+    hands().dragTo(kTo);
+    scene->step();
+    hands().letGo();
+    EXPECT_TRUE(scene->simulation().hands().empty());
+    EXPECT_FALSE(hands().pulling());
+}
+
+// Where the lips of a cut are, and how large a hand is there.
+
+class IncisionTest : public SimulationFixture {
+  protected:
+    /// A slit across the top of a ball, in the plane z = 0.013.
+    void slitTo(double bottom) {
+        simulation.emplace(icosphere(3), weightless());
+        for (double y = 0.7; y > bottom; y -= 0.03) {
+            simulation->execute(MoveBlade{{{-1, y, 0.013}, {1, y, 0.013}}});
+            simulation->step();
+        }
+        simulation->execute(LiftBlade{});
+        simulation->step();
+    }
+    static Vec3 beside(double z) { return Vec3(0.02, 0.5, z).normalized() * 0.5; }
+};
+
+TEST_F(IncisionTest, LipsLieOnBothSidesThePressedOneFirst) {
+    slitTo(0.1);
+    for (const int side : {1, -1}) {
+        const auto found = incisionNear(simulation->mesh(), beside(0.08 * side), 0.2);
+        ASSERT_TRUE(found);
+        EXPECT_GT(side * (found->lips[0].z() - 0.013), 0);
+        EXPECT_LT(side * (found->lips[1].z() - 0.013), 0);
+        EXPECT_LT((found->lips[0] - found->lips[1]).norm(), 0.15) << "they face each other";
+        EXPECT_LT(side * found->across.z(), -0.97) << "from the pressed one to the other";
+        EXPECT_NEAR(found->away, 0.079 - 0.013 * side, 0.01);
+        EXPECT_NEAR(found->gap, 0, 0.01);
+        EXPECT_NEAR(found->length, 1.06, 0.1) << "of the arc's box: 2 * 0.49 wide, 0.4 high";
+    }
+}
+
+TEST_F(IncisionTest, NoneIsFoundWithoutACutOrBeyondTheReach) {
+    slitTo(0.1);
+    EXPECT_FALSE(incisionNear(simulation->mesh(), Vec3(0, -0.5, 0), 0.2));
+    EXPECT_FALSE(incisionNear(icosphere(2), beside(0.08), 10));
+}
+
+TEST_F(IncisionTest, AHandIsSmallerWhereALipOrAPieceIs) {
+    slitTo(0.35);
+    const SurfaceMesh& mesh = simulation->mesh();
+    const Bounds body = simulation->bounds();
+    const double atLip = handRadius(mesh, beside(0.06), 0.3, body);
+    EXPECT_LT(atLip, 0.2);
+    EXPECT_GT(atLip, 0.08);
+    EXPECT_EQ(handRadius(mesh, Vec3(0, -0.5, 0), 0.3, body), 0.3) << "no cut is near";
+    Bounds crumb;
+    crumb.add(Vec3(0, -0.5, 0));
+    crumb.add(Vec3(0.1, -0.4, 0));
+    EXPECT_LT(handRadius(mesh, Vec3(0, -0.5, 0), 0.3, crumb), 0.05);
+}
+
+TEST(Hooks, AreTwoHandsOfARetractor) {
+    EXPECT_EQ(partnerOf(kFirstHook), kFirstHook + 1);
+    EXPECT_EQ(partnerOf(kFirstHook + 1), kFirstHook);
+    std::vector<Hands::Hand> hands(3);
+    hands[1].number = kFirstHook + 1;
+    hands[2].number = kFirstHook + 2;
+    EXPECT_EQ(hooksOf(hands).size(), 2U);
+    EXPECT_EQ(freeRetractor(hands), kFirstHook + 4);
+    hands.clear();
+    for (int number = kFirstHook; number <= kLastHook; ++number) {
+        hands.emplace_back().number = number;
+    }
+    EXPECT_EQ(freeRetractor(hands), std::nullopt);
 }
 
 }  // namespace

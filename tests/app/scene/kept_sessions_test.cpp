@@ -1,59 +1,35 @@
 // A session that is opened in the editor and saved again: nothing gets lost on the way.
-#include <gmock/gmock.h>
 
-#include <cstdlib>
-#include <iostream>
-#include <random>
-
-#include "app/cli/replay/replay.h"
 #include "app/regression/expectation.h"
 #include "app/regression/test_session.h"
-#include "app/scene/document/document_loading.h"
-#include "app/scene/document/editor_document.h"
-#include "app/scene/editor_scene.h"
-#include "app/scene/editor_stroke.h"
-#include "app/scene/held_hands.h"
-#include "app/scene/timeline/scene_recorder.h"
-#include "app/scene/timeline/scene_timeline.h"
 #include "gpu/context.h"
-#include "sim/run/simulation.h"
-#include "tests/paths.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::IsEmpty;
-
 constexpr unsigned kFirstSeed = 20261122;
 constexpr int kFewTriangles = 400;
 
-/// KERF_KEPT_SEED: the first seed of random sessions. KERF_KEPT_RUNS: how many.
-unsigned environmentNumber(const char* name, unsigned otherwise) {
-    const char* text = std::getenv(name);
-    return text == nullptr ? otherwise : static_cast<unsigned>(std::atol(text));
-}
+// KERF_KEPT_SEED: the first seed of random sessions. KERF_KEPT_RUNS: how many.
 
 /// The sessions in some folders of the source.
-std::vector<std::filesystem::path> sessionsIn(const std::vector<std::string>& folders) {
-    std::vector<std::filesystem::path> paths;
+std::vector<fs::path> sessionsIn(const std::vector<std::string>& folders) {
+    std::vector<fs::path> paths;
     paths.reserve(folders.size());
     for (const std::string& folder : folders) {
-        paths.push_back(std::filesystem::path(KERF_SOURCE_DIR) / folder);
+        paths.push_back(fs::path(KERF_SOURCE_DIR) / folder);
     }
     return findSessions(paths);
 }
 
-std::vector<std::filesystem::path> shippedSessions() {
+std::vector<fs::path> shippedSessions() {
     return sessionsIn({"assets/sessions", "tests/sessions"});
 }
 
 /// An editor without a window, with a session open.
 class OpenedSession {
   public:
-    explicit OpenedSession(const std::filesystem::path& file) : OpenedSession(openDocument(file)) {}
+    explicit OpenedSession(const fs::path& file) : OpenedSession(openDocument(file)) {}
     explicit OpenedSession(Document document)
         : uploaded_(prepareDocument(std::move(document))),
           scene_(std::move(uploaded_.document), std::move(uploaded_.body)) {}
@@ -84,7 +60,7 @@ class OpenedSession {
     /// What a replay of the saved session says.
     RunSummary replay() {
         const test::TemporaryFolder folder;
-        test::writeText(folder / "saved.kerf.json", formatSession(saved().session, folder.path()));
+        writeText(folder / "saved.kerf.json", formatSession(saved().session, folder.path()));
         const Session session = readSession(folder / "saved.kerf.json");
         ReplayOptions options;
         options.keepGoing = true;
@@ -207,16 +183,16 @@ class RandomSession {
 
 Document documentOf(const Session& session) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "random.kerf.json", formatSession(session, folder.path()));
+    writeText(folder / "random.kerf.json", formatSession(session, folder.path()));
     return openDocument(folder / "random.kerf.json");
 }
 
-class KeptSessions : public test::GlTest {
+class KeptSessions : public GlTest {
   protected:
     /// Each with a die that a seed begins.
     template <class Test>
     static void forRandomSessions(Test&& test) {
-        const unsigned first = environmentNumber("KERF_KEPT_SEED", kFirstSeed);
+        const auto first = static_cast<unsigned>(environmentNumber("KERF_KEPT_SEED", kFirstSeed));
         std::cout << "first seed " << first << "\n";
         const auto runs = static_cast<unsigned>(test::runs("KERF_KEPT_RUNS", 4, 24));
         for (unsigned i = 0; i < runs; ++i) {
@@ -236,7 +212,7 @@ class KeptSessions : public test::GlTest {
 };
 
 TEST_F(KeptSessions, ShippedOnesAreSavedAsTheyWereWhereverTheyStand) {
-    for (const std::filesystem::path& file : shippedSessions()) {
+    for (const fs::path& file : shippedSessions()) {
         SCOPED_TRACE(file.filename().string());
         OpenedSession opened(file);
         const std::string text = opened.openedText();
@@ -255,12 +231,12 @@ TEST_F(KeptSessions, ShippedOnesAreSavedAsTheyWereWhereverTheyStand) {
 }
 
 TEST_F(KeptSessions, ThoseOfTheTestsEndAsTheirReplaysWereExpectedTo) {
-    for (const std::filesystem::path& file : sessionsIn({"tests/regression"})) {
+    for (const fs::path& file : sessionsIn({"tests/regression"})) {
         SCOPED_TRACE(file.filename().string());
         OpenedSession opened(file);
         const int steps = opened->document().session.steps;
         EXPECT_EQ(opened.text(), opened.openedText()) << "at once";
-        if (!test::nightly() && opened->simulation().report().triangles > kFewTriangles) {
+        if (!nightly() && opened->simulation().report().triangles > kFewTriangles) {
             continue;  // RegressionSessions replay it
         }
         opened.goTo(steps / 2);
@@ -276,8 +252,7 @@ TEST_F(KeptSessions, ThoseOfTheTestsEndAsTheirReplaysWereExpectedTo) {
 }
 
 TEST_F(KeptSessions, APictureAddedToASessionWithoutEventsLeavesItsLength) {
-    OpenedSession opened(std::filesystem::path(KERF_SOURCE_DIR) /
-                         "assets/sessions/drop-in.kerf.json");
+    OpenedSession opened(fs::path(KERF_SOURCE_DIR) / "assets/sessions/drop-in.kerf.json");
     const int steps = opened->document().session.steps;
     opened.run(3);
     opened->recorder().addPicture(opened->recorder().end());
@@ -393,16 +368,14 @@ TEST_F(KeptSessions, PicturesChecksAndExportsSurviveScrubbingLoopingAndRestarts)
         opened->timeline().playing = true;
         opened.run(steps + 7);
         EXPECT_EQ(opened.text(), text);
-        EXPECT_THAT(opened->takeMessages(),
-                    ::testing::Not(::testing::Contains(::testing::HasSubstr("the state hash"))));
+        EXPECT_THAT(opened->takeMessages(), Not(Contains(HasSubstr("the state hash"))));
         const std::vector<std::string> failures = opened.replay().failures;
-        EXPECT_THAT(failures, ::testing::Each(::testing::HasSubstr("expects 1"))) << "not those";
+        EXPECT_THAT(failures, Each(HasSubstr("expects 1"))) << "not those";
     });
 }
 
 TEST_F(KeptSessions, TheViewIsItsOwnUntilAPersonChoosesAnother) {
-    const std::filesystem::path sessions =
-        std::filesystem::path(KERF_SOURCE_DIR) / "assets/sessions";
+    const fs::path sessions = fs::path(KERF_SOURCE_DIR) / "assets/sessions";
     OpenedSession opened(sessions / "sphere20.kerf.json");
     const Vec3 own = opened->document().session.view->eye;
     EXPECT_EQ(opened.saved().session.view->eye, own);
@@ -421,8 +394,7 @@ TEST_F(KeptSessions, TheViewIsItsOwnUntilAPersonChoosesAnother) {
 }
 
 TEST_F(KeptSessions, ARecordingOverASessionIsOfItself) {
-    OpenedSession opened(std::filesystem::path(KERF_SOURCE_DIR) /
-                         "assets/sessions/sphere20.kerf.json");
+    OpenedSession opened(fs::path(KERF_SOURCE_DIR) / "assets/sessions/sphere20.kerf.json");
     opened.run(20);
     opened->startRecording();
     opened.run(3);
@@ -456,8 +428,7 @@ TEST_F(KeptSessions, AChangeAtTheEndLetsTheSessionGoOn) {
 }
 
 TEST_F(KeptSessions, TakingBackASettingLetsTheSessionPlayOn) {
-    OpenedSession opened(std::filesystem::path(KERF_SOURCE_DIR) /
-                         "assets/sessions/sphere20.kerf.json");
+    OpenedSession opened(fs::path(KERF_SOURCE_DIR) / "assets/sessions/sphere20.kerf.json");
     opened.run(4);
     opened->execute(SetParam{"friction", 0.1});
     EXPECT_EQ(opened->execute(Undo{}), "");
@@ -471,8 +442,7 @@ TEST_F(KeptSessions, TakingBackASettingLetsTheSessionPlayOn) {
 
 // The next stroke began where the one before had been put away.
 TEST_F(KeptSessions, AnUndoWithNothingToUndoEndsTheStrokeInTheSessionToo) {
-    OpenedSession opened(std::filesystem::path(KERF_SOURCE_DIR) /
-                         "assets/sessions/drop-in.kerf.json");
+    OpenedSession opened(fs::path(KERF_SOURCE_DIR) / "assets/sessions/drop-in.kerf.json");
     const auto stroke = [&](double x, double to) {
         opened->stroke().begin(Blade{Vec3(x, 0.1, -1), Vec3(x, 0.1, 1)}, {0.5, 0.05});
         opened->stroke().moveTo(Blade{Vec3(to, 0.1, -1), Vec3(to, 0.1, 1)});

@@ -1,19 +1,5 @@
 #include "app/session/cut_report.h"
 
-#include <gmock/gmock.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/cli/replay/replay.h"
-#include "app/files/import/model_source.h"
-#include "app/files/io/file_io.h"
-#include "app/session/session.h"
-#include "tests/paths.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
-
 namespace kerf::app {
 namespace {
 
@@ -24,7 +10,7 @@ class CutBody {
   public:
     explicit CutBody(SurfaceMesh whole) : uncut_(std::move(whole)), mesh_(uncut_) {}
 
-    void cut(const test::Stroke& way) {
+    void cut(const Stroke& way) {
         cutter_.begin(way.front());
         strokes_.emplace_back();
         strokes_.back().number = cutter_.strokeNumber();
@@ -45,15 +31,15 @@ class CutBody {
 };
 
 /// Downwards through the cube in the plane z = 0.013, to `depth` below its top [m].
-test::Stroke downTo(double depth) {
+Stroke downTo(double depth) {
     const double above = 0.2;
     const Vec3 middle(0.01, kEdge / 2 + above - (above + depth) / 2, 0.013);
-    return test::straightStroke(middle, Vec3::UnitX(), -Vec3::UnitY(), 2 * kEdge, above + depth,
-                                static_cast<int>(60 * (above + depth)));
+    return straightStroke(middle, Vec3::UnitX(), -Vec3::UnitY(), 2 * kEdge, above + depth,
+                          static_cast<int>(60 * (above + depth)));
 }
 
 TEST(CutReport, SkinThatPassesThroughItselfIsCountedWhereItLies) {
-    const SurfaceMesh uncut = test::box({1, 0.02, 1}, 2);
+    const SurfaceMesh uncut = box({1, 0.02, 1}, 2);
     SurfaceMesh mesh = uncut;
     EXPECT_EQ(countSkinCrossings(mesh, uncut), 0);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -67,7 +53,7 @@ TEST(CutReport, SkinThatPassesThroughItselfIsCountedWhereItLies) {
 }
 
 TEST(CutReport, APlaneThroughACubeLeavesTwiceItsSectionAndNothingElse) {
-    CutBody body(test::box(Vec3::Constant(kEdge), 6));
+    CutBody body(box(Vec3::Constant(kEdge), 6));
     body.cut(downTo(1.5));
     const CutReport report = body.report().value();
     const CutFigures& all = report.all;
@@ -92,7 +78,7 @@ TEST(CutReport, APlaneThroughACubeLeavesTwiceItsSectionAndNothingElse) {
 }
 
 TEST(CutReport, AnIncisionEndsInsideAlongItsLength) {
-    CutBody body(test::box(Vec3::Constant(kEdge), 6));
+    CutBody body(box(Vec3::Constant(kEdge), 6));
     body.cut(downTo(0.5));
     const CutReport report = body.report().value();
     EXPECT_NEAR(report.all.woundArea, 2 * 0.5 * kEdge, 0.01 * 2);
@@ -104,9 +90,9 @@ TEST(CutReport, AnIncisionEndsInsideAlongItsLength) {
 }
 
 TEST(CutReport, EachStrokeHasItsOwnFiguresAndTheyAddUp) {
-    CutBody body(test::box(Vec3::Constant(kEdge), 6));
+    CutBody body(box(Vec3::Constant(kEdge), 6));
     body.cut(downTo(0.5));
-    body.cut(test::straightStroke({0.1, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), 2, 2, 60));
+    body.cut(straightStroke({0.1, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), 2, 2, 60));
     const CutReport report = body.report().value();
     ASSERT_EQ(report.strokes.size(), 2U);
     const CutFigures& first = report.strokes[0];
@@ -123,7 +109,7 @@ TEST(CutReport, EachStrokeHasItsOwnFiguresAndTheyAddUp) {
 }
 
 TEST(CutReport, AStretchedBodyIsMeasuredAtRest) {
-    CutBody body(test::box(Vec3::Constant(kEdge), 6));
+    CutBody body(box(Vec3::Constant(kEdge), 6));
     for (int v = 0; v < body.mesh().vertexCount(); ++v) {
         body.mesh().setPosition(v, body.mesh().position(v).cwiseProduct(Vec3(1.5, 1, 1)));
     }
@@ -135,16 +121,16 @@ TEST(CutReport, AStretchedBodyIsMeasuredAtRest) {
 }
 
 TEST(CutReport, StrokesThroughTheAirLeaveNoReport) {
-    CutBody body(test::box());
+    CutBody body(box());
     EXPECT_FALSE(body.report()) << "no stroke";
-    body.cut(test::straightStroke({0, 3, 0}, Vec3::UnitX(), Vec3::UnitZ(), 2, 2, 20));
+    body.cut(straightStroke({0, 3, 0}, Vec3::UnitX(), Vec3::UnitZ(), 2, 2, 20));
     EXPECT_FALSE(body.report());
 }
 
 TEST(CutReport, WhatTheModelCrossesByItselfIsNotOfTheCuts) {
-    const TriangleSoup cube = test::boxSoup(Vec3::Ones(), 6);
-    CutBody body(test::meshOf(test::joined(cube, cube, Vec3::Constant(0.9))));
-    body.cut(test::straightStroke({0, 0, -0.3}, Vec3::UnitX(), Vec3::UnitY(), 2, 2, 60));
+    const TriangleSoup cube = boxSoup(Vec3::Ones(), 6);
+    CutBody body(meshOf(joined(cube, cube, Vec3::Constant(0.9))));
+    body.cut(straightStroke({0, 0, -0.3}, Vec3::UnitX(), Vec3::UnitY(), 2, 2, 60));
     const CutReport report = body.report().value();
     EXPECT_GT(report.crossings.all, 0);
     EXPECT_EQ(report.crossings.ofCuts, 0);
@@ -152,8 +138,8 @@ TEST(CutReport, WhatTheModelCrossesByItselfIsNotOfTheCuts) {
 
 // The halves have moved along a bent wall, whose sides the second stroke divides along other lines.
 TEST(CutReport, SidesOfAWallThatAreDividedDifferentlyDoNotCross) {
-    CutBody body(test::icosphere(3));
-    test::Stroke bent;
+    CutBody body(icosphere(3));
+    Stroke bent;
     for (int i = 0; i <= 40; ++i) {
         const double y = 1.2 - 2.4 * i / 40;
         bent.push_back({{-1.5, y, 0.1 * y * y}, {1.5, y, 0.1 * y * y}});
@@ -167,7 +153,7 @@ TEST(CutReport, SidesOfAWallThatAreDividedDifferentlyDoNotCross) {
             mesh.setPosition(v, mesh.position(v) + Vec3(0.05, 0, 0));
         }
     }
-    body.cut(test::straightStroke({0.01, 0, 0.02}, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 40));
+    body.cut(straightStroke({0.01, 0, 0.02}, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 40));
     const CutReport report = body.report().value();
     EXPECT_EQ(report.all.steps.refusedSteps, 0);
     EXPECT_EQ(report.crossings.all, 0);
@@ -188,7 +174,7 @@ int vertexOfWalls(const SurfaceMesh& mesh) {
 }
 
 TEST(CutReport, AWallPulledOutThroughTheSkinCrossesItAndChangesTheVolume) {
-    CutBody body(test::box(Vec3::Constant(kEdge), 6));
+    CutBody body(box(Vec3::Constant(kEdge), 6));
     body.cut(downTo(1.5));
     const int v = vertexOfWalls(body.mesh());
     ASSERT_GE(v, 0);
@@ -215,7 +201,7 @@ TEST(ShapeFigures, TellAnglesAndSlivers) {
     EXPECT_NEAR(shapes.worstAngle, std::atan2(0.0009, 0.5) * 180 / 3.14159265358979, 1e-9);
 }
 
-class CutReportOfARun : public test::GlTest {
+class CutReportOfARun : public GlTest {
   protected:
     /// `keys`: further ones, each with its comma.
     static std::string sessionText(const std::string& events, const std::string& keys = "") {
@@ -224,14 +210,14 @@ class CutReportOfARun : public test::GlTest {
                   "params": {"iterations": 2, "gravity": [0, 0, 0], "floor": null}, "events": [)" +
                events + "]}";
     }
-    nlohmann::json replayed(const std::string& events) {
+    Json replayed(const std::string& events) {
         const test::TemporaryFolder folder;
-        test::writeText(folder / "a.kerf.json", sessionText(events));
+        writeText(folder / "a.kerf.json", sessionText(events));
         const Session session = readSession(folder / "a.kerf.json");
         const ReplayResult result =
             replaySession(session, loadSessionModel(session), folder / "out", {});
-        EXPECT_THAT(result.summary.failures, ::testing::IsEmpty());
-        return nlohmann::json::parse(test::readBytes(folder / "out/summary.json")).at("cut_report");
+        EXPECT_THAT(result.summary.failures, IsEmpty());
+        return Json::parse(readBytes(folder / "out/summary.json")).at("cut_report");
     }
 
     const std::string stroke_ = R"(
@@ -241,7 +227,7 @@ class CutReportOfARun : public test::GlTest {
 };
 
 TEST_F(CutReportOfARun, StandsInTheSummary) {
-    const nlohmann::json report = replayed(stroke_);
+    const Json report = replayed(stroke_);
     EXPECT_EQ(report.at("strokes").size(), 1U);
     EXPECT_GT(report.at("steps").at("cut"), 5);
     EXPECT_EQ(report.at("steps").at("refused"), 0);
@@ -258,7 +244,7 @@ TEST_F(CutReportOfARun, StandsInTheSummary) {
 TEST_F(CutReportOfARun, FractureEnergyIsToughnessTimesTheAreaThatIsSwept) {
     const auto sumsWith = [&](const std::string& material) {
         const test::TemporaryFolder folder;
-        test::writeText(folder / "a.kerf.json", sessionText(stroke_, material));
+        writeText(folder / "a.kerf.json", sessionText(stroke_, material));
         const Session session = readSession(folder / "a.kerf.json");
         double area = 0;
         double energy = 0;
@@ -304,7 +290,7 @@ TEST_F(CutReportOfARun, IsNullWithoutACut) {
 }
 
 TEST_F(CutReportOfARun, LeavesOutWhatWasUndone) {
-    const nlohmann::json once = replayed(stroke_);
+    const Json once = replayed(stroke_);
     EXPECT_TRUE(replayed(stroke_ + R"(, {"step": 35, "type": "undo"})").is_null());
     EXPECT_EQ(replayed(stroke_ + R"(, {"step": 34, "type": "undo"}, {"step": 35, "type": "redo"})"),
               once);

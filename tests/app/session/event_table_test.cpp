@@ -1,17 +1,6 @@
 // docs/session-format.md names each event and its keys as the table of events has them.
 #include "app/session/event_table.h"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-#include <regex>
-#include <sstream>
-
-#include "app/files/io/errors.h"
-#include "sim/base/text.h"
-#include "tests/paths.h"
-#include "tests/support/temporary_folder.h"
-
 namespace kerf::app {
 namespace {
 
@@ -88,8 +77,7 @@ KeyTable quotedWords(const std::string& cell) {
 
 /// The rows of the table behind "## Events".
 std::map<std::string, KeyTable> documentedEvents() {
-    std::istringstream page(
-        test::readBytes(std::filesystem::path(KERF_SOURCE_DIR) / "docs/session-format.md"));
+    std::istringstream page(readBytes(fs::path(KERF_SOURCE_DIR) / "docs/session-format.md"));
     std::map<std::string, KeyTable> events;
     std::string line;
     while (std::getline(page, line) && line != "## Events") {

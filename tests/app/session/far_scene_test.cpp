@@ -1,25 +1,9 @@
 // Where a scene lies makes no difference: models far from the origin are cut as beside it, and come
 // back with the numbers of their files.
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-#include <random>
-
-#include "app/cli/replay/replay.h"
-#include "app/files/export/export.h"
-#include "app/files/import/model_source.h"
-#include "app/files/io/file_io.h"
-#include "sim/base/math.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
+#include "app/session/scene_origin.h"
 
 namespace kerf::app {
 namespace {
-
-using Json = nlohmann::json;
 
 Json listOf(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
@@ -34,15 +18,15 @@ struct CutScene {
 
 /// With a diagonal of 1, in floats.
 SurfaceMesh bodyOfSizeOne(int kind) {
-    TriangleSoup soup = kind == 0   ? test::icosphereSoup(2)
-                        : kind == 1 ? test::torusSoup(20, 10)
-                        : kind == 2 ? test::bentTubeSoup()
-                                    : test::boxSoup(Vec3(1, 0.01, 0.7), 6);
+    TriangleSoup soup = kind == 0   ? icosphereSoup(2)
+                        : kind == 1 ? torusSoup(20, 10)
+                        : kind == 2 ? bentTubeSoup()
+                                    : boxSoup(Vec3(1, 0.01, 0.7), 6);
     const double size = boxOf(soup.positions).diagonal();
     for (Vec3& p : soup.positions) {
         p = nearestFloats(p / size);
     }
-    return test::meshOf(soup);
+    return meshOf(soup);
 }
 
 CutScene randomScene(std::mt19937& engine) {
@@ -59,11 +43,11 @@ CutScene randomScene(std::mt19937& engine) {
             {middle - turned + travel, middle + turned + travel}};
 }
 
-class FarScene : public test::GlTest {
+class FarScene : public GlTest {
   protected:
     /// Replays the scene where it lies moved by `offset`.
     RunSummary run(const CutScene& scene, const Vec3& offset) {
-        const std::filesystem::path model = folder / "model.ply";
+        const fs::path model = folder / "model.ply";
         writeOutputFile(
             model, encodeMesh(scene.mesh, findPieces(scene.mesh), MeshFormat::ply, {}, offset));
         const auto pose = [&](int step, const Blade& blade) {
@@ -103,7 +87,7 @@ class FarScene : public test::GlTest {
 };
 
 TEST_F(FarScene, RandomStrokesCutTheSameWhereverTheyAre) {
-    const std::uint32_t first = test::fuzzSeed(4900);
+    const std::uint32_t first = fuzzSeed(4900);
     const int runs = test::runs("KERF_FUZZ_RUNS", 6, 120);
     for (int i = 0; i < runs; ++i) {
         std::mt19937 engine(first + static_cast<std::uint32_t>(i));
@@ -139,15 +123,84 @@ TEST_F(FarScene, AtMapCoordinatesVerticesKeepTheNumbersOfTheFile) {
 }
 
 TEST_F(FarScene, WhatFloatsWouldMakeAnotherShapeOfIsRefused) {
-    const SurfaceMesh ball = test::icosphere(2);
-    const std::filesystem::path file = folder / "far.stl";
+    const SurfaceMesh ball = icosphere(2);
+    const fs::path file = folder / "far.stl";
     writeOutputFile(file, encodeMesh(ball, findPieces(ball), MeshFormat::stl, {}, Vec3(5e6, 0, 0)));
-    try {
-        importModel(file);
-        FAIL() << "read as floats";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("export it as PLY or OBJ"), std::string::npos)
-            << error.what();
+    EXPECT_THAT(inputErrorOf([&] { importModel(file); }), HasSubstr("export it as PLY or OBJ"));
+}
+
+// Places that are counted from a point beside the models, and from 0 in files.
+
+const Vec3 kMap(500096, 304, -5000192);
+
+TEST(SceneOrigin, SessionsAreWrittenAsTheyWereRead) {
+    for (const std::string& text : {sessionWithEveryKey(), sessionWithEveryEvent()}) {
+        const Session read = parseSession(text, "/");
+        const Session near = withOrigin(read, Vec3(64, -128, 512));
+        EXPECT_EQ(near.origin, Vec3(64, -128, 512));
+        const Session again = parseSession(formatSession(near, "/"), "/");
+        const std::string asWritten = formatSession(withOrigin(again, Vec3(64, -128, 512)), "/");
+        EXPECT_EQ(asWritten, formatSession(near, "/"));
+        EXPECT_EQ(formatSession(withOrigin(near, Vec3::Zero()), "/"), formatSession(near, "/"));
+    }
+}
+
+TEST(SceneOrigin, AnOriginAtZeroChangesNoBit) {
+    for (const std::string& text : {sessionWithEveryKey(), sessionWithEveryEvent()}) {
+        const Session read = parseSession(text, "/");
+        EXPECT_EQ(formatSession(withOrigin(read, Vec3::Zero()), "/"), formatSession(read, "/"));
+    }
+    const Command minusZero = Drag{0, Vec3(-0.0, 1, 2)};
+    const auto same = std::get<Drag>(asReplayed(minusZero, Vec3::Zero()));
+    EXPECT_TRUE(std::signbit(same.to.x()));
+}
+
+TEST(SceneOrigin, WhatIsAPlaceMovesAndWhatIsNoneStays) {
+    const Vec3 by(1, 10, 100);
+    const auto moved = [&](const Command& command) { return countedFrom(command, by); };
+    const Vec3 at(5, 6, 7);
+    const Vec3 there(4, -4, -93);
+    const auto blade = std::get<MoveBlade>(moved(MoveBlade{{at, Vec3(1, 10, 100)}})).blade;
+    EXPECT_EQ(blade.a, there);
+    EXPECT_EQ(blade.b, Vec3(0, 0, 0));
+    EXPECT_EQ(std::get<Grab>(moved(Grab{1, at, 0.5})).at, there);
+    EXPECT_EQ(std::get<Drag>(moved(Drag{1, at})).to, there);
+    EXPECT_EQ(std::get<Ball>(std::get<Pin>(moved(Pin{Ball{at, 2}})).region).center, there);
+    const auto box = std::get<Bounds>(std::get<Pin>(moved(Pin{Bounds{at, 2 * at}})).region);
+    EXPECT_EQ(box.low, there);
+    EXPECT_EQ(box.high, Vec3(9, 2, -86));
+    EXPECT_EQ(std::get<AddBox>(moved(AddBox{{at, Vec3::Ones()}})).box.center, there);
+    EXPECT_EQ(std::get<ChangeBox>(moved(ChangeBox{0, {at, Vec3::Ones()}})).box.center, there);
+    EXPECT_EQ(std::get<MovePins>(moved(MovePins{at})).by, at);
+    EXPECT_EQ(std::get<SetParam>(moved(SetParam{"gravity", at})).value, ParamValue(at));
+    EXPECT_EQ(std::get<SetParam>(moved(SetParam{"floor", 3.0})).value, ParamValue(-7.0));
+    EXPECT_EQ(std::get<SetParam>(moved(SetParam{"damping", 3.0})).value, ParamValue(3.0));
+    Placement placement;
+    placement.translate = at;
+    EXPECT_EQ(std::get<Place>(moved(Place{placement})).placement.translate, there);
+    render::Camera camera;
+    camera.target = at;
+    EXPECT_EQ(countedFrom(camera, by).target, there);
+    EXPECT_EQ(countedFrom(camera, by).up, camera.up);
+}
+
+// Else a person's cut would not be that of its replay.
+TEST(SceneOrigin, WhatIsDoneIsWhatAFileSays) {
+    std::mt19937_64 engine(fuzzSeed(1));
+    std::normal_distribution<double> normal;
+    const double scales[] = {1e-3, 1, 10, 1e6, 1e7};
+    for (int i = 0; i < 10000; ++i) {
+        const double scale = scales[i % std::size(scales)];
+        const Command wanted =
+            Drag{0, scale * Vec3(normal(engine), normal(engine), normal(engine))};
+        const Command done = asReplayed(wanted, kMap);
+        const SessionEvent event{0, std::get<Drag>(countedFrom(done, -kMap))};
+        Session session = parseSession(sessionWith(""), "/");
+        session.events = {event};
+        const Session read = parseSession(formatSession(session, "/"), "/");
+        const auto replayed = std::get<Drag>(withOrigin(read, kMap).events.front().action);
+        ASSERT_EQ(replayed.to, std::get<Drag>(done).to) << i;
+        ASSERT_NEAR((replayed.to - std::get<Drag>(wanted).to).norm(), 0, 1e-8 * (1 + scale));
     }
 }
 

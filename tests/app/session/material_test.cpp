@@ -1,24 +1,10 @@
 // Materials: the files that come with Kerf, what a session makes of them, and bad files.
 #include "app/session/material.h"
 
-#include <gmock/gmock.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/files/io/errors.h"
-#include "tests/paths.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/session_samples.h"
 #include "tests/support/session_schema.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 /// A material with these keys behind the ones that every material needs.
 std::string materialWith(const std::string& more) {
@@ -27,25 +13,15 @@ std::string materialWith(const std::string& more) {
 
 /// The sentence with which the reader refuses a text; empty where it does not.
 std::string refusalOf(const std::string& text) {
-    try {
-        parseMaterial(text);
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return inputErrorOf([&] { parseMaterial(text); });
 }
 
-std::string sessionRefusalOf(const std::string& text, const std::filesystem::path& folder) {
-    try {
-        parseSession(text, folder);
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+std::string sessionRefusalOf(const std::string& text, const fs::path& folder) {
+    return inputErrorOf([&] { parseSession(text, folder); });
 }
 
 Session sessionOf(const std::string& more) {
-    return parseSession(test::sessionWith(more), "/folder");
+    return parseSession(sessionWith(more), "/folder");
 }
 
 TEST(BuiltinMaterials, HaveAllValuesWithinTheirSpreadAndASourceForEach) {
@@ -60,7 +36,7 @@ TEST(BuiltinMaterials, HaveAllValuesWithinTheirSpreadAndASourceForEach) {
             ASSERT_TRUE(value.value);
             EXPECT_LE(value.low.value_or(*value.value), *value.value);
             EXPECT_GE(value.high.value_or(*value.value), *value.value);
-            EXPECT_THAT(describeSources(material, property), ::testing::Not(IsEmpty()));
+            EXPECT_THAT(describeSources(material, property), Not(IsEmpty()));
         }
         EXPECT_NE(material.label, "");
         EXPECT_NE(material.about, "") << material.name;
@@ -92,10 +68,10 @@ TEST(BuiltinMaterials, ReadBackFromWhatIsWritten) {
 }
 
 TEST(BuiltinMaterials, StandOnTheirPageWithValuesAndSources) {
-    const std::string page = test::readBytes(KERF_SOURCE_DIR "/docs/materials.md");
+    const std::string page = readBytes(KERF_SOURCE_DIR "/docs/materials.md");
     for (const Material& material : builtinMaterials()) {
         std::string row = "| `" + material.name + "` | ";
-        row.append(nlohmann::json(*material.youngsModulus.value / 1000).dump());
+        row.append(Json(*material.youngsModulus.value / 1000).dump());
         if (const std::size_t zero = row.find(".0"); zero == row.size() - 2) {
             row.resize(zero);
         }
@@ -140,7 +116,7 @@ TEST(MaterialFile, SaysWhatIsWrongAndWhere) {
 
 TEST(MaterialFile, HasTheNameOfItsFileAndThatAsLabelWhereItHasNone) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "my gel.material.json", materialWith(R"("density": {"value": 900})"));
+    writeText(folder / "my gel.material.json", materialWith(R"("density": {"value": 900})"));
     const Material material = readMaterial(folder / "my gel.material.json");
     EXPECT_EQ(material.name, "my gel");
     EXPECT_EQ(material.label, "my gel");
@@ -148,10 +124,10 @@ TEST(MaterialFile, HasTheNameOfItsFileAndThatAsLabelWhereItHasNone) {
 
 TEST(MaterialFolder, LeavesOutWhatCanNotBeReadAndSaysSo) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "b.material.json", materialWith(R"("density": {"value": 900})"));
-    test::writeText(folder / "a.material.json", materialWith(R"("density": {"value": 800})"));
-    test::writeText(folder / "broken.material.json", materialWith(R"("density": {"value": 0})"));
-    test::writeText(folder / "note.txt", "no material");
+    writeText(folder / "b.material.json", materialWith(R"("density": {"value": 900})"));
+    writeText(folder / "a.material.json", materialWith(R"("density": {"value": 800})"));
+    writeText(folder / "broken.material.json", materialWith(R"("density": {"value": 0})"));
+    writeText(folder / "note.txt", "no material");
     std::vector<std::string> problems;
     std::vector<std::string> names;
     for (const Material& material : materialsIn(folder.path(), problems)) {
@@ -239,20 +215,20 @@ TEST(SessionMaterial, TearsItsSkinByItsOwn) {
 
 TEST(SessionMaterial, MayBeAFileBesideTheSession) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "gel.json", materialWith(R"("youngs_modulus": {"value": 12345})"));
-    test::writeText(folder / "bad.json", materialWith(R"("density": {"value": "x"})"));
+    writeText(folder / "gel.json", materialWith(R"("youngs_modulus": {"value": 12345})"));
+    writeText(folder / "bad.json", materialWith(R"("density": {"value": "x"})"));
     const std::string name = R"("material": ")";
-    const Session session = parseSession(test::sessionWith(name + R"(gel.json")"), folder.path());
+    const Session session = parseSession(sessionWith(name + R"(gel.json")"), folder.path());
     EXPECT_EQ(session.params.youngsModulus, 12345);
     EXPECT_EQ(session.params.density, Params{}.density);
     EXPECT_FALSE(session.colors.any());
-    EXPECT_THAT(sessionRefusalOf(test::sessionWith(name + R"(bad.json")"), folder.path()),
+    EXPECT_THAT(sessionRefusalOf(sessionWith(name + R"(bad.json")"), folder.path()),
                 StartsWith("material: bad.json: density.value: expected a number"));
-    EXPECT_THAT(sessionRefusalOf(test::sessionWith(name + R"(none.json")"), folder.path()),
+    EXPECT_THAT(sessionRefusalOf(sessionWith(name + R"(none.json")"), folder.path()),
                 StartsWith("material: "));
-    EXPECT_THAT(sessionRefusalOf(test::sessionWith(name + R"(lliver")"), folder.path()),
+    EXPECT_THAT(sessionRefusalOf(sessionWith(name + R"(lliver")"), folder.path()),
                 StartsWith("material: there is no material 'lliver'; there are agar, apple, "));
-    EXPECT_THAT(sessionRefusalOf(test::sessionWith(R"("material": 5)"), folder.path()),
+    EXPECT_THAT(sessionRefusalOf(sessionWith(R"("material": 5)"), folder.path()),
                 StartsWith("material: expected a text"));
 }
 
@@ -297,12 +273,12 @@ TEST(MaterialSettings, MakeAMaterialOfASkinWhereThereIsOne) {
 TEST(MaterialSchema, IsThatOfTheProgramAndNamesEveryKey) {
     EXPECT_EQ(schemaFile("material.schema.json", materialSchema()), materialSchema())
         << "Renew it: KERF_RENEW=1 build/kerf_app_tests --gtest_filter='*Schema*'";
-    const test::ProgramRun run = test::runKerf({"schema", "material"});
+    const ProgramRun run = runKerf({"schema", "material"});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(run.out, materialSchema());
-    const nlohmann::json schema = nlohmann::json::parse(materialSchema());
+    const Json schema = Json::parse(materialSchema());
     for (const Material& material : builtinMaterials()) {
-        const nlohmann::json written = nlohmann::json::parse(formatMaterial(material));
+        const Json written = Json::parse(formatMaterial(material));
         for (const auto& [key, value] : written.items()) {
             EXPECT_TRUE(schema["properties"].contains(key)) << key;
         }

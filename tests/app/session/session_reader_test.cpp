@@ -1,33 +1,13 @@
-#include <gtest/gtest.h>
-
-#include "app/files/import/model_source.h"
-#include "app/files/io/encodings.h"
-#include "app/session/session.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/session_samples.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
-
 namespace kerf::app {
 namespace {
 
-using test::BrokenSession;
-using test::sessionWith;
-using test::sessionWithEvent;
-using test::TemporaryFolder;
-using test::writeText;
-
 std::string errorOf(const std::string& text) {
-    try {
-        parseSession(text, "/folder");
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return inputErrorOf([&] { parseSession(text, "/folder"); });
     return "no error";
 }
 
 TEST(SessionReader, WarnsOfTwoFilesOfOneName) {
-    const Session session = parseSession(test::sessionThatDoes(R"(
+    const Session session = parseSession(sessionThatDoes(R"(
         {"step": 1, "type": "screenshot", "file": "a.png"},
         {"step": 3, "type": "screenshot", "file": "a.png"})"),
                                          "");
@@ -86,7 +66,7 @@ TEST(SessionReader, MinimalSessionHasDefaults) {
 }
 
 TEST(SessionReader, ReadsEveryKey) {
-    const Session session = parseSession(test::sessionWithEveryKey(), "/folder");
+    const Session session = parseSession(sessionWithEveryKey(), "/folder");
     EXPECT_EQ(session.model.path, "/folder/model.obj");
     EXPECT_EQ(session.placement.scale, 2);
     EXPECT_EQ(session.placement.rotate, Vec3(10, 20, 30));
@@ -140,7 +120,7 @@ TEST_P(SessionErrors, NameThePlace) {
     EXPECT_EQ(errorOf(GetParam().text).substr(0, GetParam().error.size()), GetParam().error);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::ValuesIn(test::brokenSessions()),
+INSTANTIATE_TEST_SUITE_P(All, SessionErrors, ::testing::ValuesIn(brokenSessions()),
                          [](const auto& each) { return each.param.name; });
 
 TEST(SessionReader, DeepNestingIsRefusedWhileParsing) {
@@ -163,38 +143,31 @@ TEST(SessionReader, NothingIsLeftUnreadAfterAZeroByte) {
 }
 
 TEST(SessionReader, ErrorsOfAFileNameIt) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeText(folder / "bad.kerf.json",
               sessionWithEvent(R"({"step": 1, "type": "blade", "a": 1, "b": [0, 0, 0]})"));
-    try {
-        readSession(folder / "bad.kerf.json");
-        FAIL() << "no error";
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "bad.kerf.json: events[0].a: expected three numbers.");
-    }
+    EXPECT_EQ(inputErrorOf([&] { readSession(folder / "bad.kerf.json"); }),
+              "bad.kerf.json: events[0].a: expected three numbers.");
 }
 
 TEST(SessionReader, MissingFileAndFolderAreRefused) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     EXPECT_THROW(readSession(folder / "none.kerf.json"), InputError);
     EXPECT_THROW(readSession(folder.path()), InputError);
 }
 
 TEST(SessionReader, FilesAboveTheCapAreRefusedUnread) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     writeText(folder / "big.kerf.json", "");
-    std::filesystem::resize_file(folder / "big.kerf.json", kMaxSessionBytes + 1);
+    fs::resize_file(folder / "big.kerf.json", kMaxSessionBytes + 1);
     EXPECT_THROW(readSession(folder / "big.kerf.json"), InputError);
 }
 
 /// The sentence with which the model of a session is refused; empty where it is not. `more`: keys.
 std::string refusalOfModel(const std::string& placement, const std::string& more = "") {
-    try {
+    return inputErrorOf([&] {
         loadSessionModel(parseSession(sessionWith("\"placement\": " + placement + more), "."));
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    });
 }
 
 TEST(SessionModel, MustBeWhereFloatsAreFineEnough) {
@@ -213,7 +186,7 @@ TEST(SessionModel, MustBeWhereFloatsAreFineEnough) {
 }
 
 TEST(SessionWriter, RoundTripKeepsEveryBit) {
-    const Session session = parseSession(test::sessionWithEveryEvent(), "/folder");
+    const Session session = parseSession(sessionWithEveryEvent(), "/folder");
     const std::string text = formatSession(session);
     const Session again = parseSession(text, "/folder");
     EXPECT_EQ(formatSession(again), text);
@@ -303,8 +276,8 @@ TEST(Placement, ScalesThenTurnsAboutXThenYThenZThenMoves) {
 
 TEST(Sha256, MatchesThePublishedVectors) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "empty", "");
-    test::writeText(folder / "abc", "abc");
+    writeText(folder / "empty", "");
+    writeText(folder / "abc", "abc");
     EXPECT_EQ(sha256OfFile(folder / "empty"),
               "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256OfFile(folder / "abc"),

@@ -1,38 +1,19 @@
 #include "tests/support/session_schema.h"
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-#include <random>
-
-#include "app/files/io/errors.h"
-#include "app/session/session.h"
 #include "app/session/session_json.h"
-#include "tests/paths.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/session_samples.h"
 #include "tests/support/session_validator.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
-using test::placesWrongBySchema;
 
 constexpr std::uint32_t kSeed = 20261122;
 constexpr int kMutations = 1500;
 
 /// The sentence with which the reader refuses a text; empty where it does not.
 std::string schemaRefusalOf(const std::string& text) {
-    try {
-        parseSession(text, "/folder");
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return inputErrorOf([&] { parseSession(text, "/folder"); });
 }
 
 /// Every session of the repository.
@@ -42,7 +23,7 @@ std::vector<std::string> sessionFiles() {
         const fs::path path = fs::path(KERF_SOURCE_DIR) / folder;
         for (const auto& entry : fs::recursive_directory_iterator(path)) {
             if (entry.path().filename().string().ends_with(".kerf.json")) {
-                texts.push_back(test::readBytes(entry.path()));
+                texts.push_back(readBytes(entry.path()));
             }
         }
     }
@@ -52,10 +33,10 @@ std::vector<std::string> sessionFiles() {
 /// Sessions that the reader accepts: those of files, and as the writer writes them.
 std::vector<std::string> validSessions() {
     std::vector<std::string> texts = sessionFiles();
-    texts.push_back(test::sessionWith(""));
-    texts.push_back(test::sessionWith(R"("$schema": "session.schema.json", "author": "x")"));
-    texts.push_back(test::sessionWithEveryKey());
-    texts.push_back(test::sessionWithEveryEvent());
+    texts.push_back(sessionWith(""));
+    texts.push_back(sessionWith(R"("$schema": "session.schema.json", "author": "x")"));
+    texts.push_back(sessionWithEveryKey());
+    texts.push_back(sessionWithEveryEvent());
     const std::size_t count = texts.size();
     for (std::size_t i = 0; i < count; ++i) {
         texts.push_back(formatSession(parseSession(texts[i], "/folder")));
@@ -119,7 +100,7 @@ bool isNear(const std::string& marked, const std::string& named) {
 class SessionSchema : public ::testing::Test {
   protected:
     void SetUp() override {
-        if (!test::hasSchemaValidator()) {
+        if (!hasSchemaValidator()) {
             GTEST_SKIP() << "python3-jsonschema is not installed";
         }
     }
@@ -131,14 +112,14 @@ TEST(SessionSchemaFile, IsThatOfTheProgram) {
 }
 
 TEST(SessionSchemaFile, IsWhatTheVerbPrints) {
-    const test::ProgramRun run = test::runKerf({"schema"});
+    const ProgramRun run = runKerf({"schema"});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(run.out, sessionSchema());
 }
 
 TEST(SessionSchemaFile, IsWhatVsCodeTakesForSessionsInThisFolder) {
     const fs::path folder(KERF_SOURCE_DIR);
-    const json settings = json::parse(test::readBytes(folder / ".vscode/settings.json"));
+    const json settings = json::parse(readBytes(folder / ".vscode/settings.json"));
     const json& mapping = settings.at("json.schemas").at(0);
     EXPECT_EQ(mapping.at("fileMatch"), json({"*.kerf.json"}));
     EXPECT_TRUE(fs::equivalent(folder / mapping.at("url").get<std::string>(),
@@ -146,7 +127,7 @@ TEST(SessionSchemaFile, IsWhatVsCodeTakesForSessionsInThisFolder) {
 }
 
 TEST(SessionSchemaFile, PageNamesEveryKeyOfASession) {
-    const std::string page = test::readBytes(KERF_SOURCE_DIR "/docs/session-format.md");
+    const std::string page = readBytes(KERF_SOURCE_DIR "/docs/session-format.md");
     const json schema = json::parse(sessionSchema());
     for (const auto& [key, value] : schema["properties"].items()) {
         EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
@@ -179,10 +160,10 @@ const std::set<std::string> kNoDocuments{"Empty",   "NaN",           "HugeNumber
                                          "NotUtf8", "TrailingText"};
 
 TEST_F(SessionSchema, NamesThePlaceThatTheReaderNames) {
-    std::vector<test::BrokenSession> broken = test::brokenSessions();
+    std::vector<BrokenSession> broken = brokenSessions();
     std::erase_if(broken, [](const auto& session) { return kNoDocuments.contains(session.name); });
     std::vector<std::string> texts;
-    std::ranges::transform(broken, std::back_inserter(texts), &test::BrokenSession::text);
+    std::ranges::transform(broken, std::back_inserter(texts), &BrokenSession::text);
     const auto places = placesWrongBySchema(texts);
     ASSERT_EQ(places.size(), texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -288,13 +269,13 @@ class DocumentMutator {
 
 /// Sessions with one event each, beside those with all keys: a change shall often meet something.
 std::vector<json> documentsToChange() {
-    std::vector<json> documents{json::parse(test::sessionWithEveryKey())};
-    json all = json::parse(test::sessionWithEveryEvent());
+    std::vector<json> documents{json::parse(sessionWithEveryKey())};
+    json all = json::parse(sessionWithEveryEvent());
     const json events = all.at("events");
     for (const json& event : events) {
         all["events"] = {event};
         documents.push_back(all);
-        documents.push_back(json::parse(test::sessionWithEvent(event.dump())));
+        documents.push_back(json::parse(sessionWithEvent(event.dump())));
     }
     return documents;
 }
@@ -311,7 +292,7 @@ std::vector<std::string> changedSessions(std::uint32_t seed) {
 }
 
 TEST_F(SessionSchema, AgreesWithTheReaderOnRandomSessions) {
-    const std::uint32_t seed = test::fuzzSeed(kSeed);
+    const std::uint32_t seed = fuzzSeed(kSeed);
     const std::vector<std::string> texts = changedSessions(seed);
     const auto places = placesWrongBySchema(texts);
     ASSERT_EQ(places.size(), texts.size());

@@ -1,7 +1,5 @@
 #include "app/tools/editor_camera.h"
 
-#include <gtest/gtest.h>
-
 namespace kerf::app {
 namespace {
 

@@ -1,28 +1,12 @@
 // The editor is killed at random moments, or its graphics driver is reset, and what a next start
 // offers to go on from lacks at most the running stroke. KERF_KILLS rounds, 1 by
 // default; KERF_FUZZ_SEED repeats a run.
-#include <gmock/gmock.h>
-
-#include <cstdio>
-#include <cstdlib>
-#include <random>
-
-#include "app/files/import/model_source.h"
-#include "tests/app/session/replayed_session.h"
-#include "tests/paths.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/program_output.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
-using ::testing::HasSubstr;
-
 int rounds() {
-    return test::runs("KERF_KILLS", 1, 10);
+    return runs("KERF_KILLS", 1, 10);
 }
 
 /// The check of the state that the window had before the session was saved.
@@ -35,7 +19,7 @@ std::string hashOfWindow(const Session& session) {
     return "";
 }
 
-class EditorKill : public test::GlTest, public testing::WithParamInterface<const char*> {};
+class EditorKill : public GlTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(EditorKill, AtMostTheRunningStrokeIsMissing) {
     if (GetParam() == std::string("reset")) {
@@ -46,17 +30,17 @@ TEST_P(EditorKill, AtMostTheRunningStrokeIsMissing) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
     const test::TemporaryFolder folder;
-    const std::uint32_t seed = test::fuzzSeed(std::random_device()() % 30000);
+    const std::uint32_t seed = fuzzSeed(std::random_device()() % 30000);
     const std::string seen =
-        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                       "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
-                       folder.path().string() + " " + std::to_string(rounds()) + " " +
-                       std::to_string(seed % 32768) + " " + GetParam() + " 2>&1");
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_kill.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " " + std::to_string(rounds()) + " " +
+                 std::to_string(seed % 32768) + " " + GetParam() + " 2>&1");
     std::printf("%s", seen.c_str());
-    SCOPED_TRACE(test::readBytes(folder / "errors.txt"));
+    SCOPED_TRACE(readBytes(folder / "errors.txt"));
     EXPECT_THAT(seen, HasSubstr("end: reached"));
-    EXPECT_THAT(seen, ::testing::Not(HasSubstr("MISSING")));
-    EXPECT_THAT(seen, ::testing::Not(HasSubstr("left")));
+    EXPECT_THAT(seen, Not(HasSubstr("MISSING")));
+    EXPECT_THAT(seen, Not(HasSubstr("left")));
     for (int n = 1; n <= rounds(); ++n) {
         SCOPED_TRACE(n);
         const Session session = readSession(folder / (std::to_string(n) + ".kerf.json"));

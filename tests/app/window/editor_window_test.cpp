@@ -1,22 +1,5 @@
 // The editor in a real window under a virtual display, driven by synthetic mouse and keys, beside
 // the same editor without one.
-#include <gmock/gmock.h>
-
-#include <cstdio>
-#include <cstdlib>
-
-#include "app/files/import/model_source.h"
-#include "gpu/data_path.h"
-#include "render/scene/image.h"
-#include "render/scene/picture_comparison.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/app/session/replayed_session.h"
-#include "tests/paths.h"
-#include "tests/support/program_output.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -194,8 +177,8 @@ void addSaving(Acts& acts, int width) {
 }
 
 /// The one file with this ending.
-std::filesystem::path fileEnding(const std::filesystem::path& folder, const std::string& ending) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+fs::path fileEnding(const fs::path& folder, const std::string& ending) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
         if (entry.path().string().ends_with(ending)) {
             return entry.path();
         }
@@ -208,7 +191,7 @@ bool isLift(const SessionEvent& event) {
     return std::holds_alternative<LiftBlade>(event.action);
 }
 
-class EditorWindowTest : public test::GlTest {
+class EditorWindowTest : public GlTest {
   protected:
     static constexpr int kPictureWidth = 1280;
     static constexpr int kPictureHeight = 720;
@@ -224,11 +207,10 @@ class EditorWindowTest : public test::GlTest {
     }
     /// What the window and its driver say.
     std::map<std::string, std::string> drive(const Acts& acts) {
-        test::writeText(window / "acts.sh", acts.shell());
-        seen =
-            test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                           "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
-                           window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
+        writeText(window / "acts.sh", acts.shell());
+        seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                        "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
+                        window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
         return valuesIn(seen);
     }
 
@@ -250,7 +232,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     addSaving(acts, kPictureWidth);
 
     std::map<std::string, std::string> values = drive(acts);
-    SCOPED_TRACE(seen + test::readBytes(window / "errors.txt"));
+    SCOPED_TRACE(seen + readBytes(window / "errors.txt"));
     EXPECT_EQ(values["opened"], "Kerf - drop-in - 1 piece");
     EXPECT_EQ(values["cut"], "Kerf - drop-in - 2 pieces");
     EXPECT_EQ(values["undone"], "Kerf - drop-in - 1 piece");
@@ -281,13 +263,13 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
     const test::TemporaryFolder folder;
-    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(2)));
-    test::writeText(folder / "slow.obj", test::objText(test::icosphereSoup(1)));
+    writeText(folder / "ball.obj", objText(icosphereSoup(2)));
+    writeText(folder / "slow.obj", objText(icosphereSoup(1)));
     const std::string seen =
-        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                       "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
-                       folder.path().string() + " 2>&1");
-    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " 2>&1");
+    SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["opened"], "Kerf - ball - 1 piece");
     EXPECT_EQ(values["exported"], "whole.obj");
@@ -305,19 +287,19 @@ TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
     const test::TemporaryFolder folder;
-    TriangleSoup soup = test::icosphereSoup(1);
+    TriangleSoup soup = icosphereSoup(1);
     soup.triangles.pop_back();
-    test::writeText(folder / "bad.obj", test::objText(soup));
+    writeText(folder / "bad.obj", objText(soup));
     const std::string seen =
-        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                       "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
-                       folder.path().string() + " 2>&1");
-    const std::string errors = test::readBytes(folder / "errors.txt");
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " 2>&1");
+    const std::string errors = readBytes(folder / "errors.txt");
     SCOPED_TRACE(seen + errors);
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["opened"], "Kerf");
     EXPECT_EQ(values["exit"], "0");
-    EXPECT_THAT(errors, ::testing::HasSubstr("bad.obj"));
+    EXPECT_THAT(errors, HasSubstr("bad.obj"));
 }
 
 TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
@@ -325,20 +307,20 @@ TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
         GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
     }
     const test::TemporaryFolder folder;
-    test::writeText(folder / "ball.obj", test::objText(test::icosphereSoup(1)));
+    writeText(folder / "ball.obj", objText(icosphereSoup(1)));
     const std::string seen =
-        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                       "/tests/app/window/editor_window_resets.sh " KERF_BINARY_DIR "/kerf " +
-                       folder.path().string() + " 2>&1");
-    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_resets.sh " KERF_BINARY_DIR "/kerf " +
+                 folder.path().string() + " 2>&1");
+    SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["exit"], "4") << "and no window after the other for ever";
     EXPECT_EQ(values["recent"], (folder / "ball.obj").string()) << "for Open recent";
 }
 
 /// What a virtual display keeps in a file: X11's XWDFile.h, 32 bits a pixel, blue first.
-render::Image readDisplay(const std::filesystem::path& file) {
-    const std::string bytes = test::readBytes(file);
+render::Image readDisplay(const fs::path& file) {
+    const std::string bytes = readBytes(file);
     const auto number = [&](std::size_t index) {  // of the header; the largest byte first
         std::uint32_t sum = 0;
         for (std::size_t i = 4 * index; i < 4 * index + 4; ++i) {
@@ -380,11 +362,11 @@ TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
     const test::TemporaryFolder folder;
     const std::string path = folder.path().string();
     const std::string seen =
-        test::outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
-                       "' bash " KERF_SOURCE_DIR
-                       "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
-                       path + " 2>&1");
-    SCOPED_TRACE(seen + test::readBytes(folder / "errors.txt"));
+        outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
+                 "' bash " KERF_SOURCE_DIR
+                 "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
+                 path + " 2>&1");
+    SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     EXPECT_EQ(valuesIn(seen)["exit"], "0");
     for (const char* name : {"smaller", "larger"}) {
         const render::Image drawn = render::readPng(folder / (std::string(name) + ".png"));
@@ -397,20 +379,18 @@ TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
 }
 
 TEST(EditorWindow, WithoutADisplayItSaysSoAndExits4) {
-    const test::ProgramRun run = test::runKerf({}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
-    EXPECT_EQ(run.exitCode, 4);
-    EXPECT_THAT(run.errors, ::testing::HasSubstr("No window can be opened"));
+    const ProgramRun run = runKerf({}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
+    expectEnd(run, 4, "No window can be opened");
     EXPECT_EQ(run.out, "");
 }
 
 TEST(EditorWindow, WithoutOpenGlItExits4) {
-    EXPECT_EQ(test::runKerf({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 4);
+    EXPECT_EQ(runKerf({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 4);
 }
 
 TEST(EditorWindow, AFileThatIsMissingIsExitCode3) {
-    const test::ProgramRun run = test::runKerf({"no-such-model.obj"});
-    EXPECT_EQ(run.exitCode, 3);
-    EXPECT_THAT(run.errors, ::testing::HasSubstr("no-such-model.obj"));
+    const ProgramRun run = runKerf({"no-such-model.obj"});
+    expectEnd(run, 3, "no-such-model.obj");
 }
 
 }  // namespace

@@ -1,12 +1,7 @@
 #include "sim/base/params.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 namespace kerf {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(Params, NamesAreUniqueAndEveryRowIsDescribed) {
     std::set<std::string_view> names;

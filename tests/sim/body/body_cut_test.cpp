@@ -1,10 +1,5 @@
-#include <gtest/gtest.h>
-
-#include "sim/body/body_updater.h"
 #include "sim/body/ispc_builder.h"
 #include "tests/sim/body/ispc_bits.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -39,7 +34,7 @@ int sharedIspcs(const BodyModel& a, const BodyModel& b) {
     int shared = 0;
     for (const auto& ispc : a.ispcs) {
         const auto other = ofVertex.find(ispc.vertex);
-        shared += other != ofVertex.end() && test::sameBits(ispc, other->second);
+        shared += other != ofVertex.end() && sameBits(ispc, other->second);
     }
     return shared;
 }
@@ -54,8 +49,8 @@ struct CutBody {
     explicit CutBody(SurfaceMesh whole) : mesh(std::move(whole)) {}
 
     template <class Check>
-    void run(const test::Stroke& stroke, Check&& check) {
-        Cutter cutter(mesh, test::exactSettings());
+    void run(const Stroke& stroke, Check&& check) {
+        Cutter cutter(mesh, exactSettings());
         cutter.begin(stroke.front());
         for (std::size_t i = 1; i < stroke.size(); ++i) {
             apply(cutter.advance(stroke[i]), check);
@@ -74,13 +69,13 @@ struct CutBody {
     }
 };
 
-test::Stroke strokeDown(int steps) {
-    return test::straightStroke(Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(),
-                                -Vec3::UnitY(), 3.0, 2.4, steps);
+Stroke strokeDown(int steps) {
+    return straightStroke(Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(),
+                          -Vec3::UnitY(), 3.0, 2.4, steps);
 }
 
 TEST(BodyCut, TheModelFollowsTheCutStepByStep) {
-    CutBody body(test::icosphere(3));
+    CutBody body(icosphere(3));
     const double mass = body.model.uncutRestVolume;
     body.run(strokeDown(40), [&](const BodyModel& before) {
         const std::vector<double> masses = unitMasses(body.model);
@@ -101,16 +96,16 @@ TEST(BodyCut, TheModelFollowsTheCutStepByStep) {
 }
 
 /// Along a stroke that goes right through the middle of an ISPC.
-test::Stroke strokeAcross(const SurfaceMesh& mesh, const shared::IspcConstraint& ispc) {
+Stroke strokeAcross(const SurfaceMesh& mesh, const shared::IspcConstraint& ispc) {
     const Vec3& start = mesh.restPosition(static_cast<int>(ispc.vertex));
     const Vec3 end = restEnd(mesh, ispc);
     const Vec3 along = (end - start).unitOrthogonal();
     const Vec3 travel = (end - start).cross(along).normalized();
-    return test::straightStroke(0.5 * (start + end), along, travel, 3.0, 2.4, 30);
+    return straightStroke(0.5 * (start + end), along, travel, 3.0, 2.4, 30);
 }
 
 TEST(BodyCut, NoneOfTheIspcsIsForgotten) {
-    const SurfaceMesh whole = test::icosphere(2);
+    const SurfaceMesh whole = icosphere(2);
     for (const std::size_t slot : {0U, 1U, 77U}) {
         CutBody body(whole);
         body.run(strokeAcross(whole, body.model.ispcs[slot]), [&](const BodyModel&) {

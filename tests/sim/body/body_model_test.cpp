@@ -1,16 +1,8 @@
 #include "sim/body/body_model.h"
 
-#include <gtest/gtest.h>
-
-#include <cstring>
-
-#include "sim/body/body_updater.h"
-#include "sim/body/constraint_lists.h"
 #include "sim/body/ispc_builder.h"
-#include "sim/mesh/invariants.h"
 #include "tests/sim/body/hand_cut.h"
 #include "tests/sim/body/ispc_bits.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -41,7 +33,7 @@ void expectConsistent(const BodyModel& model, const SurfaceMesh& mesh) {
 }
 
 TEST(BodyModel, MassIsDensityTimesVolume) {
-    for (const SurfaceMesh& mesh : {test::icosphere(1), test::bentTube(), test::box()}) {
+    for (const SurfaceMesh& mesh : {icosphere(1), bentTube(), box()}) {
         const BodyModel model = buildBodyModel(mesh);
         expectConsistent(model, mesh);
         EXPECT_NEAR(totalMass(model), meshRestVolume(mesh), 1e-6 * meshRestVolume(mesh));
@@ -52,7 +44,7 @@ TEST(BodyModel, MassIsDensityTimesVolume) {
 }
 
 TEST(BodyModel, NoVertexIsMuchLighterThanTheMean) {
-    SurfaceMesh mesh = test::icosphere(2);
+    SurfaceMesh mesh = icosphere(2);
     // Shrink the fan of one vertex to almost nothing.
     const Vec3 center = mesh.restPosition(20);
     mesh.forEachOutgoing(20, [&](int h) {
@@ -67,9 +59,8 @@ TEST(BodyModel, NoVertexIsMuchLighterThanTheMean) {
 }
 
 TEST(BodyModel, EveryVertexOfAClosedShapeGetsAnIspc) {
-    for (const SurfaceMesh& mesh :
-         {test::icosphere(0), test::icosphere(1), test::cubeSphere(8), test::bentTube(64, 40),
-          test::box(Vec3(1, 2, 3), 4), test::torus(), test::icosphere(4)}) {
+    for (const SurfaceMesh& mesh : {icosphere(0), icosphere(1), cubeSphere(8), bentTube(64, 40),
+                                    box(Vec3(1, 2, 3), 4), torus(), icosphere(4)}) {
         const BodyModel model = buildBodyModel(mesh);
         EXPECT_EQ(model.ispcs.size(), static_cast<std::size_t>(mesh.vertexCount()));
     }
@@ -77,7 +68,7 @@ TEST(BodyModel, EveryVertexOfAClosedShapeGetsAnIspc) {
 
 TEST(BodyModel, EveryVertexOfTheBuiltinModelsGetsAnIspc) {
     for (const char* name : {"sphere20", "sphere80", "sphere768", "banana", "octopus"}) {
-        const SurfaceMesh mesh = test::builtin(name);
+        const SurfaceMesh mesh = builtin(name);
         const BodyModel model = buildBodyModel(mesh);
         expectConsistent(model, mesh);
         EXPECT_EQ(model.ispcs.size(), static_cast<std::size_t>(mesh.vertexCount())) << name;
@@ -87,11 +78,11 @@ TEST(BodyModel, EveryVertexOfTheBuiltinModelsGetsAnIspc) {
 
 TEST(BodyModel, IspcsOfASphereAreItsDiameters) {
     const double radius = 0.5;
-    const BodyModel exact = buildBodyModel(test::icosphere(0, radius));
+    const BodyModel exact = buildBodyModel(icosphere(0, radius));
     for (const auto& ispc : exact.ispcs) {
         EXPECT_NEAR(ispc.rest_length, 2 * radius, 1e-6);
     }
-    const SurfaceMesh mesh = test::icosphere(3, radius);
+    const SurfaceMesh mesh = icosphere(3, radius);
     for (const auto& ispc : buildBodyModel(mesh).ispcs) {
         EXPECT_NEAR(ispc.rest_length, 2 * radius, 0.01 * radius);
         const double chord =
@@ -101,7 +92,7 @@ TEST(BodyModel, IspcsOfASphereAreItsDiameters) {
 }
 
 TEST(BodyModel, IncidenceListsEveryElementOfAVertexInOrder) {
-    const BodyModel model = buildBodyModel(test::icosphere(1));
+    const BodyModel model = buildBodyModel(icosphere(1));
     const Incidence& incidence = model.incidences[shared::kIspc];
     std::size_t entries = 0;
     for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
@@ -118,7 +109,7 @@ TEST(BodyModel, IncidenceListsEveryElementOfAVertexInOrder) {
 }
 
 TEST(BodyModel, BuildingTwiceGivesTheSameBits) {
-    const SurfaceMesh mesh = test::bentTube();
+    const SurfaceMesh mesh = bentTube();
     const BodyModel a = buildBodyModel(mesh);
     const BodyModel b = buildBodyModel(mesh);
     ASSERT_EQ(a.ispcs.size(), b.ispcs.size());
@@ -130,10 +121,10 @@ TEST(BodyModel, BuildingTwiceGivesTheSameBits) {
 /// A box cut in two along y = 0, with the models before and after.
 class CutBox : public testing::Test {
   protected:
-    SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
+    SurfaceMesh mesh = box(Vec3::Ones(), 8);
     BodyUpdater updater{mesh};
     BodyModel before = updater.model();
-    CutDelta delta = test::HandCut(mesh).delta();
+    CutDelta delta = HandCut(mesh).delta();
     BodyChange change = updater.update(delta);
     BodyModel after = updater.model();
 };
@@ -164,7 +155,7 @@ TEST_F(CutBox, KeepsUntouchedIspcsBitForBit) {
             continue;
         }
         const auto same = std::ranges::find_if(
-            after.ispcs, [&](const auto& other) { return test::sameBits(other, ispc); });
+            after.ispcs, [&](const auto& other) { return sameBits(other, ispc); });
         EXPECT_NE(same, after.ispcs.end()) << ispc.vertex;
         ++kept;
     }
@@ -189,13 +180,13 @@ TEST_F(CutBox, ADeltaThatTouchesNothingKeepsAllIspcs) {
     const BodyModel& again = updater.model();
     ASSERT_EQ(again.ispcs.size(), after.ispcs.size());
     for (std::size_t i = 0; i < again.ispcs.size(); ++i) {
-        EXPECT_TRUE(test::sameBits(again.ispcs[i], after.ispcs[i])) << i;
+        EXPECT_TRUE(sameBits(again.ispcs[i], after.ispcs[i])) << i;
     }
 }
 
 TEST(BodyModel, ASlitFrontGetsNoIspc) {
     // Two walls of a slit that meet in vertex 0: a flat pocket, folded onto itself.
-    SurfaceMesh mesh = test::box(Vec3::Ones(), 2);
+    SurfaceMesh mesh = box(Vec3::Ones(), 2);
     const int front = 0;
     int flip = 0;
     mesh.forEachOutgoing(front, [&](int h) {
@@ -209,9 +200,8 @@ TEST(BodyModel, ASlitFrontGetsNoIspc) {
 }
 
 TEST(BodyModel, DebrisHoldsNoVolume) {
-    const TriangleSoup chip = test::boxSoup(Vec3::Constant(0.01));
-    const SurfaceMesh mesh =
-        test::meshOf(test::joined(test::icosphereSoup(2), chip, Vec3(2, 0, 0)));
+    const TriangleSoup chip = boxSoup(Vec3::Constant(0.01));
+    const SurfaceMesh mesh = meshOf(joined(icosphereSoup(2), chip, Vec3(2, 0, 0)));
     const BodyModel model = buildBodyModel(mesh);
     ASSERT_EQ(model.pieces.size(), 2u);
     EXPECT_TRUE(model.pieces[0].holdsVolume);

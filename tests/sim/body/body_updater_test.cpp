@@ -1,15 +1,9 @@
 #include "sim/body/body_updater.h"
 
-#include <gtest/gtest.h>
-
 #include <bit>
-#include <random>
 
-#include "sim/base/pausing.h"
 #include "sim/body/surface_tag.h"
 #include "tests/sim/body/ispc_bits.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -186,8 +180,8 @@ struct Follower {
                     change.triangles.vertices, "list of triangles");
     }
 
-    void cut(const test::Stroke& stroke) {
-        Cutter cutter(mesh, test::exactSettings());
+    void cut(const Stroke& stroke) {
+        Cutter cutter(mesh, exactSettings());
         cutter.begin(stroke.front());
         for (std::size_t i = 1; i < stroke.size(); ++i) {
             apply(cutter.advance(stroke[i]));
@@ -203,13 +197,13 @@ TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
     const auto direction = [&] {
         return Vec3(uniform(random), uniform(random), uniform(random)).normalized();
     };
-    for (const SurfaceMesh& shape : {test::torus(24, 12), test::icosphere(2)}) {
+    for (const SurfaceMesh& shape : {torus(24, 12), icosphere(2)}) {
         Follower follower(shape);
         for (int stroke = 0; stroke < 4; ++stroke) {
             SCOPED_TRACE("seed " + std::to_string(seed) + ", stroke " + std::to_string(stroke));
             const Vec3 along = direction();
             const Vec3 travel = along.cross(direction()).normalized();
-            follower.cut(test::straightStroke(0.1 * direction(), along, travel, 3, 2, 15));
+            follower.cut(straightStroke(0.1 * direction(), along, travel, 3, 2, 15));
         }
         EXPECT_GT(follower.updater.model().pieces.size(), 2u);
         EXPECT_GT(follower.moved, 0u);
@@ -232,7 +226,7 @@ TEST(BodyUpdater, FollowsRandomCutsAsASetBuiltAnew) {
 }
 
 TEST(BodyUpdater, CopiesInPortions) {
-    const SurfaceMesh mesh = test::box(Vec3::Ones(), 8);
+    const SurfaceMesh mesh = box(Vec3::Ones(), 8);
     const BodyUpdater body(mesh);
     int rests = 0;
     const Pauses pauses([&] { ++rests; });
@@ -243,9 +237,9 @@ TEST(BodyUpdater, CopiesInPortions) {
 
 TEST(BodyUpdater, RunsTwiceToTheSameBits) {
     const auto run = [] {
-        auto follower = std::make_unique<Follower>(test::icosphere(2));
-        follower->cut(test::straightStroke(Vec3(0.01, 0.02, 0.03), Vec3(1, 0.1, 0.2).normalized(),
-                                           -Vec3::UnitY(), 3, 2, 12));
+        auto follower = std::make_unique<Follower>(icosphere(2));
+        follower->cut(straightStroke(Vec3(0.01, 0.02, 0.03), Vec3(1, 0.1, 0.2).normalized(),
+                                     -Vec3::UnitY(), 3, 2, 12));
         return follower;
     };
     const auto a = run();
@@ -254,7 +248,7 @@ TEST(BodyUpdater, RunsTwiceToTheSameBits) {
     const BodyModel& y = b->updater.model();
     ASSERT_EQ(x.ispcs.size(), y.ispcs.size());
     for (std::size_t i = 0; i < x.ispcs.size(); ++i) {
-        EXPECT_TRUE(test::sameBits(x.ispcs[i], y.ispcs[i]));
+        EXPECT_TRUE(sameBits(x.ispcs[i], y.ispcs[i]));
     }
     EXPECT_EQ(x.triangles, y.triangles);
     EXPECT_EQ(x.incidences[shared::kStretch].entries, y.incidences[shared::kStretch].entries);
@@ -264,7 +258,7 @@ TEST(BodyUpdater, RunsTwiceToTheSameBits) {
 
 // The copies of a point have one look, and a tear leaves the end of a cut as it was.
 TEST(SurfaceTag, SaysWhichCornersAreTorn) {
-    SurfaceMesh mesh = test::cubeSphere(2, 0.5);
+    SurfaceMesh mesh = cubeSphere(2, 0.5);
     const auto copyOf = [&](int v) {
         const int copy = mesh.addVertex(mesh.position(v), mesh.restPosition(v), mesh.velocity(v));
         mesh.joinCopies(v, copy);

@@ -1,13 +1,5 @@
 // What the blunt body of the blade does to a soft body (blade_push).
-
-#include <gmock/gmock.h>
-
-#include "sim/body/body_model.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/triangle.h"
-#include "sim/run/simulation.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
+#include "sim/contact/blade_body.h"
 
 namespace kerf {
 namespace {
@@ -45,12 +37,6 @@ Blade upright(double x, double z) {
 void lead(Simulation& simulation, const Blade& from, const Blade& to, int steps) {
     for (int i = simulation.blade() ? 1 : 0; i <= steps; ++i) {
         ASSERT_EQ(simulation.execute(MoveBlade{interpolate(from, to, i / double(steps))}), "");
-        simulation.step();
-    }
-}
-
-void wait(Simulation& simulation, int steps) {
-    for (int i = 0; i < steps; ++i) {
         simulation.step();
     }
 }
@@ -100,13 +86,13 @@ double topSpeed(const SurfaceMesh& mesh) {
     return top;
 }
 
-class BladePushTest : public test::GlTest {};
+class BladePushTest : public GlTest {};
 
 void expectPushesASphereOverTheFloor(Params params) {
     params.youngsModulus = 1e6;
     params.friction = 0.2;
-    Simulation simulation(pushedUp(test::cubeSphere(4), 0.5), params);
-    wait(simulation, 20);
+    Simulation simulation(pushedUp(cubeSphere(4), 0.5), params);
+    step(simulation, 20);
     const Vec3 start = middleOf(simulation.mesh());
     lead(simulation, acrossZ(-0.6, 0.45), acrossZ(-0.95, 0.45), 10);
     lead(simulation, acrossZ(-0.95, 0.45), acrossZ(-0.55, 0.45), 160);
@@ -120,7 +106,7 @@ void expectPushesASphereOverTheFloor(Params params) {
     EXPECT_LT(deepestIn(*blade, simulation.mesh()), 1e-5);
     EXPECT_EQ(simulation.report().pieces, 1);
     EXPECT_EQ(simulation.subdivisions(), SubdivisionCounts{}) << "the back does not cut";
-    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation.takeMessages(), IsEmpty());
 }
 
 TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
@@ -130,7 +116,7 @@ TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
 void expectHoldsASlitOpen(Params params) {
     params.bladeWidth = 0.3;
     params.bladeThickness = 0.02;
-    Simulation simulation(test::cubeSphere(6), params);
+    Simulation simulation(cubeSphere(6), params);
     double fastest = 0;
     const Blade top = acrossZ(0.02, 0.65);
     const Blade inside = acrossZ(0.03, -0.1);
@@ -140,7 +126,7 @@ void expectHoldsASlitOpen(Params params) {
         EXPECT_NE(simulation.lastCut().outcome, CutOutcome::refused);
         fastest = std::max(fastest, topSpeed(simulation.mesh()));
     }
-    wait(simulation, 20);
+    step(simulation, 20);
     EXPECT_LT(fastest, 4) << "nothing is shot off";
     const BladeMotion blade = *simulation.bladeBody();
     const SurfaceMesh& mesh = simulation.mesh();
@@ -166,7 +152,7 @@ void expectHoldsASlitOpen(Params params) {
     ASSERT_GT(walls, 10);
     EXPECT_NEAR(halfWidths / walls, blade.halfThickness, 0.4 * blade.halfThickness);
     EXPECT_EQ(checkClosedManifold(mesh), "");
-    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation.takeMessages(), IsEmpty());
 }
 
 TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
@@ -174,7 +160,7 @@ TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
 }
 
 TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
-    Simulation simulation(pushedUp(test::cubeSphere(6), 0.5), pushing());
+    Simulation simulation(pushedUp(cubeSphere(6), 0.5), pushing());
     for (int i = 0; i <= 60; ++i) {
         const double y = 1.15 - 1.3 * i / 60;
         simulation.execute(MoveBlade{{{-0.9, y, 0.02}, {0.9, y + 0.02, 0.05}}});
@@ -182,11 +168,11 @@ TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
         EXPECT_NE(simulation.lastCut().outcome, CutOutcome::refused);
     }
     simulation.execute(LiftBlade{});
-    wait(simulation, 10);
+    step(simulation, 10);
     EXPECT_EQ(simulation.report().pieces, 2);
     EXPECT_GT(simulation.report().volumeRatio, 0.995);
     EXPECT_EQ(checkClosedManifold(simulation.mesh()), "");
-    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation.takeMessages(), IsEmpty());
 }
 
 // At 6 m/s an implicit step is 15 mm, a step of pbd 30 mm; the blade is 3 mm thick.
@@ -197,7 +183,7 @@ TEST_F(BladePushTest, NothingTunnelsThroughItsFlatSide) {
         params.bladeWidth = 0.6;
         params.bladeThickness = 0.002;
         setParam(params, "solver", solver);
-        Simulation simulation(test::cubeSphere(5), params);
+        Simulation simulation(cubeSphere(5), params);
         lead(simulation, upright(-0.75, -0.5), upright(-0.75, 0.7), 20);
         const Vec3 start = middleOf(simulation.mesh());
         lead(simulation, upright(-0.75, 0.7), upright(0.15, 0.7), 30);
@@ -211,7 +197,7 @@ TEST_F(BladePushTest, NothingTunnelsThroughItsFlatSide) {
             behind += p.x() < 0.15 && at.y() > 0.02 && at.y() < blade.back - 0.02;
         }
         EXPECT_EQ(behind, 0);
-        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+        EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     }
 }
 
@@ -219,7 +205,7 @@ TEST_F(BladePushTest, SwitchedOnInASlitItOpensItGently) {
     Params params = blunt();
     params.bladePush = 0;
     params.bladeWidth = 0.4;
-    Simulation simulation(test::cubeSphere(5), params);
+    Simulation simulation(cubeSphere(5), params);
     lead(simulation, acrossZ(0.02, 0.65), acrossZ(0.02, 0), 40);
     simulation.execute(SetParam{"blade_push", 1.0});
     double fastest = 0;
@@ -261,7 +247,7 @@ Vec3 middleOfPlate(const BladeMotion& blade) {
 
 void expectGainsWhatTheBladeFeels(Params params, double ofTurn) {
     params.airDrag = 0;
-    Simulation simulation(test::cubeSphere(5), params);
+    Simulation simulation(cubeSphere(5), params);
     simulation.feelBlade(true);
     lead(simulation, acrossZ(-0.6, 0.2), acrossZ(-0.95, 0.2), 10);
     Motion given;
@@ -291,7 +277,7 @@ TEST_F(BladePushTest, WhatTheBladeFeelsIsWhatTheBodyGains) {
 
 TEST_F(BladePushTest, FeelingChangesNoBitAndIsToldOnlyWhereItIsWanted) {
     const auto hashOf = [](bool feels) {
-        Simulation simulation(test::cubeSphere(3), blunt());
+        Simulation simulation(cubeSphere(3), blunt());
         simulation.feelBlade(feels);
         lead(simulation, acrossZ(0.02, 0.8), acrossZ(0.2, 0.1), 15);
         EXPECT_EQ(simulation.report().bladeLoad.has_value(), feels);
@@ -301,7 +287,7 @@ TEST_F(BladePushTest, FeelingChangesNoBitAndIsToldOnlyWhereItIsWanted) {
 }
 
 TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
-    Simulation simulation(test::cubeSphere(3), blunt());
+    Simulation simulation(cubeSphere(3), blunt());
     simulation.feelBlade(true);
     lead(simulation, acrossZ(0.02, 3), acrossZ(0.2, 2.5), 10);
     EXPECT_TRUE(simulation.report().bladeLoad->force.isZero(0));
@@ -309,7 +295,7 @@ TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
 }
 
 std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
-    Simulation simulation(pushedUp(test::cubeSphere(3), 0.45), params);
+    Simulation simulation(pushedUp(cubeSphere(3), 0.45), params);
     lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
     const Moment moment = simulation.moment();
     const auto goOn = [&] {
@@ -335,6 +321,82 @@ TEST_F(BladePushTest, ReplaysToTheSameBits) {
     EXPECT_NE(cut, hash);
     off.bladeThickness = 0.1;
     EXPECT_EQ(hashAfterAStroke(off, false), cut) << "what is off has no size";
+}
+
+const Vec3 kHalf(0, 0, 0.5);
+
+Blade bladeAt(const Vec3& middle) {
+    return {middle - kHalf, middle + kHalf};
+}
+
+BladeTrail led(const std::vector<Vec3>& places, double width = 0.2) {
+    BladeTrail trail{bladeAt(places.front())};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        trail = ledTo(trail, bladeAt(places[i]), width);
+    }
+    return trail;
+}
+
+TEST(BladeTrail, TheBodyTrailsTheEdgeAndComesOutOfWhereItWasPlaced) {
+    EXPECT_TRUE(led({{0, 0, 0}}).back.isZero());
+    const BladeTrail trail = led({{0, 0, 0}, {0.05, 0, 0}, {0.1, 0, 0.3}});
+    EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 1e-12) << "not along the edge";
+    EXPECT_NEAR(trail.widthOf({0.2, 0.01}), 0.1, 1e-12);
+    EXPECT_NEAR(led({{0, 0, 0}, {0.5, 0, 0}}).widthOf({0.2, 0.01}), 0.2, 1e-12);
+}
+
+TEST(BladeTrail, DrawnBackOrAsideItKeepsItsDirection) {
+    for (const Vec3& to : {Vec3(0.1, 0, 0), Vec3(0.4, 0.3, 0), Vec3(0.4, -0.3, 0)}) {
+        const BladeTrail trail = led({{0, 0, 0}, {0.4, 0, 0}, to});
+        EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 1e-12);
+        EXPECT_NEAR(trail.farthest, 0.4, 1e-12);
+        EXPECT_NEAR(trail.way, to.x(), 1e-12);
+    }
+}
+
+TEST(BladeTrail, AFirstTouchAsideDoesNotTurnItForGood) {
+    const BladeTrail trail = led({{0, 0, 0}, {0, 0.001, 0}, {0.1, 0.001, 0}, {0.4, 0.001, 0}});
+    EXPECT_LT((trail.back - Vec3(-1, 0, 0)).norm(), 0.01);
+    EXPECT_NEAR(trail.farthest, 0.4, 0.002);
+}
+
+TEST(BladeTrail, ItFollowsACurve) {
+    std::vector<Vec3> places;
+    for (int i = 0; i <= 100; ++i) {
+        const double angle = 0.01 * i * std::numbers::pi / 2;
+        places.emplace_back(std::sin(angle), std::cos(angle), 0);
+    }
+    const BladeTrail trail = led(places);
+    // A point towed at 0.2 on a circle of radius 1 lies on one of radius sqrt(0.96).
+    EXPECT_NEAR((places.back() + 0.2 * trail.back).norm(), std::sqrt(0.96), 0.01);
+    EXPECT_GT(trail.back.y(), 0.9);
+}
+
+TEST(BladeTrail, JitterOfTheHandDoesNotSwingIt) {
+    std::vector<Vec3> places{{0, 0, 0}};
+    for (int i = 1; i < 60; ++i) {
+        places.emplace_back(0.01 * i, i % 2 == 0 ? 0.002 : -0.002, 0);
+    }
+    EXPECT_LT((led(places).back - Vec3(-1, 0, 0)).norm(), 0.05);
+}
+
+TEST(BladeMotion, GoesEvenlyThroughAllPosesOfAStep) {
+    std::vector<BladeTrail> trails{led({{-0.5, 0, 0}, {0, 0, 0}})};
+    trails.push_back(ledTo(trails.back(), bladeAt({0.1, 0, 0}), 0.2));
+    trails.push_back(ledTo(trails.back(), bladeAt({0.4, 0, 0}), 0.2));
+    const BladeMotion motion = motionOf(trails, {0.2, 0.01}, 0.03, 0.05, 4);
+    ASSERT_EQ(motion.frames.size(), 5U);
+    const std::array expected{0.0, 0.05, 0.1, 0.25, 0.4};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(motion.frames[i].origin.x(), expected[i], 1e-12);
+        EXPECT_NEAR(motion.frames[i].axes.determinant(), 1, 1e-12);
+    }
+    EXPECT_EQ(motion.halfAt(0.02), 0);
+    EXPECT_NEAR(motion.halfAt(0.06), 0.0025, 1e-12);
+    EXPECT_NEAR(motion.halfAt(0.15), 0.005, 1e-12);
+    const Bounds box = motion.bounds();
+    EXPECT_LT((box.low - Vec3(-0.2, -0.005, -0.5)).norm(), 1e-12);
+    EXPECT_LT((box.high - Vec3(0.37, 0.005, 0.5)).norm(), 1e-12);
 }
 
 }  // namespace

@@ -1,14 +1,5 @@
-#include <gmock/gmock.h>
-
 #include "sim/contact/obstacles.h"
-#include "sim/run/simulation.h"
-#include "sim/run/state_hash.h"
-#include "sim/run/undo/undo_history.h"
 #include "tests/support/bar_falls.h"
-#include "tests/support/contact_scenes.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shape_error.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -57,19 +48,19 @@ double deepestPointOf(const StaticBox& box, const SurfaceMesh& mesh) {
         }
         const Vec3 p =
             box.center + box.axes() * ((at.array() / 4 - 0.5) * box.size.array()).matrix();
-        deepest = std::max(deepest, test::depthInside(mesh, p));
+        deepest = std::max(deepest, depthInside(mesh, p));
     }
     return deepest;
 }
 
-class BoxContactTest : public test::GlTest {};
+class BoxContactTest : public GlTest {};
 
 void expectRestsOnABoxAsOnTheFloor(Params params) {
     const StaticBox slab{{0, -0.5, 0}, {4, 1, 4}, {0, 90, 0}};
     params.contactThickness = 0;
-    Simulation onFloor(lifted(test::cubeSphere(5), 0.55), params);
+    Simulation onFloor(lifted(cubeSphere(5), 0.55), params);
     params.floor.reset();
-    Simulation onBox(lifted(test::cubeSphere(5), 0.55), params, {slab});
+    Simulation onBox(lifted(cubeSphere(5), 0.55), params, {slab});
     for (int i = 0; i < 70; ++i) {
         onFloor.step();
         onBox.step();
@@ -88,21 +79,19 @@ TEST_F(BoxContactTest, ABodyRestsOnABoxAsOnTheFloor) {
 TEST_F(BoxContactTest, NothingTunnelsThroughAThinPlate) {
     const StaticBox plate{{0, 0, 0}, {3, 0.002, 3}, {0, 20, 12}};
     for (const char* solver : {"implicit", "pbd"}) {
-        for (const SurfaceMesh& shape : {test::cubeSphere(4), test::box({0.8, 0.5, 0.6}, 1)}) {
+        for (const SurfaceMesh& shape : {cubeSphere(4), test::box({0.8, 0.5, 0.6}, 1)}) {
             SCOPED_TRACE(solver + std::to_string(shape.vertexCount()));
             Params params = withoutFloor();
             setParam(params, "solver", solver);
             Simulation simulation(lifted(shape, 0.8, {0, -6.3, 0}), params, {plate});
-            for (int i = 0; i < 40; ++i) {
-                simulation.step();
-            }
+            step(simulation, 40);
             const Vec3 up = plate.axes().col(1);
             double lowest = 1;
             for (const Vec3& p : simulation.mesh().positions()) {
                 lowest = std::min(lowest, up.dot(p));
             }
             EXPECT_GT(lowest, 0.0005);
-            EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+            EXPECT_THAT(simulation.takeMessages(), IsEmpty());
         }
     }
 }
@@ -125,7 +114,7 @@ TEST_F(BoxContactTest, ACoarseBodyDoesNotSinkOntoSmallBoxes) {
         }
         EXPECT_LT(deepest, 0.002);
         EXPECT_GT(middle(simulation.mesh()).y(), 0.1) << "it lies on the box and the floor";
-        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+        EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     }
 }
 
@@ -133,14 +122,14 @@ TEST_F(BoxContactTest, ACoarseBodyDoesNotSinkOntoSmallBoxes) {
 TEST_F(BoxContactTest, NothingIsPiercedByAThinBar) {
     for (const double width : {0.01, 0.02}) {
         SCOPED_TRACE(width);
-        test::BarFall fall;
+        BarFall fall;
         fall.width = width;
         fall.modulus = 1e5;
         fall.height = 2;
         fall.aside = 0.001;
         fall.seconds = 0.45;
-        const test::BarFigures figures = test::fallOnBar(fall, Params{});
-        EXPECT_EQ(figures.pierced, 0) << test::text(figures);
+        const BarFigures figures = fallOnBar(fall, Params{});
+        EXPECT_EQ(figures.pierced, 0) << text(figures);
         EXPECT_GT(figures.leastVolume, 0.995);
     }
 }
@@ -161,9 +150,7 @@ double slideDown(double friction) {
     }
     Simulation simulation(block, params, {slope});
     const Vec3 start = middle(simulation.mesh());
-    for (int i = 0; i < 80; ++i) {
-        simulation.step();
-    }
+    step(simulation, 80);
     return slope.axes().col(0).dot(middle(simulation.mesh()) - start);
 }
 
@@ -181,7 +168,7 @@ TEST_F(BoxContactTest, ABoxInTheBodyPushesItOutGently) {
     const StaticBox box{{0, -0.45, 0}, {3, 0.4, 3}};
     Params params = withoutFloor();
     params.gravity.setZero();
-    Simulation simulation(test::cubeSphere(5), params);
+    Simulation simulation(cubeSphere(5), params);
     simulation.step();
     ASSERT_EQ(simulation.execute(AddBox{box}), "");
     double fastest = 0;
@@ -199,7 +186,7 @@ TEST_F(BoxContactTest, ABoxInTheBodyPushesItOutGently) {
 double shapeErrorOf(const SurfaceMesh& mesh) {
     std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
-    return test::rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
 }
 
 /// A sphere of 1 m in a box of 1.4 m that it is a little off the middle of.
@@ -220,7 +207,7 @@ TEST_F(BoxContactTest, ABodyInABoxLeavesItWholeThroughOneFace) {
         Params params = withoutFloor();
         params.floor = c.floor;
         params.gravity.setZero();
-        Simulation simulation(test::cubeSphere(5), params, {box});
+        Simulation simulation(cubeSphere(5), params, {box});
         for (int i = 0; i < 300; ++i) {
             simulation.step();
             ASSERT_NEAR(simulation.report().volumeRatio, 1, 1e-3) << i;
@@ -233,16 +220,14 @@ TEST_F(BoxContactTest, ABodyInABoxLeavesItWholeThroughOneFace) {
         EXPECT_LT(beside.norm(), 0.02);
         EXPECT_EQ(deepestVertexIn(box, simulation.mesh()), 0);
         EXPECT_LT(shapeErrorOf(simulation.mesh()), 0.006);
-        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+        EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     }
 }
 
 TEST_F(BoxContactTest, ABoxOutOfReachChangesNoBit) {
     const auto hashWith = [](const std::vector<StaticBox>& boxes) {
-        Simulation simulation(lifted(test::cubeSphere(4), 0.6), Params{}, boxes);
-        for (int i = 0; i < 10; ++i) {
-            simulation.step();
-        }
+        Simulation simulation(lifted(cubeSphere(4), 0.6), Params{}, boxes);
+        step(simulation, 10);
         return hashMesh(simulation.mesh()).hexadecimal();
     };
     EXPECT_EQ(hashWith({}), hashWith({{{50, 0, 0}, {1, 1, 1}}}));
@@ -251,7 +236,7 @@ TEST_F(BoxContactTest, ABoxOutOfReachChangesNoBit) {
 
 TEST_F(BoxContactTest, CommandsAreCheckedAndUndone) {
     const StaticBox box{{0, -1, 0}, {1, 1, 1}};
-    Simulation simulation(test::cubeSphere(3), withoutFloor(), {box});
+    Simulation simulation(cubeSphere(3), withoutFloor(), {box});
     simulation.setUndoBudget(1 << 30);
     EXPECT_EQ(simulation.execute(RemoveBox{1}), "There is no box 1; they count from 0 to 0.");
     EXPECT_EQ(simulation.execute(AddBox{{{0, 0, 0}, {1, 0, 1}}}),

@@ -1,23 +1,5 @@
-#include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
-#include <iostream>
-#include <random>
-
-#include "sim/base/placement.h"
-#include "sim/body/piece_masses.h"
-#include "sim/body/solver_uniforms.h"
 #include "sim/contact/obstacles.h"
-#include "sim/mesh/invariants.h"
-#include "sim/run/simulation.h"
-#include "sim/solve/gpu_solver.h"
-#include "tests/support/contact_scenes.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/plain_pbd.h"
 #include "tests/support/reference/reference_boxes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -32,7 +14,7 @@ double deepestEdgeOf(const StaticBox& box, const SurfaceMesh& mesh) {
     const auto look = [&](const Vec3& p) {
         Bounds point;
         point.add(p);
-        deepest = around.overlaps(point) ? std::max(deepest, test::depthInside(mesh, p)) : deepest;
+        deepest = around.overlaps(point) ? std::max(deepest, depthInside(mesh, p)) : deepest;
     };
     for (int corner = 0; corner < 8; ++corner) {
         for (const int other : {corner | 1, corner | 2, corner | 4}) {
@@ -89,7 +71,7 @@ void note(const StaticBox& box, const SurfaceMesh& mesh, Depths& depths) {
 }
 
 Depths depthsOf(const Fall& fall) {
-    SurfaceMesh mesh = test::builtin(fall.model);
+    SurfaceMesh mesh = builtin(fall.model);
     const double top = fall.box.bounds().high.y();
     const double way = top + fall.height - meshBounds(mesh).low.y();
     mesh = raised(std::move(mesh), way);
@@ -106,7 +88,7 @@ Depths depthsOf(const Fall& fall) {
     return depths;
 }
 
-class BoxCornerTest : public test::GlTest {};
+class BoxCornerTest : public GlTest {};
 
 std::uint32_t fuzzRuns(int byDay, int byNight) {
     return static_cast<std::uint32_t>(test::runs("KERF_FUZZ_RUNS", byDay, byNight));
@@ -118,7 +100,7 @@ void print(std::uint32_t seed, const Depths& depths) {
 }
 
 TEST_F(BoxCornerTest, StaysOutOfWhatFallsOnIt) {
-    const std::uint32_t first = test::fuzzSeed(7000);
+    const std::uint32_t first = fuzzSeed(7000);
     const std::uint32_t runs = fuzzRuns(3, 8);  // the fourth is the octopus
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOf(randomFall(seed));
@@ -132,11 +114,9 @@ TEST_F(BoxCornerTest, LeavesABodyThatItStandsIn) {
     Params params;
     params.floor = -0.65;
     const StaticBox box{{0.15, -0.55, 0}, {0.25, 0.577, 0.577}, {0, 0, 30}};
-    Simulation simulation(test::builtin("sphere768"), params, {box});
+    Simulation simulation(builtin("sphere768"), params, {box});
     EXPECT_GT(deepestEdgeOf(box, simulation.mesh()), 0.2);
-    for (int i = 0; i < 170; ++i) {
-        simulation.step();
-    }
+    step(simulation, 170);
     EXPECT_LT(deepestEdgeOf(box, simulation.mesh()), kDip);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);
 }
@@ -151,7 +131,7 @@ Depths depthsOfPush(std::uint32_t seed) {
     params.floor = -0.51;
     const char* model = seed % 2 == 0 ? "sphere80" : "sphere768";
     push.box.center = 1.15 * from;
-    Simulation simulation(test::builtin(model), params, {push.box});
+    Simulation simulation(builtin(model), params, {push.box});
     Depths depths;
     for (int i = 0; i < 120; ++i) {
         if (i < 40 && i % 4 == 0) {
@@ -168,7 +148,7 @@ Depths depthsOfPush(std::uint32_t seed) {
 }
 
 TEST_F(BoxCornerTest, LeavesABodyThatItIsMovedInto) {
-    const std::uint32_t first = test::fuzzSeed(7000);
+    const std::uint32_t first = fuzzSeed(7000);
     const std::uint32_t runs = fuzzRuns(2, 8);
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
         const Depths depths = depthsOfPush(seed);
@@ -186,14 +166,14 @@ StaticBox touching(const Vec3& direction, const Vec3& turn) {
 
 /// A body in motion that boxes touch at corners and edges, and one of which stands in it.
 struct TouchedBody {
-    TouchedBody() : model(buildBodyModel(test::cubeSphere(5))) {
+    TouchedBody() : model(buildBodyModel(cubeSphere(5))) {
         params.gravity.setZero();
         params.timeStep = 0.00025;
         params.iterations = 1;
         params.floor.reset();
         settings = contactSettings(params);
         settings.enabled = false;
-        state = stateOf(test::cubeSphere(5));
+        state = stateOf(cubeSphere(5));
         std::mt19937 random(kSeed);
         std::uniform_real_distribution<float> noise(-1, 1);
         for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -234,7 +214,7 @@ struct TouchedBody {
                                  touching(Vec3(1, 1, 1), {10, 20, 30}),
                                  touching(Vec3(-1, 1, 0), {-40, 10, 15})};
     BodyModel model;
-    Params params = test::plainPbd();
+    Params params = plainPbd();
     ContactSettings settings;
     BodyState state;
     GpuSolver solver;

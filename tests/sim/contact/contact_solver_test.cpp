@@ -1,21 +1,6 @@
 #include "sim/contact/contact_solver.h"
 
-#include <random>
-
-#include "sim/body/piece_masses.h"
-#include "sim/body/solver_uniforms.h"
-#include "sim/cut/cut_change.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/run/simulation.h"
-#include "sim/solve/gpu_solver.h"
-#include "tests/support/contact_scenes.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/nightly.h"
-#include "tests/support/plain_pbd.h"
 #include "tests/support/reference/reference_contact.h"
-#include "tests/support/self_intersections.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -37,13 +22,12 @@ Params withoutWeight() {
 
 /// Two spheres that reach a little into each other.
 SurfaceMesh twoSpheres() {
-    return test::meshOf(
-        test::joined(test::cubeSphereSoup(5, 0.4), test::icosphereSoup(2, 0.4), {0.05, 0.7, 0.02}));
+    return meshOf(joined(cubeSphereSoup(5, 0.4), icosphereSoup(2, 0.4), {0.05, 0.7, 0.02}));
 }
 
 /// A beam at rest that stands there bent round, so that its ends reach into each other.
 SurfaceMesh bentRound() {
-    SurfaceMesh mesh = test::box({3, 0.3, 0.3}, 16);
+    SurfaceMesh mesh = box({3, 0.3, 0.3}, 16);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const Vec3 p = mesh.restPosition(v);
         const double angle = p.x() * 2.15;
@@ -60,7 +44,7 @@ struct Pair {
         if (edgeLength > 0) {
             model.edgeLength = edgeLength;
         }
-        params = test::plainPbd(withoutWeight());
+        params = plainPbd(withoutWeight());
         params.timeStep = timeStep;
         params.iterations = 1;
         settings = contactSettings(params);
@@ -103,7 +87,7 @@ struct Pair {
     GpuSolver gpu;
 };
 
-class ContactSolverTest : public test::GlTest {};
+class ContactSolverTest : public GlTest {};
 
 /// As the beginning of a step does.
 void searchAnew(Collisions& collisions) {
@@ -131,7 +115,7 @@ int expectCandidatesOfTheReference(Pair& pair) {
 }
 
 TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
-    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
                      std::to_string(kContactSeed));
         Pair pair(mesh);
@@ -143,8 +127,7 @@ TEST_F(ContactSolverTest, FindsTheCandidatesOfTheReference) {
 // many: llvmpipe ends a kernel's loops after 65,535 turns in all.
 TEST_F(ContactSolverTest, FindsThemInACrowd) {
     SCOPED_TRACE("seed " + std::to_string(kContactSeed));
-    Pair pair(test::meshOf(test::joined(test::cubeSphereSoup(32, 0.4),
-                                        test::cubeSphereSoup(32, 0.4), {0.05, 0.7, 0.02})),
+    Pair pair(meshOf(joined(cubeSphereSoup(32, 0.4), cubeSphereSoup(32, 0.4), {0.05, 0.7, 0.02})),
               0.5);
     EXPECT_GT(expectCandidatesOfTheReference(pair), 10000);
 }
@@ -163,14 +146,14 @@ std::vector<std::vector<std::uint32_t>> candidatesOf(GpuSolver& solver) {
 
 // The order in which triangles are looked through is kept while a body is cut.
 TEST_F(ContactSolverTest, FindsTheSameWhileItIsCutAsInTheModelWhole) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     BodyUpdater body(mesh);
     const Params params = withoutWeight();
     GpuSolver followed;
     followed.setModel(body.model(), stateOf(mesh));
-    Cutter cutter(mesh, test::exactSettings());
-    const test::Stroke stroke = test::straightStroke(
-        Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(), -Vec3::UnitY(), 3, 2, 12);
+    Cutter cutter(mesh, exactSettings());
+    const Stroke stroke = straightStroke(Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(),
+                                         -Vec3::UnitY(), 3, 2, 12);
     cutter.begin(stroke.front());
     std::size_t found = 0;
     for (std::size_t i = 1; i <= stroke.size(); ++i) {
@@ -250,7 +233,7 @@ TEST_F(ContactSolverTest, KeptCandidatesMissNothing) {
 
 // Displacements are 1e-4 m: a step of the fixed point is 5e-11 m.
 TEST_F(ContactSolverTest, RespondsLikeTheReference) {
-    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), test::slitSphere()}) {
+    for (const SurfaceMesh& mesh : {twoSpheres(), bentRound(), slitSphere()}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices, seed " +
                      std::to_string(kContactSeed));
         Pair pair(mesh, 0, 0.00025);
@@ -290,7 +273,7 @@ TEST_F(ContactSolverTest, RespondsLikeTheReference) {
 /// vertices.
 SurfaceMesh crossedBeams() {
     const auto onEdge = [](double turn) {
-        TriangleSoup soup = test::boxSoup({1, 0.2, 0.2}, 4);
+        TriangleSoup soup = boxSoup({1, 0.2, 0.2}, 4);
         const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(turn, Vec3::UnitY()) *
                                           Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()))
                                              .toRotationMatrix();
@@ -300,8 +283,7 @@ SurfaceMesh crossedBeams() {
         return soup;
     };
     const TriangleSoup lower = onEdge(0);
-    SurfaceMesh mesh =
-        test::meshOf(test::joined(lower, onEdge(std::numbers::pi / 2), {0.125, 0.48, 0.125}));
+    SurfaceMesh mesh = meshOf(joined(lower, onEdge(std::numbers::pi / 2), {0.125, 0.48, 0.125}));
     for (int v = static_cast<int>(lower.positions.size()); v < mesh.vertexCount(); ++v) {
         mesh.setVelocity(v, {0, -1.5, 0});
     }
@@ -314,7 +296,7 @@ TEST_F(ContactSolverTest, EdgesDoNotPassThroughEdges) {
     for (int i = 0; i < 75; ++i) {
         stepsInContact += simulation.step().contacts > 0;
         if (i % 3 == 0) {
-            EXPECT_EQ(test::selfIntersections(simulation.mesh()).size(), 0U) << i;
+            EXPECT_EQ(selfIntersections(simulation.mesh()).size(), 0U) << i;
         }
     }
     EXPECT_GT(stepsInContact, 3);
@@ -322,7 +304,7 @@ TEST_F(ContactSolverTest, EdgesDoNotPassThroughEdges) {
 }
 
 TEST_F(ContactSolverTest, KeepsMomentum) {
-    const test::CollisionFigures figures = test::collideSpheres(withContact());
+    const CollisionFigures figures = collideSpheres(withContact());
     EXPECT_GT(figures.stepsInContact, 5);
     EXPECT_TRUE(figures.parted);
     EXPECT_LT(figures.linearDrift, 3e-5);
@@ -330,7 +312,7 @@ TEST_F(ContactSolverTest, KeepsMomentum) {
 }
 
 TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
-    const test::HalvesFigures figures = test::restHalves(false, withContact(), 0.6);
+    const HalvesFigures figures = restHalves(false, withContact(), 0.6);
     // A push needs a depth.
     EXPECT_LE(figures.penetration, 5e-5);
     EXPECT_GT(figures.contacts, 50);
@@ -339,11 +321,11 @@ TEST_F(ContactSolverTest, HalvesRestOnEachOther) {
 }
 
 TEST_F(ContactSolverTest, NothingPassesThroughWhatItIsThrownAt) {
-    test::RandomDropFigures sum;
+    RandomDropFigures sum;
     const std::uint64_t seed = 1;
-    for (int i = 0; i < test::runs("KERF_FUZZ_RUNS", 1, 12); ++i) {
+    for (int i = 0; i < runs("KERF_FUZZ_RUNS", 1, 12); ++i) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " drop " + std::to_string(i));
-        sum.add(test::dropAtRandom({seed, i}, withContact()));
+        sum.add(dropAtRandom({seed, i}, withContact()));
     }
     EXPECT_EQ(sum.nonFinite, 0) << text(sum);
     EXPECT_EQ(sum.escaped, 0) << text(sum);

@@ -2,14 +2,6 @@
 
 #include "sim/contact/impact_zones.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/body/piece_masses.h"
-#include "sim/run/simulation.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/self_intersections.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
 
@@ -50,12 +42,12 @@ SurfaceMesh finned() {
         soup.triangles.push_back({a + corners, b + corners, b});
         soup.triangles.push_back({a + corners, b, a});
     }
-    return test::meshOf(soup);
+    return meshOf(soup);
 }
 
 /// A plate whose upper side a step led through the lower one, at one end.
 struct CrossedPlate {
-    SurfaceMesh mesh = test::box({1, 0.02, 1}, 2);
+    SurfaceMesh mesh = box({1, 0.02, 1}, 2);
     BodyModel model = buildBodyModel(mesh);
     std::vector<Vec3> before = mesh.positions();
 
@@ -78,22 +70,22 @@ struct CrossedPlate {
 
 TEST(ImpactZones, TellThinBodies) {
     EXPECT_TRUE(thinWalls(buildBodyModel(finned())).many());
-    const ThinWalls plate = thinWalls(buildBodyModel(test::box({1, 0.02, 1}, 4)));
+    const ThinWalls plate = thinWalls(buildBodyModel(box({1, 0.02, 1}, 4)));
     EXPECT_TRUE(plate.many());
     EXPECT_NEAR(plate.thickness, 0.02, 0.01) << "slanted at the rim";
     EXPECT_NEAR(plate.edge, std::hypot(0.25, 0.25), 1e-6);
-    EXPECT_FALSE(thinWalls(buildBodyModel(test::box({1, 0.5, 1}, 4))).many());
+    EXPECT_FALSE(thinWalls(buildBodyModel(box({1, 0.5, 1}, 4))).many());
     for (const char* name : {"sphere20", "sphere80", "sphere768", "octopus", "banana"}) {
-        EXPECT_FALSE(thinWalls(buildBodyModel(test::builtin(name))).many()) << name;
+        EXPECT_FALSE(thinWalls(buildBodyModel(builtin(name))).many()) << name;
     }
 }
 
 TEST(ImpactZones, TakeBackWhatWouldPassThrough) {
     CrossedPlate plate;
     const Vec3 momentum = plate.momentum();
-    ASSERT_GT(test::selfIntersections(plate.mesh).size(), 0U);
+    ASSERT_GT(selfIntersections(plate.mesh).size(), 0U);
     EXPECT_TRUE(stopCrossings({plate.model, plate.before, std::nullopt}, plate.mesh));
-    EXPECT_EQ(test::selfIntersections(plate.mesh).size(), 0U);
+    EXPECT_EQ(selfIntersections(plate.mesh).size(), 0U);
     EXPECT_LT((plate.momentum() - momentum).norm(), 1e-5 * momentum.norm());
 }
 
@@ -119,17 +111,15 @@ TEST(ImpactZones, KeepPinsAndFloor) {
     }
 }
 
-class FallingThinBody : public test::GlTest {};
+class FallingThinBody : public GlTest {};
 
 // It ended with 374 pairs.
 TEST_F(FallingThinBody, DoesNotPassThroughItself) {
     Params params;
     params.floor = -1.25 / 11.5 - 0.15;
     Simulation simulation(finned(), params);
-    for (int i = 0; i < 130; ++i) {
-        simulation.step();
-    }
-    EXPECT_LE(test::selfIntersections(simulation.mesh()).size(), 4U);
+    step(simulation, 130);
+    EXPECT_LE(selfIntersections(simulation.mesh()).size(), 4U);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 0.05);
     EXPECT_LT(simulation.report().kineticEnergy, 0.1 * simulation.report().potentialEnergy);
 }
@@ -140,9 +130,7 @@ TEST_F(FallingThinBody, GoesOnFromAMoment) {
     params.floor = -1.25 / 11.5 - 0.05;
     Simulation simulation(finned(), params);
     const auto run = [&](int steps) {
-        for (int i = 0; i < steps; ++i) {
-            simulation.step();
-        }
+        step(simulation, steps);
         return simulation.stateHash();
     };
     run(30);

@@ -1,16 +1,7 @@
 #include "sim/contact/paper_contact.h"
 
-#include <random>
-
-#include "sim/body/solver_uniforms.h"
-#include "sim/mesh/piece_labels.h"
-#include "sim/run/simulation.h"
-#include "sim/solve/gpu_solver.h"
-#include "tests/support/contact_scenes.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/reference/octree.h"
 #include "tests/support/reference/reference_paper_contact.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -89,9 +80,8 @@ struct Pieces {
 
 /// Two blocks of which the upper one stands 2 cm in the lower one.
 struct Blocks {
-    TriangleSoup lower = test::boxSoup({0.6, 0.4, 0.6}, 3);
-    SurfaceMesh mesh =
-        test::meshOf(test::joined(lower, test::boxSoup({0.5, 0.4, 0.5}, 4), {0.01, 0.38, 0.02}));
+    TriangleSoup lower = boxSoup({0.6, 0.4, 0.6}, 3);
+    SurfaceMesh mesh = meshOf(joined(lower, boxSoup({0.5, 0.4, 0.5}, 4), {0.01, 0.38, 0.02}));
     int firstOfUpper = static_cast<int>(lower.positions.size());
 
     explicit Blocks(double upperSpeed) {
@@ -104,9 +94,8 @@ struct Blocks {
 /// Three bodies of unlike fineness, far into each other and shaken.
 SurfaceMesh shakenCluster(unsigned seed) {
     const TriangleSoup two =
-        test::joined(test::cubeSphereSoup(5, 0.4), test::icosphereSoup(3, 0.3), {0.31, 0.33, 0.05});
-    SurfaceMesh mesh =
-        test::meshOf(test::joined(two, test::icosphereSoup(0, 0.5), {-0.5, 0.4, 0.13}));
+        joined(cubeSphereSoup(5, 0.4), icosphereSoup(3, 0.3), {0.31, 0.33, 0.05});
+    SurfaceMesh mesh = meshOf(joined(two, icosphereSoup(0, 0.5), {-0.5, 0.4, 0.13}));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> noise(-1, 1);
     const auto vector = [&] { return Vec3(noise(random), noise(random), noise(random)); };
@@ -117,7 +106,7 @@ SurfaceMesh shakenCluster(unsigned seed) {
     return mesh;
 }
 
-class PaperContactTest : public test::GlTest {};
+class PaperContactTest : public GlTest {};
 
 TEST_F(PaperContactTest, AgreesWithTheReference) {
     for (unsigned seed = kSeed; seed < kSeed + 4; ++seed) {

@@ -1,16 +1,10 @@
 // Pieces of one body that lie on each other: what rests has no speed, what is steep slides.
-
-#include <gtest/gtest.h>
-
-#include "sim/mesh/invariants.h"
-#include "sim/run/simulation.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
+#include "tests/support/thin_walls.h"
 
 namespace kerf {
 namespace {
 
-Params weightless() {
+Params contactAlone() {
     Params params;
     params.contact = 1;
     params.gravity.setZero();
@@ -52,19 +46,17 @@ int pieceOfTop(const SurfaceMesh& mesh, const PieceMap& pieces) {
     return pieces.ofVertex[top];
 }
 
-class RestingPieces : public test::GlTest {};
+class RestingPieces : public GlTest {};
 
 // A contact that stops a part of the approach alone lets bodies fall at a speed that they do not
 // move with: pushes take it back in each substep.
 TEST_F(RestingPieces, SpeedsAreThoseOfTheMotion) {
-    Params params = weightless();
+    Params params = contactAlone();
     params.floor = -0.2;
-    Simulation simulation(test::box({0.6, 0.4, 0.6}, 4), params);
+    Simulation simulation(box({0.6, 0.4, 0.6}, 4), params);
     cutLevel(simulation);
     simulation.execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
-    for (int i = 0; i < 200; ++i) {
-        simulation.step();
-    }
+    step(simulation, 200);
     ASSERT_EQ(simulation.pieces().pieces.size(), 2U);
     const SurfaceMesh before = simulation.mesh();
     std::vector<Vec3> sums(before.vertexCount(), Vec3::Zero());
@@ -87,21 +79,19 @@ TEST_F(RestingPieces, SpeedsAreThoseOfTheMotion) {
 /// How fast the upper half gains speed on the lower one, which is held, where gravity leans by 20
 /// degrees: from 0.05 s on, when it has settled, to 0.2 s [m/s^2].
 double accelerationOnTheLowerHalf(double friction) {
-    Params params = weightless();
+    Params params = contactAlone();
     params.floor.reset();
     params.airDrag = 0;
     params.youngsModulus = 1e6;
     params.friction = friction;
-    Simulation simulation(test::box({0.6, 0.4, 0.6}, 4), params);
+    Simulation simulation(box({0.6, 0.4, 0.6}, 4), params);
     cutLevel(simulation);
     const int upper = pieceOfTop(simulation.mesh(), simulation.pieces());
     simulation.execute(Pin{Bounds{{-1, -1, -1}, {1, -0.05, 1}}});
     const double tilt = 20 * EIGEN_PI / 180;
     simulation.execute(SetParam{"gravity", Vec3(std::sin(tilt), -std::cos(tilt), 0) * 9.81});
     const auto speedAfter = [&](int steps) {
-        for (int i = 0; i < steps; ++i) {
-            simulation.step();
-        }
+        step(simulation, steps);
         return upperVelocity(simulation.mesh(), simulation.pieces(), upper).x();
     };
     const double early = speedAfter(10);
@@ -115,6 +105,49 @@ TEST_F(RestingPieces, FrictionHoldsOnASlopeOrSlowsDown) {
         const double rate = 9.81 * (std::sin(angle) - friction * std::cos(angle));
         EXPECT_NEAR(accelerationOnTheLowerHalf(friction), rate, 0.05 * rate) << friction;
     }
+}
+
+// Bodies of thin walls keep their volume once cut, and their walls don't pass through each other.
+// All scenes: kerf_contact_bench walls.
+
+Params newScene() {
+    Params params;
+    params.iterations = kAutoIterations;
+    return params;
+}
+
+class ThinWallsTest : public GlTest {};
+
+/// Plays scenes, and says what went wrong in each.
+void expectRight(const std::vector<WallScene>& scenes) {
+    for (const WallScene& scene : scenes) {
+        const WallFigures figures = playWalls(scene, newScene());
+        std::cout << text(scene) << ": " << text(figures) << "\n";
+        EXPECT_TRUE(figures.isRight()) << text(scene);
+    }
+}
+
+// At rest a card of a 500th of its diagonal swelled by 9 %, fins of a 200th by 20 %.
+TEST_F(ThinWallsTest, KeepTheirVolumeAtRest) {
+    expectRight({{"plate", 1 / 200.0, "twice", "rests", 0.005, 0.1},
+                 {"fins", 1 / 80.0, "twice", "rests", 0.005, 0.1},
+                 {"cup", 1 / 200.0, "slanted", "rests", 0.005, 0.1}});
+}
+
+TEST_F(ThinWallsTest, KeepTheirVolumeWhereTheyFall) {
+    expectRight({{"plate", 1 / 38.0, "twice", "falls", 0.005, 0.25},
+                 {"cup", 1 / 38.0, "slanted", "falls", 0.005, 0.2},
+                 {"cup", 1 / 200.0, "flush", "falls", 0.005, 0.2}});
+}
+
+TEST_F(ThinWallsTest, KeepTheirVolumeWhereTheyAreDrawn) {
+    expectRight({{"fins", 1 / 500.0, "flush", "drawn", 0.005, 0.2},
+                 {"shell", 1 / 500.0, "slanted", "drawn", 0.005, 0.2}});
+}
+
+TEST_F(ThinWallsTest, AllKeepTheirVolumeAtNight) {
+    KERF_BY_NIGHT();
+    expectRight(wallScenes(7));
 }
 
 }  // namespace

@@ -1,18 +1,7 @@
 // Bodies with a cavity: a shell inside another one, which belongs to the same piece.
-#include <gtest/gtest.h>
-
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/piece_figures.h"
-#include "sim/mesh/piece_labels.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-using test::CutCheck;
-using test::Stroke;
 
 const Vec3 kMiddle(0.013, 0.021, 0.034);
 const Vec3 kCavity(0.02, -0.01, 0.03);
@@ -20,7 +9,7 @@ constexpr double kRadius = 0.5;
 constexpr double kHollow = 0.25;
 
 SurfaceMesh hollowBall() {
-    return test::hollow(test::icosphereSoup(3, kRadius), test::icosphereSoup(2, kHollow), kCavity);
+    return hollow(icosphereSoup(3, kRadius), icosphereSoup(2, kHollow), kCavity);
 }
 
 void expectSound(const CutCheck& check) {
@@ -35,10 +24,10 @@ void expectParts(const SurfaceMesh& before, const SurfaceMesh& after, const Vec3
                  const Vec3& normal) {
     const PieceMap map = findPieces(after);
     ASSERT_EQ(map.pieces.size(), 2u);
-    const test::HalfSpaceVolumes sides = test::clipVolumes(before, at, normal);
+    const HalfSpaceVolumes sides = clipVolumes(before, at, normal);
     const double tolerance = 1e-6 * meshVolume(before);
     for (int piece = 0; piece < 2; ++piece) {
-        const bool above = test::meanSide(after, map, piece, at, normal) > 0;
+        const bool above = meanSide(after, map, piece, at, normal) > 0;
         EXPECT_NEAR(map.pieces[piece].volume, above ? sides.above : sides.below, tolerance);
     }
 }
@@ -70,9 +59,9 @@ TEST(CavityCut, ThroughTheMiddleGivesTwoBowlsWithRingsForWalls) {
     for (const int steps : {1, 60}) {
         const SurfaceMesh before = hollowBall();
         SurfaceMesh mesh = before;
-        expectSound(test::runStroke(
-            mesh, test::exactSettings(),
-            test::straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps)));
+        expectSound(
+            runStroke(mesh, exactSettings(),
+                      straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps)));
         expectParts(before, mesh, kMiddle, Vec3::UnitZ());
         EXPECT_EQ(characteristicOfWall(mesh, 0), 0);
         EXPECT_EQ(characteristicOfWall(mesh, 1), 0);
@@ -85,9 +74,8 @@ SurfaceMesh cutAt(double height) {
     const Vec3 at = kMiddle + Vec3(0, 0, height);
     const SurfaceMesh before = hollowBall();
     SurfaceMesh mesh = before;
-    expectSound(
-        test::runStroke(mesh, test::exactSettings(),
-                        test::straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSound(runStroke(mesh, exactSettings(),
+                          straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
     expectParts(before, mesh, at, Vec3::UnitZ());
     return mesh;
 }
@@ -105,11 +93,11 @@ TEST(CavityCut, CapOfTheOtherSideToo) {
 TEST(CavityCut, TwiceCrosswiseGivesFourQuarters) {
     SurfaceMesh mesh = hollowBall();
     const double volume = meshVolume(mesh);
-    Cutter cutter(mesh, test::exactSettings());
-    expectSound(test::runStroke(
-        cutter, mesh, test::straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
-    expectSound(test::runStroke(
-        cutter, mesh, test::straightStroke(kMiddle, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 60)));
+    Cutter cutter(mesh, exactSettings());
+    expectSound(runStroke(cutter, mesh,
+                          straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSound(runStroke(cutter, mesh,
+                          straightStroke(kMiddle, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 60)));
     const PieceMap map = findPieces(mesh);
     EXPECT_EQ(map.pieces.size(), 4u);
     double sum = 0;
@@ -127,7 +115,7 @@ TEST(CavityCut, SlitFromOutsideIntoTheCavityOpensItAndKeepsOnePiece) {
         const double x = -0.7 + 0.035 * i;
         stroke.push_back({{x, 1.5, 0.011}, {x, 0.05, 0.013}});
     }
-    expectSound(test::runStroke(mesh, test::exactSettings(), stroke));
+    expectSound(runStroke(mesh, exactSettings(), stroke));
     EXPECT_EQ(findPieces(mesh).pieces.size(), 1u);
     EXPECT_FALSE(PieceLabels(mesh).hasCavities());
 }
@@ -141,7 +129,7 @@ TEST(CavityCut, SlitThatBeginsInTheCavityKeepsIt) {
         const double x = 0.02 + 0.018 * i;
         stroke.push_back({{x, -0.08, 0.031}, {x, 0.09, 0.033}});
     }
-    expectSound(test::runStroke(mesh, test::exactSettings(), stroke));
+    expectSound(runStroke(mesh, exactSettings(), stroke));
     EXPECT_EQ(findPieces(mesh).pieces.size(), 1u);
     EXPECT_NEAR(meshVolume(mesh), volume, 1e-9);
     EXPECT_TRUE(PieceLabels(mesh).hasCavities());
@@ -156,23 +144,21 @@ TEST(CavityCut, AskewThroughBothShells) {
         const Vec3 at = kMiddle + (0.4 - 0.1 * i) * normal;
         const SurfaceMesh before = hollowBall();
         SurfaceMesh mesh = before;
-        expectSound(
-            test::runStroke(mesh, test::exactSettings(),
-                            test::straightStroke(at, along, normal.cross(along), 3, 2.4, 50)));
+        expectSound(runStroke(mesh, exactSettings(),
+                              straightStroke(at, along, normal.cross(along), 3, 2.4, 50)));
         expectParts(before, mesh, at, normal);
     }
 }
 
 TEST(CavityCut, SeveralCavitiesEachGoWithTheirPart) {
-    TriangleSoup soup = test::icosphereSoup(3, kRadius);
+    TriangleSoup soup = icosphereSoup(3, kRadius);
     for (const double z : {-0.25, 0.05, 0.3}) {
-        soup = test::joined(soup, test::turned(test::icosphereSoup(2, 0.11)), Vec3(0.03, 0, z));
+        soup = joined(soup, turned(icosphereSoup(2, 0.11)), Vec3(0.03, 0, z));
     }
-    const SurfaceMesh before = test::meshOf(soup);
+    const SurfaceMesh before = meshOf(soup);
     SurfaceMesh mesh = before;
-    expectSound(
-        test::runStroke(mesh, test::exactSettings(),
-                        test::straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSound(runStroke(mesh, exactSettings(),
+                          straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
     expectParts(before, mesh, kMiddle, Vec3::UnitZ());
 }
 

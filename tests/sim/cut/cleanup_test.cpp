@@ -1,31 +1,22 @@
 #include "sim/cut/cleanup/cleanup.h"
 
-#include <gtest/gtest.h>
-
 #include "sim/cut/cleanup/workspace.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-using test::CutCheck;
-using test::Stroke;
 
 constexpr double kWallEdge = 0.07;
 const Vec3 kCenter(0.013, 0.021, 0.034);
 
 CutSettings settingsWith(bool cleanUp) {
-    CutSettings settings = test::exactSettings();
+    CutSettings settings = exactSettings();
     settings.wallEdgeLength = kWallEdge;
     settings.cleanUp = cleanUp;
     return settings;
 }
 
 Stroke through(const Vec3& along, const Vec3& travel) {
-    return test::straightStroke(kCenter, along, travel, 3.0, 2.4, 50);
+    return straightStroke(kCenter, along, travel, 3.0, 2.4, 50);
 }
 
 /// From above, the tip at height 0.1 and then deeper, turning.
@@ -49,13 +40,13 @@ struct Case {
 std::vector<Case> cases() {
     const Stroke down = through(Vec3::UnitX(), -Vec3::UnitY());
     const Stroke aside = through(Vec3(1, 0.2, 0.1).normalized(), Vec3(-0.1, 0.03, 1).normalized());
-    return {{"sphere, right through", test::icosphere(3), {down}},
-            {"coarse sphere, right through", test::icosphere(0), {down}},
+    return {{"sphere, right through", icosphere(3), {down}},
+            {"coarse sphere, right through", icosphere(0), {down}},
             {"torus, right through", test::torus(), {aside}},
-            {"bent tube, right through", test::bentTube(), {down}},
-            {"sphere, incision", test::icosphere(3), {incision()}},
-            {"sphere, across a cut", test::icosphere(3), {down, aside}},
-            {"sphere, incision across a cut", test::icosphere(3), {aside, incision()}}};
+            {"bent tube, right through", bentTube(), {down}},
+            {"sphere, incision", icosphere(3), {incision()}},
+            {"sphere, across a cut", icosphere(3), {down, aside}},
+            {"sphere, incision across a cut", icosphere(3), {aside, incision()}}};
 }
 
 struct Cleaned {
@@ -71,12 +62,12 @@ Cleaned cleanAtEnd(const Case& c) {
     SurfaceMesh mesh = c.mesh;
     Cutter cutter(mesh, settingsWith(false));
     for (std::size_t i = 0; i + 1 < c.strokes.size(); ++i) {
-        EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes[i]).problem, "");
+        EXPECT_EQ(runStroke(cutter, mesh, c.strokes[i]).problem, "");
     }
     const cut::EdgeLengthField edgeLengths(kWallEdge);
     cut::Cleanup cleanup(mesh, edgeLengths);
     const int first = mesh.triangleSlots();
-    EXPECT_EQ(test::runStroke(cutter, mesh, c.strokes.back()).problem, "");
+    EXPECT_EQ(runStroke(cutter, mesh, c.strokes.back()).problem, "");
     Cleaned result{mesh, mesh, {}, {}, {}};
     result.delta.firstNewVertex = mesh.vertexCount();
     result.statistics = cleanup.atEnd(result.delta);
@@ -110,19 +101,19 @@ TEST(Cleanup, KeepsTheMeshClosedAndEveryPiecesVolume) {
         const Cleaned cleaned = cleanAtEnd(c);
         EXPECT_GT(cleaned.statistics.collapses, 0);
         EXPECT_EQ(checkClosedManifold(cleaned.after), "");
-        EXPECT_EQ(test::checkMirroredWalls(cleaned.after), "");
+        EXPECT_EQ(checkMirroredWalls(cleaned.after), "");
         EXPECT_LT(cleaned.statistics.volumeSpent, 1e-6);
         expectEqualPieces(cleaned.before, cleaned.after, 1e-6);
     }
 }
 
 TEST(Cleanup, LeavesHardlyASliver) {
-    test::StrokeQuality before;
-    test::StrokeQuality after;
+    StrokeQuality before;
+    StrokeQuality after;
     for (const Case& c : cases()) {
         const Cleaned cleaned = cleanAtEnd(c);
-        before.add(test::qualityOf(cleaned.before, cleaned.made));
-        after.add(test::qualityOf(cleaned.after, cleaned.made));
+        before.add(qualityOf(cleaned.before, cleaned.made));
+        after.add(qualityOf(cleaned.after, cleaned.made));
     }
     EXPECT_GT(before.all().below002, before.all().triangles / 50) << "the cases hold slivers";
     EXPECT_GT(before.all().below0001, 0);
@@ -268,7 +259,7 @@ TEST(Cleanup, MendingRemovesShortEdgesOfACrumpledBody) {
         const int first = mesh.triangleSlots();
         Cutter cutter(mesh, settingsWith(true));
         for (const Stroke& stroke : c.strokes) {
-            ASSERT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
+            ASSERT_EQ(runStroke(cutter, mesh, stroke).problem, "");
         }
         crumple(mesh, 0.02 * kWallEdge);
         const SurfaceMesh cut = mesh;
@@ -278,7 +269,7 @@ TEST(Cleanup, MendingRemovesShortEdgesOfACrumpledBody) {
         after += countShort(mesh, made, 0.2 * kWallEdge);
         expectNamesAllThatChanged(delta, cut, mesh);
         EXPECT_EQ(checkClosedManifold(mesh), "");
-        EXPECT_EQ(test::checkMirroredWalls(mesh), "");
+        EXPECT_EQ(checkMirroredWalls(mesh), "");
         expectEqualPieces(cut, mesh, 1e-4);
     }
     EXPECT_GT(before, 100);
@@ -286,22 +277,22 @@ TEST(Cleanup, MendingRemovesShortEdgesOfACrumpledBody) {
 }
 
 TEST(Cleanup, MendingIsPartOfIt) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     const int first = mesh.triangleSlots();
     Cutter cutter(mesh, settingsWith(false));
-    test::runStroke(cutter, mesh, incision());
-    const std::string before = test::fingerprint(mesh);
+    runStroke(cutter, mesh, incision());
+    const std::string before = fingerprint(mesh);
     EXPECT_TRUE(cutter.mend(slotsFrom(mesh, first)).empty());
-    EXPECT_EQ(test::fingerprint(mesh), before);
+    EXPECT_EQ(fingerprint(mesh), before);
 }
 
 TEST(Cleanup, CopiesStayAtOnePlace) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setVelocity(v, mesh.position(v).cross(Vec3(0.3, -0.2, 0.5)));
     }
     Cutter cutter(mesh, settingsWith(true));
-    const CutCheck check = test::runStroke(cutter, mesh, incision());
+    const CutCheck check = runStroke(cutter, mesh, incision());
     EXPECT_EQ(check.problem, "");
     EXPECT_GT(check.cleanup.collapses, 3);
     EXPECT_GT(check.cleanup.slides, 0);
@@ -318,7 +309,7 @@ TEST(Cleanup, CopiesStayAtOnePlace) {
 
 // What lies at the rung decides where the next step cuts.
 TEST(Cleanup, ChangesNothingAtTheFront) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     SurfaceMesh plain = mesh;
     Cutter cutter(mesh, settingsWith(true));
     Cutter plainCutter(plain, settingsWith(false));
@@ -342,14 +333,14 @@ TEST(Cleanup, ChangesNothingAtTheFront) {
 }
 
 TEST(Cleanup, OfTheSameStrokeTwiceGivesTheSameBytes) {
-    const auto clean = [] { return test::fingerprint(cleanAtEnd(cases()[5]).after); };
+    const auto clean = [] { return fingerprint(cleanAtEnd(cases()[5]).after); };
     EXPECT_EQ(clean(), clean());
 }
 
 TEST(Cleanup, SwitchedOffChangesNothing) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     Cutter cutter(mesh, settingsWith(false));
-    const CutCheck check = test::runStroke(cutter, mesh, incision());
+    const CutCheck check = runStroke(cutter, mesh, incision());
     EXPECT_GT(check.cuts, 5);
     EXPECT_EQ(check.cleanup.collapses + check.cleanup.flips + check.cleanup.slides, 0);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -390,7 +381,7 @@ TEST(Cleanup, KeepsShapesAlikeWherePiecesLieApart) {
         cut::Cleanup cleanup(mesh, edgeLengths);
         Cutter cutter(mesh, settingsWith(false));
         for (const Stroke& stroke : c.strokes) {
-            ASSERT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
+            ASSERT_EQ(runStroke(cutter, mesh, stroke).problem, "");
         }
         deform(mesh, deformation, gap);
         CutDelta delta;
@@ -405,7 +396,7 @@ TEST(Cleanup, KeepsShapesAlikeWherePiecesLieApart) {
 // to move.
 TEST(Cleanup, LeavesWhatLiesAtRestAtRestToTheLastBit) {
     for (const Vec3& along : {Vec3(1, 0, 0), Vec3(0.9, 0.1, -0.3), Vec3(0.2, 0.3, 1)}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, settingsWith(true));
         const Stroke stroke =
             through(along.normalized(), along.cross(Vec3(0.2, 1, 0.37)).normalized());
@@ -466,13 +457,12 @@ TriangleSoup platedBore(int sides) {
 }
 
 TEST(Cleanup, SkinFarFromTheCutKeepsItsVertices) {
-    SurfaceMesh mesh = test::meshOf(platedBore(128));
+    SurfaceMesh mesh = meshOf(platedBore(128));
     const std::vector<Vec3> before = mesh.restPositions();
-    const CutCheck check =
-        test::runStroke(mesh, CutSettings{},
-                        test::straightStroke({1.4, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), 3, 5, 30));
+    const CutCheck check = runStroke(
+        mesh, CutSettings{}, straightStroke({1.4, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), 3, 5, 30));
     EXPECT_EQ(check.problem, "");
-    EXPECT_EQ(test::piecesOf(mesh), 2);
+    EXPECT_EQ(piecesOf(mesh), 2);
     for (int v = 0; v < static_cast<int>(before.size()); ++v) {
         EXPECT_GE(mesh.outgoing(v), 0) << "vertex " << v;
         EXPECT_EQ(mesh.restPosition(v), before[v]) << "vertex " << v;

@@ -1,22 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
-#include <iostream>
-
 #include "sim/cut/exact/jitter.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/nightly.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
 
 using cut::Jitter;
-using test::CutCheck;
-using test::Stroke;
 
 // A blade that lies in the rays of an eye, as one drawn in the window does, goes round an axis and
 // over its own start.
@@ -31,15 +18,15 @@ struct Model {
 Model modelOf(int kind) {
     switch (kind) {
         case 0:
-            return {"sphere of 80", test::icosphere(1), Vec3::Zero(), 0.36};
+            return {"sphere of 80", icosphere(1), Vec3::Zero(), 0.36};
         case 1:
-            return {"sphere of 768", test::cubeSphere(8), Vec3::Zero(), 0.4};
+            return {"sphere of 768", cubeSphere(8), Vec3::Zero(), 0.4};
         case 2:
-            return {"sphere of 1280", test::icosphere(3), Vec3::Zero(), 0.4};
+            return {"sphere of 1280", icosphere(3), Vec3::Zero(), 0.4};
         case 3:
-            return {"graded sphere", test::gradedSphere(), Vec3::Zero(), 0.4};
+            return {"graded sphere", gradedSphere(), Vec3::Zero(), 0.4};
         case 4:
-            return {"ring", test::torus(), Vec3(0.35, 0, 0), 0.12};
+            return {"ring", torus(), Vec3(0.35, 0, 0), 0.12};
         default:
             return {"box", test::box(Vec3(0.8, 0.7, 0.9), 4), Vec3::Zero(), 0.3};
     }
@@ -151,14 +138,14 @@ Outcome cutOut(const Loop& loop) {
     const double h = edgeLengthOf(model.mesh, model.middle, loop.radius);
     Cutter cutter(model.mesh, CutSettings{});
     Outcome outcome;
-    outcome.check = test::runStroke(cutter, model.mesh, strokeOf(loop, model, h));
+    outcome.check = runStroke(cutter, model.mesh, strokeOf(loop, model, h));
     outcome.pieces = static_cast<int>(findPieces(model.mesh).pieces.size());
     outcome.across = piecesAcross(model.mesh, loop, model.middle, 0.4 * h);
     return outcome;
 }
 
 TEST(ClosedLoop, GivesThePieceThatItEncloses) {
-    const std::uint32_t first = test::fuzzSeed(2511);
+    const std::uint32_t first = fuzzSeed(2511);
     const auto runs = static_cast<std::uint32_t>(test::runs("KERF_FUZZ_RUNS", 24, 240));
     std::uint32_t whole = 0;
     for (std::uint32_t seed = first; seed < first + runs; ++seed) {
@@ -179,7 +166,7 @@ TEST(ClosedLoop, GivesThePieceThatItEncloses) {
 TEST(ClosedLoop, PartsExactlyOverItsOwnStart) {
     for (const int over : {0, 1, 4, 12}) {
         SCOPED_TRACE(over);
-        SurfaceMesh mesh = test::cubeSphere(8);
+        SurfaceMesh mesh = cubeSphere(8);
         Loop loop;
         loop.axis = Vec3(-0.54, -0.36, -0.76).normalized();
         loop.eye = -3.4 * loop.axis;
@@ -193,7 +180,7 @@ TEST(ClosedLoop, PartsExactlyOverItsOwnStart) {
             stroke.push_back(bladeAt(loop, Vec3::Zero(), turned, 0));
         }
         Cutter cutter(mesh, CutSettings{});
-        const CutCheck check = test::runStroke(cutter, mesh, stroke);
+        const CutCheck check = runStroke(cutter, mesh, stroke);
         EXPECT_EQ(check.problem, "");
         EXPECT_EQ(check.refused, 0) << check.reason;
         EXPECT_EQ(findPieces(mesh).pieces.size(), 2);
@@ -214,7 +201,7 @@ TEST(ClosedLoop, AShallowOneLeavesNoSlitBesideIt) {
             stroke.push_back({at - Vec3(0, kSide, 0), at + Vec3(0, 6 * kSide, 0)});
         }
         Cutter cutter(mesh, CutSettings{});
-        EXPECT_EQ(test::runStroke(cutter, mesh, stroke).problem, "");
+        EXPECT_EQ(runStroke(cutter, mesh, stroke).problem, "");
         int walls = 0;
         double farthest = 0;
         for (const int t : livingTriangles(mesh)) {

@@ -1,19 +1,7 @@
 #include "sim/cut/commit/commit.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/cut/cut_change.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
-
-using test::bladeAt;
-using test::StepBench;
 
 constexpr double kRounding = 1e-12;
 
@@ -121,7 +109,7 @@ void expectCopies(const Committed& c) {
 
 void expectRung(const Committed& c) {
     const std::vector<RungNode>& rung = c.result.rung;
-    EXPECT_EQ(test::checkFront(c.after, rung), "");
+    EXPECT_EQ(checkFront(c.after, rung), "");
     EXPECT_EQ(rung.front().vertex < 0, !c.plan.outline.endAInside);
     EXPECT_EQ(rung.back().vertex < 0, !c.plan.outline.endBInside);
     for (int i = 0; i < sizeOf(rung); ++i) {
@@ -154,7 +142,7 @@ CommitResult checkedStep(StepBench& bench, const Blade& to) {
 }
 
 TEST(Commit, OfTheTopOfATetrahedronLeavesTwoPieces) {
-    StepBench bench(test::unitTetrahedron(), 1);
+    StepBench bench(unitTetrahedron(), 1);
     bench.begin(bladeAt(2, 0.25));
     const CommitResult result = checkedStep(bench, bladeAt(-8, 0.25));
     EXPECT_EQ(bench.mesh.vertexCount(), 4 + 2 * 3) << "two copies of each node";
@@ -166,7 +154,7 @@ TEST(Commit, OfTheTopOfATetrahedronLeavesTwoPieces) {
 }
 
 TEST(Commit, OpensTheOldFrontAndLeavesTheNewOneClosed) {
-    StepBench bench(test::box(), 0.25);
+    StepBench bench(box(), 0.25);
     bench.begin(bladeAt(1, 0.1));
     checkedStep(bench, bladeAt(-0.2, 0.1));
     const std::vector<RungNode> old = bench.rung();
@@ -178,14 +166,14 @@ TEST(Commit, OpensTheOldFrontAndLeavesTheNewOneClosed) {
     for (std::size_t i = 1; i + 1 < now.size(); ++i) {
         EXPECT_LT(bench.mesh.copyGroup(now[i].vertex), 0);
     }
-    EXPECT_EQ(test::slitEdges(bench.mesh, 0), 4);
-    EXPECT_EQ(test::checkMirroredWalls(bench.mesh), "");
+    EXPECT_EQ(slitEdges(bench.mesh, 0), 4);
+    EXPECT_EQ(checkMirroredWalls(bench.mesh), "");
 }
 
 // The blade turns about its end in the air, with its tip inside. Its mouth is one edge long: both
 // lips would be edges between the same two vertices.
 TEST(Commit, SplitsEdgesWithTheSameEnds) {
-    StepBench bench(test::unitTetrahedron(), 1);
+    StepBench bench(unitTetrahedron(), 1);
     bench.begin({{0.2, -2, 0.25}, {0.2, 0.2, 0.25}});
     const SurfaceMesh before = bench.mesh;
     const PlannedStep step = planStep(bench.stepTo({{0.2, -2, 0.25}, {0.4, 0.2, 0.25}}));
@@ -193,11 +181,11 @@ TEST(Commit, SplitsEdgesWithTheSameEnds) {
     const Committed committed{before, bench.mesh, step.plan, result};
     EXPECT_TRUE(committed.wasRepaired());
     expectCommitted(committed);
-    EXPECT_EQ(test::checkMirroredWalls(bench.mesh), "");
+    EXPECT_EQ(checkMirroredWalls(bench.mesh), "");
 }
 
 TEST(Commit, GivesWallsTheirStrokeAndSide) {
-    StepBench bench(test::box(), 0.3);
+    StepBench bench(box(), 0.3);
     for (int stroke = 0; stroke < 3; ++stroke) {
         const double z = -0.2 + 0.2 * stroke;
         const int first = bench.mesh.triangleSlots();
@@ -214,7 +202,7 @@ TEST(Commit, GivesWallsTheirStrokeAndSide) {
 
 // Four copies where two walls cross.
 TEST(Commit, JoinsTheCopiesOfBothWallsThatItCrosses) {
-    StepBench bench(test::box(), 0.3);
+    StepBench bench(box(), 0.3);
     bench.begin(bladeAt(1, 0.1));
     checkedStep(bench, bladeAt(-1, 0.1));
     bench.begin({{0.07, 1, -2}, {0.07, 1, 2}});
@@ -230,12 +218,12 @@ TEST(Commit, JoinsTheCopiesOfBothWallsThatItCrosses) {
     }
     EXPECT_GT(ofFour, 2);
     EXPECT_EQ(findPieces(bench.mesh).pieces.size(), 4U);
-    EXPECT_EQ(test::checkMirroredWalls(bench.mesh), "");
+    EXPECT_EQ(checkMirroredWalls(bench.mesh), "");
 }
 
 // Both halves have slid along each other: the front leaves and enters walls that are no mirrors.
 TEST(Commit, JoinsTheFrontAcrossAnOlderSlit) {
-    StepBench bench(test::box(), 0.3);
+    StepBench bench(box(), 0.3);
     bench.begin(bladeAt(1, 0.1));
     bench.cutTo(bladeAt(-1, 0.1));
     const PieceMap pieces = findPieces(bench.mesh);
@@ -254,21 +242,19 @@ TEST(Commit, JoinsTheFrontAcrossAnOlderSlit) {
 }
 
 TEST(Commit, OfRandomStepsLeavesAClosedBodyAndTellsAll) {
-    const std::uint32_t seed = test::fuzzSeed(61);
+    const std::uint32_t seed = fuzzSeed(61);
     SCOPED_TRACE("seed " + std::to_string(seed));
     int repaired = 0;
     int crossed = 0;
-    const int steps =
-        test::forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep& step) {
-            SurfaceMesh mesh = in.mesh;
-            const CommitResult result = commit(mesh, step.plan, in.h, in.stroke, {});
-            const Committed committed{in.mesh, mesh, step.plan, result};
-            expectCommitted(committed);
-            repaired += committed.wasRepaired();
-            crossed += std::ranges::any_of(result.delta.removedTriangles, [&](int t) {
-                return in.mesh.kind(t) == SurfaceKind::wall;
-            });
-        });
+    const int steps = forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep& step) {
+        SurfaceMesh mesh = in.mesh;
+        const CommitResult result = commit(mesh, step.plan, in.h, in.stroke, {});
+        const Committed committed{in.mesh, mesh, step.plan, result};
+        expectCommitted(committed);
+        repaired += committed.wasRepaired();
+        crossed += std::ranges::any_of(result.delta.removedTriangles,
+                                       [&](int t) { return in.mesh.kind(t) == SurfaceKind::wall; });
+    });
     EXPECT_GT(steps, 130);
     EXPECT_GT(repaired, 0);
     EXPECT_GT(crossed, 20) << "older walls";

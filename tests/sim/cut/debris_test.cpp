@@ -1,10 +1,4 @@
 // Chips that a stroke leaves, here the corner of a block.
-#include <gmock/gmock.h>
-
-#include "sim/mesh/invariants.h"
-#include "sim/run/simulation.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -44,10 +38,10 @@ Params floating(double debrisVolume) {
     return params;
 }
 
-class DebrisTest : public test::GlTest {
+class DebrisTest : public GlTest {
   protected:
     static Simulation makeBlock(double debrisVolume) {
-        Simulation block(test::box(Vec3::Ones(), 4), floating(debrisVolume));
+        Simulation block(box(Vec3::Ones(), 4), floating(debrisVolume));
         block.setUndoBudget(std::size_t{1} << 28);
         return block;
     }
@@ -82,7 +76,7 @@ TEST_F(DebrisTest, AChipIsRemovedAndAccountedFor) {
     const PieceMap pieces = findPieces(block.mesh());
     EXPECT_NEAR(pieces.pieces.front().restVolume + report.debris.volume, 1, 1e-9);
     EXPECT_EQ(checkClosedManifold(block.mesh()), "");
-    EXPECT_THAT(block.takeMessages(), testing::ElementsAre(testing::HasSubstr("removed 1 chip")));
+    EXPECT_THAT(block.takeMessages(), ElementsAre(HasSubstr("removed 1 chip")));
     block.step();
     EXPECT_EQ(block.report().debris.pieces, 0);
 }
@@ -142,9 +136,9 @@ TEST_F(DebrisTest, TheWoundCanBeCutAgain) {
 }
 
 TEST_F(DebrisTest, WhatIsNotFromACutStays) {
-    const TriangleSoup two = test::joined(test::boxSoup(Vec3::Ones(), 3),
-                                          test::boxSoup(Vec3::Constant(0.01), 1), {2, 0, 0});
-    Simulation simulation(test::meshOf(two), floating(1e-5));
+    const TriangleSoup two =
+        joined(boxSoup(Vec3::Ones(), 3), boxSoup(Vec3::Constant(0.01), 1), {2, 0, 0});
+    Simulation simulation(meshOf(two), floating(1e-5));
     play(simulation, Vec3(0.5, 0.5, 0.5), Vec3(0.01, 0, 1.2), Vec3(0, 1.2, 0));
     EXPECT_EQ(simulation.report().pieces, 3);
     EXPECT_EQ(simulation.report().debris.pieces, 0);

@@ -1,21 +1,9 @@
 // Blades in the plane of faces, edges and vertices: no foil comes off, and walls lie in the blade.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <iostream>
-#include <random>
 
 #include "sim/cut/cut_types.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/nightly.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-using ::testing::SizeIs;
 
 /// Cells of a grid, each in the set or not.
 struct Cells {
@@ -136,18 +124,18 @@ std::vector<double> volumesOf(const SurfaceMesh& mesh) {
 }
 
 /// Right through, in a plane across an axis.
-test::Stroke flat(const SurfaceMesh& mesh, int axis, double plane, int steps, bool back = false) {
+Stroke flat(const SurfaceMesh& mesh, int axis, double plane, int steps, bool back = false) {
     const Bounds bounds = meshBounds(mesh);
     Vec3 center = bounds.center();
     center[axis] = plane;
     const Vec3 travel = Vec3::Unit((axis + 1) % 3) * (back ? -1 : 1);
-    return test::straightStroke(center, Vec3::Unit((axis + 2) % 3), travel, 3 * bounds.diagonal(),
-                                3 * bounds.diagonal(), steps);
+    return straightStroke(center, Vec3::Unit((axis + 2) % 3), travel, 3 * bounds.diagonal(),
+                          3 * bounds.diagonal(), steps);
 }
 
 /// The volumes of the pieces after a stroke, ascending.
-std::vector<double> cut(SurfaceMesh& mesh, const test::Stroke& stroke) {
-    const test::CutCheck check = test::runStroke(mesh, CutSettings{}, stroke);
+std::vector<double> cut(SurfaceMesh& mesh, const Stroke& stroke) {
+    const CutCheck check = runStroke(mesh, CutSettings{}, stroke);
     EXPECT_EQ(check.problem, "");
     EXPECT_EQ(check.unmirrored, "");
     EXPECT_EQ(check.refused, 0) << check.reason;
@@ -165,7 +153,7 @@ TEST(Flush, ABladeInThePlaneOfAFaceTakesNothingOff) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-0.5, 0.5}) {
             for (const int squares : {1, 3}) {
-                SurfaceMesh mesh = test::box(Vec3::Ones(), squares);
+                SurfaceMesh mesh = box(Vec3::Ones(), squares);
                 expectVolumes(cut(mesh, flat(mesh, axis, side, 17)), {1});
             }
         }
@@ -173,22 +161,22 @@ TEST(Flush, ABladeInThePlaneOfAFaceTakesNothingOff) {
 }
 
 TEST(Flush, HalvesAreEqual) {
-    SurfaceMesh cube = test::box(Vec3::Ones(), 4);
+    SurfaceMesh cube = box(Vec3::Ones(), 4);
     expectVolumes(cut(cube, flat(cube, 1, 0, 17)), {0.5, 0.5});
-    SurfaceMesh ball = test::icosphere(3);
+    SurfaceMesh ball = icosphere(3);
     const double half = 0.5 * meshVolume(ball);
     expectVolumes(cut(ball, flat(ball, 0, 0, 23)), {half, half});
-    SurfaceMesh plate = test::box(Vec3(1, 0.0005, 1), 1);
+    SurfaceMesh plate = box(Vec3(1, 0.0005, 1), 1);
     expectVolumes(cut(plate, flat(plate, 1, 0, 17)), {0.00025, 0.00025});
 }
 
 // The second and third stroke go through vertices of older walls.
 TEST(Flush, EighthsAreEqual) {
     for (const int squares : {3, 4}) {
-        SurfaceMesh mesh = test::box(Vec3::Ones(), squares);
+        SurfaceMesh mesh = box(Vec3::Ones(), squares);
         Cutter cutter(mesh, CutSettings{});
         for (int axis = 0; axis < 3; ++axis) {
-            const test::CutCheck check = test::runStroke(cutter, mesh, flat(mesh, axis, 0, 17));
+            const CutCheck check = runStroke(cutter, mesh, flat(mesh, axis, 0, 17));
             EXPECT_EQ(check.problem, "");
             EXPECT_EQ(check.unmirrored, "");
             EXPECT_EQ(check.refused, 0) << check.reason;
@@ -204,7 +192,7 @@ TEST(Flush, FinsComeOffAtTheirRoots) {
     });
     for (const bool back : {false, true}) {
         std::mt19937_64 dice(1);
-        SurfaceMesh mesh = test::meshOf(surfaceOf(comb, dice));
+        SurfaceMesh mesh = meshOf(surfaceOf(comb, dice));
         expectVolumes(cut(mesh, flat(mesh, 1, 1, 17, back)), {4, 4, 4, 4, 4, 4, 44});
     }
 }
@@ -212,23 +200,22 @@ TEST(Flush, FinsComeOffAtTheirRoots) {
 TEST(Flush, FacesOfBothSidesInOnePlaneStayWithTheirMaterial) {
     Cells stairs{{3, 2, 1}, {1, 0, 1, 1, 0, 1}};  // two cells below, two above, side by side
     std::mt19937_64 dice(1);
-    SurfaceMesh mesh = test::meshOf(surfaceOf(stairs, dice));
+    SurfaceMesh mesh = meshOf(surfaceOf(stairs, dice));
     expectVolumes(cut(mesh, flat(mesh, 1, 1, 17)), {2, 2});
 }
 
 TEST(Flush, TheFloorOfACavityStaysBelow) {
-    SurfaceMesh mesh =
-        test::hollow(test::boxSoup(Vec3::Constant(3)), test::boxSoup(), Vec3::Zero());
+    SurfaceMesh mesh = hollow(boxSoup(Vec3::Constant(3)), boxSoup(), Vec3::Zero());
     cut(mesh, flat(mesh, 1, -0.5, 17));
     const std::vector<double> volumes = volumesOf(mesh);
     expectVolumes(volumes, {9, 17});
 }
 
 TEST(Flush, ASecondStrokeInTheWallOfTheFirstCutsNothing) {
-    SurfaceMesh mesh = test::box(Vec3::Ones(), 3);
+    SurfaceMesh mesh = box(Vec3::Ones(), 3);
     Cutter cutter(mesh, CutSettings{});
     for (const int steps : {17, 23}) {
-        const test::CutCheck check = test::runStroke(cutter, mesh, flat(mesh, 1, 0.1, steps));
+        const CutCheck check = runStroke(cutter, mesh, flat(mesh, 1, 0.1, steps));
         EXPECT_EQ(check.problem, "");
         EXPECT_EQ(check.refused, 0);
     }
@@ -237,15 +224,15 @@ TEST(Flush, ASecondStrokeInTheWallOfTheFirstCutsNothing) {
 
 // In the place of the 1 m ball that was refused at (500, 500, 500).
 TEST(Flush, ABodyFarFromTheOriginIsCutAsOneThatIsNot) {
-    SurfaceMesh here = test::icosphere(3);
+    SurfaceMesh here = icosphere(3);
     const std::vector<double> expected = cut(here, flat(here, 1, 0.1, 23));
     ASSERT_THAT(expected, SizeIs(2));
     for (const double away : {500.0, 10000.0}) {
-        TriangleSoup soup = test::icosphereSoup(3);
+        TriangleSoup soup = icosphereSoup(3);
         for (Vec3& p : soup.positions) {
             p += Vec3::Constant(away);
         }
-        SurfaceMesh mesh = test::meshOf(soup);
+        SurfaceMesh mesh = meshOf(soup);
         cut(mesh, flat(mesh, 1, away + 0.1, 23));
         for (int v = 0; v < mesh.vertexCount(); ++v) {
             mesh.setPosition(v, mesh.position(v) - Vec3::Constant(away));
@@ -324,13 +311,13 @@ TEST(Flush, RandomBoxesAreCutAsTheirCells) {
     for (int i = 0; i < runs; ++i) {
         std::mt19937_64 dice(first + static_cast<std::uint64_t>(i));
         const Cells cells = randomCells(dice);
-        SurfaceMesh mesh = test::meshOf(surfaceOf(cells, dice));
+        SurfaceMesh mesh = meshOf(surfaceOf(cells, dice));
         const int axis = static_cast<int>(dice() % 3);
         const double half = dice() % 2 == 0 ? 0 : 0.5;
         const double plane = static_cast<double>(dice() % cells.counts[axis]) + half;
-        const test::Stroke stroke =
+        const Stroke stroke =
             flat(mesh, axis, plane, 1 + static_cast<int>(dice() % 30), dice() % 2 == 0);
-        const test::CutCheck check = test::runStroke(mesh, CutSettings{}, stroke);
+        const CutCheck check = runStroke(mesh, CutSettings{}, stroke);
         EXPECT_EQ(check.problem, "") << "seed " << first + i;
         const std::vector<double> expected = partsOf(cells, axis, plane);
         const std::vector<double> volumes = volumesOf(mesh);

@@ -1,10 +1,7 @@
 #include "sim/cut/plan/strip/front_profile.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/cut/plan/strip/swept_strip.h"
+#include "sim/cut/plan/input/slit_opening.h"
+#include "sim/cut/surface/stroke_surface.h"
 
 namespace kerf::cut {
 namespace {
@@ -78,9 +75,9 @@ TEST(FrontProfile, NothingIsBehindAFrontThatRunsBack) {
 
 // Along fronts as jagged as no stroke makes them.
 TEST(FrontProfile, WhatIsBehindLiesInNoTriangleOfTheStrip) {
-    constexpr unsigned kSeed = 11;
-    SCOPED_TRACE("seed " + std::to_string(kSeed));
-    std::mt19937 random{kSeed};
+    constexpr unsigned kProfileSeed = 11;
+    SCOPED_TRACE("seed " + std::to_string(kProfileSeed));
+    std::mt19937 random{kProfileSeed};
     std::uniform_real_distribution<double> uniform{0, 1};
     int behind = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -113,6 +110,138 @@ TEST(FrontProfile, WhatIsBehindLiesInNoTriangleOfTheStrip) {
         }
     }
     EXPECT_GT(behind, 300);
+}
+
+double edgeOf(const SurfaceMesh& mesh) {
+    return (mesh.position(mesh.target(0)) - mesh.position(mesh.origin(0))).norm();
+}
+
+std::size_t samplesAtPole(int subdivisions) {
+    const SurfaceMesh mesh = icosphere(subdivisions);
+    return cut::StrokeSurface(mesh).samplesAround({Vec3::UnitY()}, edgeOf(mesh)).size();
+}
+
+TEST(StrokeSurface, NeedsFewMoreSamplesOfALargeBody) {
+    const std::size_t small = samplesAtPole(3);
+    EXPECT_GT(small, 40u);
+    EXPECT_LT(samplesAtPole(6), 2 * small);
+}
+
+TEST(StrokeSurface, SamplesAllThatIsNearAndStandsForTheWhole) {
+    const SurfaceMesh mesh = icosphere(5);
+    const double edge = edgeOf(mesh);
+    const std::vector<Vec3> places{Vec3::UnitX(), -Vec3::UnitZ()};
+    const auto samples = cut::StrokeSurface(mesh).samplesAround(places, edge);
+    double weights = 0;
+    for (const cut::SurfaceSample& sample : samples) {
+        weights += sample.weight;
+    }
+    EXPECT_NEAR(weights, mesh.aliveTriangles(), 1e-6);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const bool near = std::ranges::any_of(
+            places, [&](const Vec3& p) { return (mesh.position(v) - p).norm() < edge; });
+        const bool sampled = std::ranges::any_of(
+            samples, [&](const cut::SurfaceSample& sample) { return sample.vertex == v; });
+        EXPECT_TRUE(sampled || !near) << v;
+    }
+}
+
+TEST(StrokeSurface, FollowsCutsLikeOneThatIsMadeAnew) {
+    SurfaceMesh mesh = icosphere(3);
+    cut::StrokeSurface followed(mesh);
+    constexpr double kMostRestMotion = 0.1;
+    Cutter cutter(mesh, exactSettings());
+    const Stroke stroke =
+        straightStroke({0.013, 0.021, 0.3}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2, 9);
+    cutter.begin(stroke.front());
+    for (std::size_t i = 1; i <= stroke.size(); ++i) {
+        const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+        followed.follow(changedTriangles(result.delta), kMostRestMotion);
+    }
+    followed.beginStroke();
+    const cut::StrokeSurface fresh(mesh);
+    EXPECT_EQ(followed.vertexCount(), fresh.vertexCount());
+    int found = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const Vec3 rest = 0.9 * mesh.restPosition(v);
+        const auto a = followed.insidePosition(rest, mesh.position(v), 0.2);
+        const auto b = fresh.insidePosition(rest, mesh.position(v), 0.2);
+        EXPECT_EQ(a, b) << v;
+        found += a.has_value();
+    }
+    EXPECT_GT(found, 500);
+}
+
+constexpr double kH = 0.25;
+constexpr double kOpen = 0.1 * kH;  // as far from the strip as walls are seen
+
+/// A box in two halves, cut in the plane z = 0.1.
+class SlitOpeningOfABox : public ::testing::Test {
+  protected:
+    SlitOpeningOfABox() {
+        bench.begin(bladeAt(1, 0.1));
+        bench.cutTo(bladeAt(-1, 0.1));
+        bench.seesSlitsOpen = true;
+    }
+    SlitOpening openedBy(const Blade& from, const Blade& to) {
+        bench.begin(from);
+        return bench.stepTo(to).opening;
+    }
+
+    StepBench bench{box(Vec3::Ones(), 2), kH};
+};
+
+TEST_F(SlitOpeningOfABox, OpensEachWallIntoItsHalf) {
+    const double beside = 0.004;
+    const SlitOpening opening = openedBy(bladeAt(1, 0.1 + beside), bladeAt(-1, 0.1 + beside));
+    const PieceMap pieces = findPieces(bench.mesh);
+    for (const auto& [v, way] : opening.displacements()) {
+        const bool isUpper = pieces.pieces[pieces.ofVertex[v]].volume < 0.5;
+        EXPECT_NEAR(way.x(), 0, 1e-9);
+        EXPECT_NEAR(way.y(), 0, 1e-9);
+        EXPECT_NEAR(way.z(), isUpper ? kOpen + beside : beside - kOpen, 1e-9);
+    }
+}
+
+TEST_F(SlitOpeningOfABox, OpensAllOfAWallThatTheBladeRunsAlong) {
+    const SlitOpening opening = openedBy(bladeAt(1, 0.1), bladeAt(-1, 0.1));
+    std::set<int> wanted;
+    for (const int t : livingTriangles(bench.mesh)) {
+        if (bench.mesh.kind(t) == SurfaceKind::wall) {
+            wanted.insert(bench.mesh.triangle(t).begin(), bench.mesh.triangle(t).end());
+        }
+    }
+    for (const int v : wanted) {
+        EXPECT_FALSE(opening.displacement(v).isZero(0)) << v;
+    }
+    EXPECT_NEAR(opening.reach(), kOpen, 1e-9);
+}
+
+TEST_F(SlitOpeningOfABox, LeavesTheRestWhereItIs) {
+    const SlitOpening opening = openedBy(bladeAt(1, 0.1), bladeAt(-1, 0.1));
+    for (int v = 0; v < bench.mesh.vertexCount(); ++v) {
+        const bool isFar = std::fabs(bench.mesh.position(v).z() - 0.1) > kOpen;
+        EXPECT_TRUE(!isFar || opening.displacement(v).isZero(0)) << v;
+        EXPECT_EQ(opening.displacements().count(v) == 0, opening.displacement(v).isZero(0));
+    }
+}
+
+TEST_F(SlitOpeningOfABox, ABladeBesideOrAcrossItOpensNothing) {
+    EXPECT_TRUE(openedBy(bladeAt(1, 0.13), bladeAt(-1, 0.13)).empty()) << "too far";
+    EXPECT_TRUE(openedBy({{-2, 1, 0.25}, {2, 1, 0.25}}, {{-2, -1, -0.05}, {2, -1, -0.05}}).empty())
+        << "8.5 degrees";
+    EXPECT_TRUE(openedBy({{0.1, 1, -2}, {0.1, 1, 2}}, {{0.1, -1, -2}, {0.1, -1, 2}}).empty());
+    EXPECT_EQ(openedBy(bladeAt(1, 0.3), bladeAt(-1, 0.3)).reach(), 0);
+}
+
+TEST(SlitOpeningOfItsOwnStroke, IsNone) {
+    StepBench bench(box(), kH);
+    bench.seesSlitsOpen = true;
+    bench.begin(bladeAt(1, 0.1));
+    bench.cutTo(bladeAt(-0.2, 0.1));
+    EXPECT_TRUE(bench.stepTo(bladeAt(-0.4, 0.1)).opening.empty());
+    bench.cutTo(bladeAt(-1, 0.1));
+    EXPECT_TRUE(bench.stepTo(bladeAt(1, 0.1)).opening.empty()) << "back again";
 }
 
 }  // namespace

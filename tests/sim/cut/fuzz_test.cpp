@@ -1,12 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cstdlib>
-#include <iostream>
-
-#include "tests/support/cut_fuzz.h"
-#include "tests/support/nightly.h"
-
 namespace kerf {
 namespace {
 
@@ -21,12 +12,7 @@ constexpr int kCrowd = 12;
 // KERF_FUZZ_NO_CLEANUP shows what the cut alone leaves, and fails on it; KERF_FUZZ_EVEN_WALLS gives
 // walls the mean edge length everywhere; KERF_FUZZ_MODE=rocking or another draws strokes of one
 // kind.
-double environmentNumber(const char* name, double otherwise) {
-    const char* text = std::getenv(name);
-    return text == nullptr ? otherwise : std::atof(text);
-}
-
-test::FuzzReport runFuzz() {
+FuzzReport runFuzz() {
     using Clock = std::chrono::steady_clock;
     const auto first = static_cast<std::uint64_t>(environmentNumber("KERF_FUZZ_SEED", kFirstSeed));
     const double seconds = environmentNumber("KERF_FUZZ_SECONDS", 0);
@@ -34,30 +20,30 @@ test::FuzzReport runFuzz() {
     const auto elapsed = [start = Clock::now()] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
-    test::FuzzReport report;
+    FuzzReport report;
     for (int i = 0; seconds > 0 ? elapsed() < seconds : i < runs; ++i) {
-        test::fuzzOnce(first + static_cast<std::uint64_t>(i), report);
+        fuzzOnce(first + static_cast<std::uint64_t>(i), report);
     }
     std::cout << "first seed " << first << "\n" << report.table();
     return report;
 }
 
 TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
-    const test::FuzzReport report = runFuzz();
-    for (const test::FuzzSetting setting : test::kFuzzSettings) {
-        const test::FuzzFigures sum = report.total(setting);
+    const FuzzReport report = runFuzz();
+    for (const FuzzSetting setting : kFuzzSettings) {
+        const FuzzFigures sum = report.total(setting);
         EXPECT_EQ(sum.invalid, 0);
-        EXPECT_LE(sum.refused, (setting == test::FuzzSetting::rounded ? 0.001 : 0.0) * sum.cuts)
+        EXPECT_LE(sum.refused, (setting == FuzzSetting::rounded ? 0.001 : 0.0) * sum.cuts)
             << "of " << sum.cuts << " steps";
         EXPECT_EQ(sum.outside, 0) << "of " << sum.strokes << " strokes";
         EXPECT_EQ(sum.unseparated, 0) << "of " << sum.strokes << " strokes";
         EXPECT_LE(sum.mostVolumeChange, 1e-6);
-        const test::SliverCount slivers = report.ordinary(setting).quality.all();
+        const SliverCount slivers = report.ordinary(setting).quality.all();
         EXPECT_LE(slivers.below002, 0.005 * slivers.triangles) << "of " << slivers.triangles;
         // They come in crowds: two crowds in a short run say nothing about thousands of strokes.
         EXPECT_LE(slivers.below0001, 1e-4 * slivers.triangles + 2 * kCrowd)
             << "of " << slivers.triangles;
-        const test::FuzzFigures ordinary = report.ordinary(setting);
+        const FuzzFigures ordinary = report.ordinary(setting);
         EXPECT_LE(ordinary.intersecting, 0.02 * ordinary.strokes + 1);
         EXPECT_EQ(sum.unmirrored, 0) << "of " << sum.strokes << " strokes";
     }
@@ -66,9 +52,9 @@ TEST(CutFuzz, MeshesStayClosedAndStepsSucceed) {
 // Three curve nodes at one place on a wall that is cut again: both of its sides divide alike.
 TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
     constexpr std::uint64_t kCrowdOnWall = 70350;
-    test::FuzzReport report;
-    test::fuzzOnce(kCrowdOnWall, report);
-    const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
+    FuzzReport report;
+    fuzzOnce(kCrowdOnWall, report);
+    const FuzzFigures figures = report.total(FuzzSetting::exact);
     EXPECT_EQ(figures.strokes, 4);
     EXPECT_EQ(figures.unmirrored, 0);
     EXPECT_EQ(figures.invalid, 0);
@@ -78,9 +64,9 @@ TEST(CutFuzz, NodesAtOnePlaceKeepWallsMirrored) {
 // curved walls passed through it.
 TEST(CutFuzz, WallsBesideTheirRimDoNotPassThroughTheSkin) {
     for (const std::uint64_t seed : {400112, 400023, 402046, 405643}) {
-        test::FuzzReport report;
-        test::fuzzOnce(seed, report);
-        const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
+        FuzzReport report;
+        fuzzOnce(seed, report);
+        const FuzzFigures figures = report.total(FuzzSetting::exact);
         EXPECT_GT(figures.strokes, 0) << "seed " << seed;
         EXPECT_EQ(figures.intersecting, 0) << "seed " << seed;
     }
@@ -91,9 +77,9 @@ TEST(CutFuzz, WallsBesideTheirRimDoNotPassThroughTheSkin) {
 TEST(CutFuzz, ChordsOfWallsDoNotLieInOtherSurfaces) {
     for (const std::uint64_t seed :
          {400777, 401948, 402995, 403455, 404144, 404528, 405566, 406024, 406257}) {
-        test::FuzzReport report;
-        test::fuzzOnce(seed, report);
-        const test::FuzzFigures figures = report.total(test::FuzzSetting::exact);
+        FuzzReport report;
+        fuzzOnce(seed, report);
+        const FuzzFigures figures = report.total(FuzzSetting::exact);
         EXPECT_GT(figures.strokes, 0) << "seed " << seed;
         EXPECT_EQ(figures.intersecting, 0) << "seed " << seed;
         EXPECT_EQ(figures.invalid, 0) << "seed " << seed;
@@ -104,11 +90,11 @@ TEST(CutFuzz, ChordsOfWallsDoNotLieInOtherSurfaces) {
 // in which they are seen open: one side was divided there and the other at the vertex beside it.
 TEST(CutFuzz, BothSidesOfOlderWallsAreDividedAlike) {
     for (const std::uint64_t seed : {401844, 403183, 405875, 406492, 406716, 407148}) {
-        test::FuzzReport report;
-        test::fuzzOnce(seed, report);
+        FuzzReport report;
+        fuzzOnce(seed, report);
         int strokes = 0;
-        for (const test::FuzzSetting setting : test::kFuzzSettings) {
-            const test::FuzzFigures figures = report.total(setting);
+        for (const FuzzSetting setting : kFuzzSettings) {
+            const FuzzFigures figures = report.total(setting);
             strokes += figures.strokes;
             EXPECT_EQ(figures.unmirrored, 0) << "seed " << seed;
             EXPECT_EQ(figures.refused, 0) << "seed " << seed;
@@ -121,9 +107,9 @@ TEST(CutFuzz, BothSidesOfOlderWallsAreDividedAlike) {
 // Edges of walls flipped on both sides, which noise had moved apart: the volumes don't cancel.
 TEST(CutFuzz, NoiseInWallsIsInTheVolumeThatTheCleanupAdmits) {
     for (const std::uint64_t seed : {400514, 401847}) {
-        test::FuzzReport report;
-        test::fuzzOnce(seed, report);
-        const test::FuzzFigures figures = report.total(test::FuzzSetting::rounded);
+        FuzzReport report;
+        fuzzOnce(seed, report);
+        const FuzzFigures figures = report.total(FuzzSetting::rounded);
         EXPECT_GT(figures.strokes, 1) << "seed " << seed;
         EXPECT_EQ(figures.invalid, 0) << "seed " << seed;
     }

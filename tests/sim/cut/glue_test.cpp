@@ -1,16 +1,7 @@
 #include "sim/cut/plan/glue.h"
 
-#include <gtest/gtest.h>
-
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
-
-using test::bladeAt;
-using test::StepBench;
 
 /// The new triangles of a plan, and what their half-edges are glued to.
 class Glued {
@@ -143,11 +134,11 @@ class GlueTheTop : public ::testing::Test {
         plan = planStep(bench.stepTo(bladeAt(-8, 0.25))).plan;
     }
     std::string reason() const {
-        return test::reasonOf(
+        return reasonOf(
             [&] { glue(bench.mesh, plan.curves, plan.outline, plan.subdivision, plan.triangles); });
     }
 
-    StepBench bench{test::unitTetrahedron(), 1};
+    StepBench bench{unitTetrahedron(), 1};
     StepPlan plan;
 };
 
@@ -198,7 +189,7 @@ TEST_F(GlueTheTop, RefusesAFrontWhereTheSurfaceIsCut) {
 }
 
 TEST(Glue, ClosesTheSlitAlongTheNewFrontAndOpensItAlongTheOld) {
-    StepBench bench(test::box(), 0.25);
+    StepBench bench(box(), 0.25);
     bench.begin(bladeAt(1, 0.1));
     const PlannedStep first = planStep(bench.stepTo(bladeAt(-0.2, 0.1)));
     expectGlued(bench.mesh, first.plan);
@@ -222,7 +213,7 @@ TEST(Glue, ClosesTheSlitAlongTheNewFrontAndOpensItAlongTheOld) {
 
 // As where another slit meets it there.
 TEST(Glue, OpensTheOldFrontAlsoWhereTheWallsBehindItAreDivided) {
-    StepBench bench(test::box(), 0.25);
+    StepBench bench(box(), 0.25);
     bench.begin(bladeAt(1, 0.1));
     bench.cutTo(bladeAt(-0.2, 0.1));
     const StepInput in = bench.stepTo(bladeAt(-0.4, 0.1));
@@ -241,11 +232,11 @@ TEST(Glue, OpensTheOldFrontAlsoWhereTheWallsBehindItAreDivided) {
 }
 
 TEST(Glue, OfRandomStepsLeavesNoHalfEdgeAloneAndNoneAcross) {
-    const std::uint32_t seed = test::fuzzSeed(51);
+    const std::uint32_t seed = fuzzSeed(51);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const int steps = test::forRandomSteps(
-        seed, 80,
-        [](const StepInput& in, const PlannedStep& step) { expectGlued(in.mesh, step.plan); });
+    const int steps = forRandomSteps(seed, 80, [](const StepInput& in, const PlannedStep& step) {
+        expectGlued(in.mesh, step.plan);
+    });
     EXPECT_GT(steps, 130);
 }
 

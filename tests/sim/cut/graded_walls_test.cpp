@@ -1,34 +1,23 @@
-#include <gtest/gtest.h>
-
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/triangle.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
-
-using test::Stroke;
 
 constexpr double kWallEdge = 0.04;
 constexpr double kRatio = 3;
 const Vec3 kSphereCenter(0.013, 0.021, 0.034);
 
 CutSettings settingsWith(double ratio) {
-    CutSettings settings = test::exactSettings();
+    CutSettings settings = exactSettings();
     settings.wallEdgeLength = kWallEdge;
     settings.wallCoarsening = ratio;
     return settings;
 }
 
 Stroke down() {
-    return test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 50);
+    return straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 50);
 }
 
 Stroke inItsPlane() {
-    return test::straightStroke(Vec3(0.003, 0.0012, 0.007), Vec3::UnitX(), Vec3::UnitZ(), 3.0, 2.4,
-                                50);
+    return straightStroke(Vec3(0.003, 0.0012, 0.007), Vec3::UnitX(), Vec3::UnitZ(), 3.0, 2.4, 50);
 }
 
 /// Bends about half a radius aside on its way down.
@@ -59,13 +48,13 @@ struct GradedCase {
 };
 
 std::vector<GradedCase> gradedCases() {
-    const Stroke across = test::straightStroke(kSphereCenter, Vec3(1, 0.2, 0.1).normalized(),
-                                               Vec3::UnitZ(), 3.0, 2.4, 50);
-    return {{"sphere", test::icosphere(3), {down()}},
-            {"ring cut in its plane", test::torus(48, 24), {inItsPlane()}},
-            {"sphere, curved", test::icosphere(3), {curved()}},
-            {"sphere, slit", test::icosphere(3), {slit()}},
-            {"sphere, across a cut", test::icosphere(3), {down(), across}}};
+    const Stroke across =
+        straightStroke(kSphereCenter, Vec3(1, 0.2, 0.1).normalized(), Vec3::UnitZ(), 3.0, 2.4, 50);
+    return {{"sphere", icosphere(3), {down()}},
+            {"ring cut in its plane", torus(48, 24), {inItsPlane()}},
+            {"sphere, curved", icosphere(3), {curved()}},
+            {"sphere, slit", icosphere(3), {slit()}},
+            {"sphere, across a cut", icosphere(3), {down(), across}}};
 }
 
 void run(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke) {
@@ -134,22 +123,22 @@ TEST(GradedWalls, AreThinInsideAndWellShaped) {
                   std::max(longestWallEdge(fine), kRatio * kWallEdge * 4 / 3));
         EXPECT_GT(medianShape(graded), medianShape(fine));
         EXPECT_EQ(checkClosedManifold(graded), "");
-        EXPECT_EQ(test::checkMirroredWalls(graded), "");
+        EXPECT_EQ(checkMirroredWalls(graded), "");
     }
 }
 
 // A stroke of a quarter of a second and a swipe, through a sphere of 81,920 triangles.
 TEST(GradedWalls, AreAQuarterOfTheFineOnesAsSoonAsTheyAreMade) {
-    const SurfaceMesh sphere = test::icosphere(6);
+    const SurfaceMesh sphere = icosphere(6);
     for (const int steps : {15, 1}) {
         SCOPED_TRACE(steps);
         const auto wallsMade = [&](double ratio) {
             SurfaceMesh mesh = sphere;
-            CutSettings settings = test::exactSettings();
+            CutSettings settings = exactSettings();
             settings.wallCoarsening = ratio;
             Cutter cutter(mesh, settings);
             const Stroke stroke =
-                test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, steps);
+                straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, steps);
             cutter.begin(stroke.front());
             for (const Blade& blade : stroke) {
                 EXPECT_EQ(cutter.advance(blade).statistics.refusedPieces, 0);
@@ -165,8 +154,8 @@ TEST(GradedWalls, AreAQuarterOfTheFineOnesAsSoonAsTheyAreMade) {
 TEST(GradedWalls, OfASlowStrokeAreWellShapedToo) {
     const GradedCase sample{
         "slow",
-        test::icosphere(4),
-        {test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 400)}};
+        icosphere(4),
+        {straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 400)}};
     const SurfaceMesh fine = cutBody(sample, 1);
     const SurfaceMesh graded = cutBody(sample, kRatio);
     EXPECT_LT(2 * wallsOf(graded).size(), wallsOf(fine).size());
@@ -180,9 +169,9 @@ struct Lags {
 };
 
 Lags lagsOf(double ratio) {
-    SurfaceMesh mesh = test::icosphere(4);
+    SurfaceMesh mesh = icosphere(4);
     const Stroke stroke =
-        test::straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 400);
+        straightStroke(kSphereCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 400);
     Cutter cutter(mesh, settingsWith(ratio));
     cutter.begin(stroke.front());
     Lags lags;
@@ -211,10 +200,10 @@ TEST(GradedWalls, TheCutterTellsHowFarASlowStrokeLags) {
 TEST(GradedWalls, OfRatioOneAreTheFineOnes) {
     const GradedCase sample = gradedCases().front();
     SurfaceMesh mesh = sample.mesh;
-    CutSettings settings = test::exactSettings();
+    CutSettings settings = exactSettings();
     settings.wallEdgeLength = kWallEdge;
     run(mesh, settings, sample.strokes[0]);
-    EXPECT_EQ(test::fingerprint(cutBody(sample, 1)), test::fingerprint(mesh));
+    EXPECT_EQ(fingerprint(cutBody(sample, 1)), fingerprint(mesh));
 }
 
 }  // namespace

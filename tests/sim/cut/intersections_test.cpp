@@ -1,13 +1,5 @@
 #include "sim/cut/plan/curves/intersections.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/cut/exact/piercing.h"
-#include "sim/mesh/triangle.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
 
@@ -39,11 +31,11 @@ bool triangleHas(const SurfaceMesh& mesh, int t, int v) {
 // The plane z = 0.25 meets the three edges to the top. The long strip keeps its diagonal away.
 class MeetATetrahedron : public ::testing::Test {
   protected:
-    test::StepBench bench{test::unitTetrahedron(), 1};
+    StepBench bench{unitTetrahedron(), 1};
 
     Met meetAt(double from, double to) {
-        bench.begin(test::bladeAt(from, 0.25));
-        return meet(bench.stepTo(test::bladeAt(to, 0.25)));
+        bench.begin(bladeAt(from, 0.25));
+        return meet(bench.stepTo(bladeAt(to, 0.25)));
     }
 };
 
@@ -84,8 +76,8 @@ TEST_F(MeetATetrahedron, TheDiagonalOfTheStripGivesNodesInTwoFaces) {
 
 // Folded along its diagonal, the strip meets the upright edge twice, its first triangle higher up.
 TEST_F(MeetATetrahedron, NodesOfOneEdgeComeInTheOrderInWhichTheyLieOnIt) {
-    bench.begin(test::bladeAt(2, 0.25));
-    const StepInput in = bench.stepTo(test::bladeAt(-1, 0.25));
+    bench.begin(bladeAt(2, 0.25));
+    const StepInput in = bench.stepTo(bladeAt(-1, 0.25));
     PredicatePositions positions(in);
     Strip strip = buildStrip(in, positions);
     ASSERT_EQ(strip.triangles.front(), (Triangle{3, 2, 0}));
@@ -112,9 +104,9 @@ TEST_F(MeetATetrahedron, AStripInTheAirMeetsNothing) {
 class IntersectRefuses : public ::testing::Test {
   protected:
     static std::string reasonFor(const Blade& from, const Blade& to) {
-        test::StepBench bench(test::unitTetrahedron(), 1);
+        StepBench bench(unitTetrahedron(), 1);
         bench.begin(from);
-        return test::reasonOf([&] { meet(bench.stepTo(to)); });
+        return reasonOf([&] { meet(bench.stepTo(to)); });
     }
 };
 
@@ -135,11 +127,11 @@ TEST_F(IntersectRefuses, AnEdgeInTheStrip) {
 
 // The blade goes back behind the front and crosses the plane of its walls.
 TEST(Intersections, TheBladeMustNotMeetTheWallsThatItHasJustMade) {
-    test::StepBench bench(test::icosphere(2), 0.2);
+    StepBench bench(icosphere(2), 0.2);
     bench.begin({{-1, 0.7, 0.01}, {1, 0.7, 0.013}});
     bench.cutTo({{-1, 0.02, 0.01}, {1, 0.02, 0.013}});
     const StepInput in = bench.stepTo({{-1, 0.2, 0.3}, {1, 0.2, -0.3}});
-    EXPECT_EQ(test::reasonOf([&] { meet(in); }), "the blade meets the walls that it has just made");
+    EXPECT_EQ(reasonOf([&] { meet(in); }), "the blade meets the walls that it has just made");
 }
 
 void expectOnEdges(const StepInput& in, const Strip& strip, const CutCurves& curves) {
@@ -193,7 +185,7 @@ void expectOnFaces(const StepInput& in, const Strip& strip, const CutCurves& cur
 /// The place in the layout plane is the same point of the strip.
 void expectLaidOut(const Strip& strip, const CutCurves& curves) {
     for (const CutNode& node : curves.nodes) {
-        const std::optional<Vec3> place = test::placeInStrip(strip, node.layout);
+        const std::optional<Vec3> place = placeInStrip(strip, node.layout);
         ASSERT_TRUE(place.has_value());
         EXPECT_LT((*place - node.position).norm(), kNear);
     }
@@ -298,10 +290,10 @@ int expectCopiesMeetAlike(const SurfaceMesh& mesh, const CutCurves& curves) {
 }
 
 TEST(Intersections, OfRandomStepsAreAllThatStripAndSurfaceShare) {
-    const std::uint32_t seed = test::fuzzSeed(31);
+    const std::uint32_t seed = fuzzSeed(31);
     SCOPED_TRACE("seed " + std::to_string(seed));
     int pairs = 0;
-    const int steps = test::forRandomSteps(seed, 60, [&](const StepInput& in, const PlannedStep&) {
+    const int steps = forRandomSteps(seed, 60, [&](const StepInput& in, const PlannedStep&) {
         const auto [strip, curves] = meet(in);
         expectOnEdges(in, strip, curves);
         expectOnFaces(in, strip, curves);
@@ -316,10 +308,10 @@ TEST(Intersections, OfRandomStepsAreAllThatStripAndSurfaceShare) {
 }
 
 TEST(Intersections, TheFrontsEndsAreNodesOfTheirVertices) {
-    test::StepBench bench(test::box(), 0.25);
-    bench.begin(test::bladeAt(1, 0.1));
-    bench.cutTo(test::bladeAt(-0.2, 0.1));
-    const CutCurves curves = meet(bench.stepTo(test::bladeAt(-0.3, 0.1))).curves;
+    StepBench bench(box(), 0.25);
+    bench.begin(bladeAt(1, 0.1));
+    bench.cutTo(bladeAt(-0.2, 0.1));
+    const CutCurves curves = meet(bench.stepTo(bladeAt(-0.3, 0.1))).curves;
     const std::vector<RungNode>& rung = bench.rung();
     for (const RungNode& end : {rung[1], rung[rung.size() - 2]}) {
         const int id = curves.nodeOfVertex.find(end.vertex);

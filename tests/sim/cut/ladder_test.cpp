@@ -1,29 +1,23 @@
 #include "sim/cut/stroke/ladder.h"
 
-#include <gtest/gtest.h>
-
-#include "tests/support/cut_fuzz.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf::cut {
 namespace {
 
 /// What a stroke is judged by.
-struct Outcome {
+struct LadderOutcome {
     int refused = 0;
     int cutAnew = 0;
     int slitEnds = 0;
-    bool operator==(const Outcome&) const = default;
+    bool operator==(const LadderOutcome&) const = default;
 };
 
 /// A seed of the fuzz, whatever its positions are kept in.
-Outcome played(std::uint64_t seed) {
-    test::FuzzReport report;
-    test::fuzzOnce(seed, report);
-    Outcome outcome;
-    for (const test::FuzzSetting setting : test::kFuzzSettings) {
-        const test::FuzzFigures figures = report.total(setting);
+LadderOutcome played(std::uint64_t seed) {
+    FuzzReport report;
+    fuzzOnce(seed, report);
+    LadderOutcome outcome;
+    for (const FuzzSetting setting : kFuzzSettings) {
+        const FuzzFigures figures = report.total(setting);
         EXPECT_EQ(figures.invalid, 0);
         outcome.refused += figures.refused;
         outcome.cutAnew += figures.resumed;
@@ -32,15 +26,15 @@ Outcome played(std::uint64_t seed) {
     return outcome;
 }
 
-Outcome playedWithout(Level level, std::uint64_t seed) {
+LadderOutcome playedWithout(Level level, std::uint64_t seed) {
     const WithoutLevel without(level);
     return played(seed);
 }
 
 /// The stroke comes through, and without the level its front is let go or ends inside the body.
 void expectNeeded(Level level, std::uint64_t seed) {
-    EXPECT_EQ(played(seed), Outcome{});
-    EXPECT_NE(playedWithout(level, seed), Outcome{});
+    EXPECT_EQ(played(seed), LadderOutcome{});
+    EXPECT_NE(playedWithout(level, seed), LadderOutcome{});
 }
 
 TEST(Ladder, WithoutTheBladeInItsPlaneAFoilComesOff) {
@@ -51,11 +45,10 @@ TEST(Ladder, WithoutTheBladeInItsPlaneAFoilComesOff) {
             without.emplace(Level::asIs);
         }
         for (const double side : {-0.5, 0.5}) {
-            SurfaceMesh mesh = test::box();
-            test::runStroke(
-                mesh, CutSettings{},
-                test::straightStroke({0, side, 0}, Vec3::UnitX(), Vec3::UnitZ(), 3, 3, 17));
-            pieces += test::piecesOf(mesh);
+            SurfaceMesh mesh = box();
+            runStroke(mesh, CutSettings{},
+                      straightStroke({0, side, 0}, Vec3::UnitX(), Vec3::UnitZ(), 3, 3, 17));
+            pieces += piecesOf(mesh);
         }
         EXPECT_EQ(pieces, inPlane ? 2 : 2 + 3);
     }

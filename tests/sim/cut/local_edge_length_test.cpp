@@ -1,12 +1,4 @@
-#include <gtest/gtest.h>
-
-#include <iostream>
-
-#include "sim/body/rest_geometry.h"
-#include "sim/cut/stroke/cutter.h"
 #include "sim/cut/surface/edge_length_field.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -54,11 +46,10 @@ struct Ratios {
     double coarse;  ///< where it is coarse
 };
 
-Ratios ratiosAfter(const SurfaceMesh& body, const test::Stroke& stroke,
-                   const CutSettings& settings) {
+Ratios ratiosAfter(const SurfaceMesh& body, const Stroke& stroke, const CutSettings& settings) {
     SurfaceMesh mesh = body;
     Cutter cutter(mesh, settings);
-    const test::CutCheck check = test::runStroke(cutter, mesh, stroke);
+    const CutCheck check = runStroke(cutter, mesh, stroke);
     EXPECT_EQ(check.problem, "");
     EXPECT_EQ(check.refused, 0);
     EXPECT_GT(check.cuts, 0);
@@ -70,7 +61,7 @@ Ratios ratiosAfter(const SurfaceMesh& body, const test::Stroke& stroke,
 }
 
 TEST(EdgeLengthField, IsTheMeanEverywhereInAnEvenBody) {
-    for (const SurfaceMesh& mesh : {test::icosphere(3), test::cubeSphere(8), test::torus()}) {
+    for (const SurfaceMesh& mesh : {icosphere(3), cubeSphere(8), test::torus()}) {
         const EdgeLengthField field = EdgeLengthField::ofSkin(mesh);
         EXPECT_TRUE(field.isEven());
         EXPECT_EQ(field.localEdgeLength(Vec3(0.1, 0.2, 0.3)), field.mean());
@@ -78,7 +69,7 @@ TEST(EdgeLengthField, IsTheMeanEverywhereInAnEvenBody) {
 }
 
 TEST(EdgeLengthField, FollowsTheSkinAndGrowsSmoothlyInside) {
-    const SurfaceMesh mesh = test::gradedSphere();
+    const SurfaceMesh mesh = gradedSphere();
     const EdgeLengthField field = EdgeLengthField::ofSkin(mesh);
     ASSERT_FALSE(field.isEven());
     const double diagonal = std::sqrt(3.0);
@@ -106,7 +97,7 @@ TEST(EdgeLengthField, DividesAPieceWhereItsEdgesBelong) {
     EXPECT_NEAR(thirds[1], 2.0 / 3, 1e-15);
     EXPECT_EQ(thirds[2], 1);
 
-    const EdgeLengthField graded = EdgeLengthField::ofSkin(test::gradedSphere());
+    const EdgeLengthField graded = EdgeLengthField::ofSkin(gradedSphere());
     const Vec3 from(-0.45, 0, 0);
     const Vec3 way(0.9, 0, 0);
     double at = 0;
@@ -125,19 +116,19 @@ TEST(LocalEdgeLength, WallsOfAGradedBodyAreAsFineAsTheSkinBeside) {
     const Vec3 center(0.003, 0.002, 0.011);
     struct Case {
         const char* name;
-        test::Stroke stroke;
+        Stroke stroke;
     };
     const std::vector<Case> cases{
-        {"blade along", test::straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 240)},
-        {"blade across", test::straightStroke(center, Vec3::UnitY(), Vec3::UnitX(), 3, 2.4, 240)},
-        {"swipe", test::straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 2)}};
+        {"blade along", straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 240)},
+        {"blade across", straightStroke(center, Vec3::UnitY(), Vec3::UnitX(), 3, 2.4, 240)},
+        {"swipe", straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 2)}};
     for (const auto& [bodyName, body] :
-         {std::pair("sphere", test::gradedSphere()), std::pair("torus", test::gradedTorus())}) {
+         {std::pair("sphere", gradedSphere()), std::pair("torus", gradedTorus())}) {
         for (const Case& c : cases) {
-            CutSettings even = test::exactSettings();
+            CutSettings even = exactSettings();
             even.wallEdgeLength = EdgeLengthField::ofSkin(body).mean();
             const Ratios before = ratiosAfter(body, c.stroke, even);
-            const Ratios local = ratiosAfter(body, c.stroke, test::exactSettings());
+            const Ratios local = ratiosAfter(body, c.stroke, exactSettings());
             std::cout << bodyName << ", " << c.name << ": fine " << before.fine << " -> "
                       << local.fine << ", coarse " << before.coarse << " -> " << local.coarse
                       << "\n";
@@ -153,11 +144,11 @@ TEST(LocalEdgeLength, WallsOfAGradedBodyAreAsFineAsTheSkinBeside) {
 // Edge lengths are those of the place at rest, which for new points of a wall is a guess.
 TEST(LocalEdgeLength, SoTheyAreWhereItHasTurned) {
     const Vec3 center(0.003, 0.002, 0.011);
-    const SurfaceMesh body = turned(test::gradedSphere());
+    const SurfaceMesh body = turned(gradedSphere());
     for (const int steps : {2, 240}) {
-        const Ratios ratios = ratiosAfter(
-            body, test::straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps),
-            test::exactSettings());
+        const Ratios ratios =
+            ratiosAfter(body, straightStroke(center, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps),
+                        exactSettings());
         EXPECT_GT(ratios.fine, 0.5) << steps;
         EXPECT_LT(ratios.fine, 2.0) << steps;
         EXPECT_GT(ratios.coarse, 0.4) << steps;

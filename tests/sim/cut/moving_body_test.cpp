@@ -1,30 +1,20 @@
 // What a solver does to a body between two steps of the blade, each alone and exaggerated.
 
-#include <gtest/gtest.h>
-
-#include "sim/cut/stroke/cutter.h"
 #include "sim/cut/surface/piece_groups.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
 
-using test::CutCheck;
-using test::piecesOf;
-using test::Stroke;
-
 const Vec3 kCenter(0.013, 0.021, 0.034);
 
-Stroke down(int steps = 60) {
-    return test::straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, steps);
+Stroke downThrough(int steps = 60) {
+    return straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, steps);
 }
 
 void expectParted(const SurfaceMesh& mesh, const CutCheck& check) {
     EXPECT_EQ(check.problem, "");
     EXPECT_EQ(check.refused, 0) << check.reason;
-    EXPECT_EQ(test::slitEdges(mesh, 0), 0);
+    EXPECT_EQ(slitEdges(mesh, 0), 0);
     EXPECT_EQ(piecesOf(mesh), 2);
 }
 
@@ -78,10 +68,10 @@ std::vector<int> rowBehind(const SurfaceMesh& mesh, const std::vector<RungNode>&
 
 TEST(MovingBody, RisingThroughTheBladeInTheAirIsCutFromItsSkinOn) {
     for (const double rise : {0.01, 0.03, 0.06}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
         const CutCheck check =
-            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+            runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int step) {
                 if (step == 19) {  // the blade has come to y = 0.50
                     shift(body, allVertices(body), Vec3(0, rise, 0));
                 }
@@ -90,7 +80,7 @@ TEST(MovingBody, RisingThroughTheBladeInTheAirIsCutFromItsSkinOn) {
     }
 }
 
-int wallsOf(const SurfaceMesh& mesh) {
+int wallCountOf(const SurfaceMesh& mesh) {
     int walls = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         walls += mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall;
@@ -102,19 +92,18 @@ int wallsOf(const SurfaceMesh& mesh) {
 TEST(MovingBody, RisingThroughTheBladeInTheAirMakesNoMoreWalls) {
     const Vec3 aside(0.9, 0, 0);
     const Stroke stroke =
-        test::straightStroke(kCenter + aside, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 60);
+        straightStroke(kCenter + aside, Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 60);
     std::vector<int> walls;
     for (const double rise : {0.0, 0.03}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
-        const CutCheck check =
-            test::runStroke(cutter, mesh, stroke, [&](SurfaceMesh& body, int step) {
-                if (step == 19) {
-                    shift(body, allVertices(body), Vec3(0, rise, 0));
-                }
-            });
+        const CutCheck check = runStroke(cutter, mesh, stroke, [&](SurfaceMesh& body, int step) {
+            if (step == 19) {
+                shift(body, allVertices(body), Vec3(0, rise, 0));
+            }
+        });
         expectParted(mesh, check);
-        walls.push_back(wallsOf(mesh));
+        walls.push_back(wallCountOf(mesh));
     }
     EXPECT_NEAR(walls[1], walls[0], 0.1 * walls[0]);
 }
@@ -132,10 +121,10 @@ void turnAndBend(SurfaceMesh& mesh, double angle, double phase) {
 // A front of a single edge: the strip to the far ends of the blade would fold back onto its walls.
 TEST(MovingBody, AShortFrontMayLeanAgainstALongBlade) {
     for (const double angle : {0.02, 0.06, 0.1}) {
-        SurfaceMesh mesh = test::box({0.1, 1, 1}, 4);
+        SurfaceMesh mesh = box({0.1, 1, 1}, 4);
         Cutter cutter(mesh, CutSettings{});
-        const CutCheck check = test::runStroke(
-            cutter, mesh, down(),
+        const CutCheck check = runStroke(
+            cutter, mesh, downThrough(),
             [&](SurfaceMesh& body, int step) { turnAndBend(body, angle * (step % 3), step); });
         expectParted(mesh, check);
         EXPECT_EQ(check.retried, 0);
@@ -147,10 +136,10 @@ TEST(MovingBody, AShortFrontMayLeanAgainstALongBlade) {
 TEST(MovingBody, WhatFallsAlongWithTheBladeIsCutOnceItStands) {
     const Vec3 fall(0, -0.041, 0);  // a little faster than the blade
     for (const double slip : {-0.005, 0.003, 0.01, 0.02, 0.03, 0.05}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
         const CutCheck check =
-            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+            runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int step) {
                 if (step > 27 && step < 36) {
                     shift(body, allVertices(body), fall + Vec3(0, 0, slip));
                 }
@@ -162,27 +151,27 @@ TEST(MovingBody, WhatFallsAlongWithTheBladeIsCutOnceItStands) {
 TEST(MovingBody, AFrontEndThatSlidesOverItsNeighboursIsNoReasonToRefuse) {
     const double h = 0.08;
     for (const double slip : {0.1, 0.2, 0.3}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
         const CutCheck check =
-            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+            runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int step) {
                 const Vec3 aside(0, 0, step % 2 == 0 ? slip * h : -slip * h);
                 const Vec3 up(0, 0.5 * slip * h, 0);
                 shift(body, frontEnds(cutter.rung()), aside + up);
             });
         EXPECT_EQ(check.problem, "");
         EXPECT_EQ(check.refused, 0) << check.reason;
-        EXPECT_EQ(test::slitEdges(mesh, 0), 0);
+        EXPECT_EQ(slitEdges(mesh, 0), 0);
         EXPECT_GE(piecesOf(mesh), 2);
     }
 }
 
 TEST(MovingBody, WallsThatBendAheadOfTheFrontDoNotStopTheBlade) {
     for (const int when : {25, 31, 37}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
         const CutCheck check =
-            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+            runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int step) {
                 if (step == when) {
                     shift(body, rowBehind(body, cutter.rung()), Vec3(0, -0.12, 0.01));
                 }
@@ -193,10 +182,10 @@ TEST(MovingBody, WallsThatBendAheadOfTheFrontDoNotStopTheBlade) {
 
 TEST(MovingBody, AnInnerFrontVertexThatCameOutThroughTheSkinIsNoReasonToRefuse) {
     for (const double out : {0.005, 0.02}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Cutter cutter(mesh, CutSettings{});
         const CutCheck check =
-            test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int step) {
+            runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int step) {
                 if (step != 43) {  // the blade stands at y = -0.46, 0.04 above the skin
                     return;
                 }
@@ -211,34 +200,34 @@ TEST(MovingBody, AnInnerFrontVertexThatCameOutThroughTheSkinIsNoReasonToRefuse) 
 }
 
 TEST(MovingBody, HalvesThatOverlapAreCutEachForItself) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     Cutter cutter(mesh, CutSettings{});
-    test::runStroke(cutter, mesh, down());
+    runStroke(cutter, mesh, downThrough());
     const PieceMap halves = findPieces(mesh);
     ASSERT_EQ(halves.pieces.size(), 2u);
-    const double side = test::meanSide(mesh, halves, 0, kCenter, Vec3::UnitZ()) > 0 ? -1.0 : 1.0;
+    const double side = meanSide(mesh, halves, 0, kCenter, Vec3::UnitZ()) > 0 ? -1.0 : 1.0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (halves.ofVertex[v] == 0) {
             mesh.setPosition(v, mesh.position(v) + Vec3(0.03, -0.05, side * 0.2));
         }
     }
-    const Stroke across = test::straightStroke(kCenter, Vec3(0.05, 0.02, 1).normalized(),
-                                               -Vec3::UnitY(), 3.0, 2.4, 60);
-    const CutCheck check = test::runStroke(cutter, mesh, across);
+    const Stroke across =
+        straightStroke(kCenter, Vec3(0.05, 0.02, 1).normalized(), -Vec3::UnitY(), 3.0, 2.4, 60);
+    const CutCheck check = runStroke(cutter, mesh, across);
     EXPECT_EQ(check.problem, "");
     EXPECT_EQ(check.refused, 0) << check.reason;
     EXPECT_EQ(check.retried, 0) << check.reason;
-    EXPECT_EQ(test::slitEdges(mesh, 1), 0);
+    EXPECT_EQ(slitEdges(mesh, 1), 0);
     EXPECT_EQ(piecesOf(mesh), 4);
 }
 
 TEST(MovingBody, TheFrontHasRoomAtItsEnds) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     CutSettings settings;
     settings.wallEdgeLength = 0.08;
     Cutter cutter(mesh, settings);
     int looked = 0;
-    test::runStroke(cutter, mesh, down(), [&](SurfaceMesh& body, int) {
+    runStroke(cutter, mesh, downThrough(), [&](SurfaceMesh& body, int) {
         const std::vector<RungNode>& rung = cutter.rung();
         for (std::size_t i = 1; i + 2 < rung.size(); ++i) {
             const bool whole = rung[i].attached && rung[i + 1].vertex >= 0;
@@ -255,8 +244,8 @@ TEST(MovingBody, TheFrontHasRoomAtItsEnds) {
 }
 
 TEST(PieceGroups, KeepPiecesTogetherUntilTheyPart) {
-    SurfaceMesh mesh = test::icosphere(2);
-    test::runStroke(mesh, test::exactSettings(), down());
+    SurfaceMesh mesh = icosphere(2);
+    runStroke(mesh, exactSettings(), downThrough());
     const PieceLabels halves(mesh);
     ASSERT_EQ(halves.pieces().size(), 2u);
     const auto groups = [&](const std::vector<int>& before) {

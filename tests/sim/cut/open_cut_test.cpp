@@ -1,22 +1,12 @@
 // The open cut: hollow while the blade moves, patched when the stroke ends.
-#include <gtest/gtest.h>
 
-#include <random>
-
-#include "sim/body/body_updater.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
 #include "tests/support/open_manifold.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
 
-using test::Stroke;
-
 CutSettings openSettings() {
-    CutSettings settings = test::exactSettings();
+    CutSettings settings = exactSettings();
     settings.offset = 1e-10;
     settings.tolerance = 1e-12;
     settings.openCut = true;
@@ -24,15 +14,15 @@ CutSettings openSettings() {
 }
 
 Stroke through(const Vec3& center, const Vec3& along, const Vec3& travel) {
-    return test::straightStroke(center, along, travel, 3.0, 2.4, 40);
+    return straightStroke(center, along, travel, 3.0, 2.4, 40);
 }
 
 /// What a body is made of while its stroke is open.
 void expectOpen(const SurfaceMesh& mesh, const BodyModel& model) {
-    EXPECT_EQ(test::checkOpenManifold(mesh), "");
+    EXPECT_EQ(checkOpenManifold(mesh), "");
     const std::size_t absent = absentTriangles(mesh).size();
     EXPECT_EQ(model.triangles.size() + absent, static_cast<std::size_t>(mesh.aliveTriangles()));
-    const std::size_t border = test::borderHalfEdges(mesh).size();
+    const std::size_t border = borderHalfEdges(mesh).size();
     EXPECT_GT(border, 0u);
     EXPECT_EQ(2 * model.edges.size(), 3 * model.triangles.size() + border);
     for (const BendConstraint& bend : model.bends) {
@@ -97,7 +87,7 @@ Outcome runOpen(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& st
         follow(cutter.advance(stroke[i]));
         if (!absentTriangles(mesh).empty()) {
             ++outcome.openSteps;
-            EXPECT_FALSE(test::borderHalfEdges(mesh).empty());
+            EXPECT_FALSE(borderHalfEdges(mesh).empty());
             bool anyOpen = false;
             for (const PieceModel& piece : body.model().pieces) {
                 anyOpen = anyOpen || piece.open;
@@ -115,7 +105,7 @@ Outcome runOpen(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& st
     outcome.closing = end.statistics.closing;
     EXPECT_LT(mesh.openStroke(), 0);
     EXPECT_TRUE(absentTriangles(mesh).empty());
-    EXPECT_EQ(test::checkMirroredWalls(mesh), "");
+    EXPECT_EQ(checkMirroredWalls(mesh), "");
     const BodyModel fresh = buildBodyModel(mesh);
     expectSameModel(body.model(), fresh);
     EXPECT_EQ(body.model().ispcs.size(), fresh.ispcs.size());
@@ -123,46 +113,41 @@ Outcome runOpen(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& st
     return outcome;
 }
 
-void expectHalves(SurfaceMesh mesh, bool cleanUp, const Stroke& stroke, const Vec3& point,
+void expectHalves(const SurfaceMesh& whole, const Stroke& stroke, const Vec3& point,
                   const Vec3& normal, int wounds) {
-    const test::HalfSpaceVolumes expected = test::clipVolumes(mesh, point, normal);
-    const double whole = meshVolume(mesh);
-    CutSettings settings = openSettings();
-    settings.cleanUp = cleanUp;
-    const Outcome outcome = runOpen(mesh, settings, stroke);
-    EXPECT_GT(outcome.openSteps, 10);
-    EXPECT_EQ(outcome.closing.patches, wounds);
-    EXPECT_EQ(outcome.closing.unpatched, 0) << outcome.closing.reason;
-    EXPECT_EQ(outcome.closing.slits, 0);
-    const PieceMap map = findPieces(mesh);
-    ASSERT_EQ(map.pieces.size(), 2u);
-    // In a planar loop a flat patch is the wall. Clean-up moves rims and keeps volume by the wall's
-    // inner points, which a patch has not.
-    const double tolerance = (cleanUp ? 5e-4 : 1e-9) * whole;
-    for (int p = 0; p < 2; ++p) {
-        const bool above = test::meanSide(mesh, map, p, point, normal) > 0;
-        EXPECT_NEAR(map.pieces[p].volume, above ? expected.above : expected.below, tolerance);
-    }
-}
-
-void expectHalves(const SurfaceMesh& mesh, const Stroke& stroke, const Vec3& point,
-                  const Vec3& normal, int wounds) {
+    const HalfSpaceVolumes expected = clipVolumes(whole, point, normal);
     for (const bool cleanUp : {false, true}) {
         SCOPED_TRACE(cleanUp ? "with clean-up" : "without clean-up");
-        expectHalves(mesh, cleanUp, stroke, point, normal, wounds);
+        SurfaceMesh mesh = whole;
+        CutSettings settings = openSettings();
+        settings.cleanUp = cleanUp;
+        const Outcome outcome = runOpen(mesh, settings, stroke);
+        EXPECT_GT(outcome.openSteps, 10);
+        EXPECT_EQ(outcome.closing.patches, wounds);
+        EXPECT_EQ(outcome.closing.unpatched, 0) << outcome.closing.reason;
+        EXPECT_EQ(outcome.closing.slits, 0);
+        const PieceMap map = findPieces(mesh);
+        ASSERT_EQ(map.pieces.size(), 2u);
+        // In a planar loop a flat patch is the wall. Clean-up moves rims and keeps volume by the
+        // wall's inner points, which a patch has not.
+        const double tolerance = (cleanUp ? 5e-4 : 1e-9) * meshVolume(whole);
+        for (int p = 0; p < 2; ++p) {
+            const bool above = meanSide(mesh, map, p, point, normal) > 0;
+            EXPECT_NEAR(map.pieces[p].volume, above ? expected.above : expected.below, tolerance);
+        }
     }
 }
 
 TEST(OpenCut, SphereInTwo) {
     const Vec3 center(0.013, 0.021, 0.034);
-    expectHalves(test::icosphere(3), through(center, Vec3::UnitX(), -Vec3::UnitY()), center,
+    expectHalves(icosphere(3), through(center, Vec3::UnitX(), -Vec3::UnitY()), center,
                  Vec3::UnitZ(), 1);
 }
 
 TEST(OpenCut, CoarseSpheresInTwo) {
     const Vec3 center(0.013, 0.021, 0.034);
     for (const int subdivisions : {0, 1}) {
-        expectHalves(test::icosphere(subdivisions), through(center, Vec3::UnitX(), -Vec3::UnitY()),
+        expectHalves(icosphere(subdivisions), through(center, Vec3::UnitX(), -Vec3::UnitY()),
                      center, Vec3::UnitZ(), 1);
     }
 }
@@ -170,20 +155,19 @@ TEST(OpenCut, CoarseSpheresInTwo) {
 TEST(OpenCut, BoxInTwoAlongItsEdgesAndBetweenThem) {
     for (const double z : {0.0, 0.07}) {
         const Vec3 center(0.003, 0.001, z);
-        expectHalves(test::box(Vec3::Ones(), 4), through(center, Vec3::UnitX(), -Vec3::UnitY()),
-                     center, Vec3::UnitZ(), 1);
+        expectHalves(box(Vec3::Ones(), 4), through(center, Vec3::UnitX(), -Vec3::UnitY()), center,
+                     Vec3::UnitZ(), 1);
     }
 }
 
 TEST(OpenCut, TorusAcrossHasALoopInEachArm) {
     const Vec3 center(0.003, 0.001, 0.007);
-    expectHalves(test::torus(), through(center, Vec3::UnitX(), -Vec3::UnitY()), center,
-                 Vec3::UnitZ(), 2);
+    expectHalves(torus(), through(center, Vec3::UnitX(), -Vec3::UnitY()), center, Vec3::UnitZ(), 2);
 }
 
 TEST(OpenCut, TorusInItsPlanePairsTheOuterLoopWithTheInner) {
     const Vec3 center(0.003, 0.0012, 0.007);
-    SurfaceMesh mesh = test::torus();
+    SurfaceMesh mesh = torus();
     expectHalves(mesh, through(center, Vec3::UnitX(), Vec3::UnitZ()), center, Vec3::UnitY(), 1);
     // Each half is a ring still: V - E + F = 0.
     runOpen(mesh, openSettings(), through(center, Vec3::UnitX(), Vec3::UnitZ()));
@@ -195,21 +179,21 @@ TEST(OpenCut, TorusInItsPlanePairsTheOuterLoopWithTheInner) {
 
 TEST(OpenCut, AnIncisionEndsAsInTheClosedCourse) {
     const Stroke stroke =
-        test::straightStroke(Vec3(0.02, 0.63, 0.013), Vec3::UnitY(), Vec3::UnitX(), 0.8, 0.5, 24);
-    SurfaceMesh open = test::icosphere(3);
+        straightStroke(Vec3(0.02, 0.63, 0.013), Vec3::UnitY(), Vec3::UnitX(), 0.8, 0.5, 24);
+    SurfaceMesh open = icosphere(3);
     const Outcome outcome = runOpen(open, openSettings(), stroke);
     EXPECT_EQ(outcome.closing.slits, 1);
     EXPECT_EQ(outcome.closing.patches, 0);
-    SurfaceMesh closed = test::icosphere(3);
+    SurfaceMesh closed = icosphere(3);
     CutSettings settings = openSettings();
     settings.openCut = false;
-    test::runStroke(closed, settings, stroke);
+    runStroke(closed, settings, stroke);
     EXPECT_GT(open.aliveTriangles(), 1280);
-    EXPECT_EQ(test::fingerprint(open), test::fingerprint(closed));
+    EXPECT_EQ(fingerprint(open), fingerprint(closed));
 }
 
 TEST(OpenCut, APatchMayBeCutAgain) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     const double whole = meshVolume(mesh);
     const Vec3 center(0.013, 0.021, 0.034);
     CutSettings settings = openSettings();
@@ -228,9 +212,7 @@ TEST(OpenCut, CurvedStrokesCloseEitherWay) {
     int patches = 0;
     for (int run = 0; run < 12; ++run) {
         SCOPED_TRACE("run " + std::to_string(run) + " of seed " + std::to_string(kSeed));
-        SurfaceMesh mesh = run % 3 == 0   ? test::icosphere(2)
-                           : run % 3 == 1 ? test::torus(24, 12)
-                                          : test::bentTube();
+        SurfaceMesh mesh = run % 3 == 0 ? icosphere(2) : run % 3 == 1 ? torus(24, 12) : bentTube();
         const double whole = meshVolume(mesh);
         const double bend = 0.3 * any(random);
         const double twist = 0.4 * any(random);

@@ -1,21 +1,10 @@
 #include "sim/cut/plan/curves/outline.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
 
-using test::bladeAt;
-using test::StepBench;
-
 constexpr double kOutlineH = 0.25;
-constexpr double kNear = 1e-9;
+constexpr double kNearBorder = 1e-9;
 
 /// Strip, curves and outline of a step, from curves that may have been changed.
 struct Traced {
@@ -45,13 +34,13 @@ int countOf(const Outline& outline, OutlineKind kind) {
 }
 
 double areaOf(const Traced& traced) {
-    return test::layoutArea(traced.curves.nodes, traced.outline.edges);
+    return layoutArea(traced.curves.nodes, traced.outline.edges);
 }
 
 /// A box of size 1 about the origin, and a blade in the plane z = 0.1.
 class OutlineInABox : public ::testing::Test {
   protected:
-    StepBench bench{test::box(), kOutlineH};
+    StepBench bench{box(), kOutlineH};
 
     Traced fromAbove(double to) {
         bench.begin(bladeAt(1, 0.1));
@@ -133,16 +122,15 @@ TEST_F(OutlineInABox, TakesWallsThatPierceEachOtherALittleInTheirOrder) {
 }
 
 TEST_F(OutlineInABox, OfTwoBodiesInOnePlaceIsThatOfEachApart) {
-    StepBench both(test::meshOf(test::joined(test::boxSoup(), test::boxSoup(), {0.3, 0.1, 0.05})),
-                   kOutlineH);
+    StepBench both(meshOf(joined(boxSoup(), boxSoup(), {0.3, 0.1, 0.05})), kOutlineH);
     both.begin(bladeAt(1, 0.13));
     const Traced traced = trace(both.stepTo(bladeAt(-0.2, 0.13)));
     std::array<std::vector<OutlineEdge>, 2> ofPiece;
     for (const OutlineEdge& edge : traced.outline.edges) {
         ofPiece.at(edge.piece).push_back(edge);
     }
-    EXPECT_NEAR(test::layoutArea(traced.curves.nodes, ofPiece[0]), 0.7, 1e-12);
-    EXPECT_NEAR(test::layoutArea(traced.curves.nodes, ofPiece[1]), 0.8, 1e-12);
+    EXPECT_NEAR(layoutArea(traced.curves.nodes, ofPiece[0]), 0.7, 1e-12);
+    EXPECT_NEAR(layoutArea(traced.curves.nodes, ofPiece[1]), 0.8, 1e-12);
 }
 
 /// Contradictions, made by a change of strip or curves.
@@ -151,13 +139,13 @@ class OutlineRefuses : public OutlineInABox {
     std::string reasonFor(const Change& change) {
         bench.begin(bladeAt(1, 0.1));
         const StepInput in = bench.stepTo(bladeAt(-0.2, 0.1));
-        return test::reasonOf([&] { trace(in, change); });
+        return reasonOf([&] { trace(in, change); });
     }
     std::string reasonBehindFront(const Change& change) {
         bench.begin(bladeAt(1, 0.1));
         bench.cutTo(bladeAt(-0.2, 0.1));
         const StepInput in = bench.stepTo(bladeAt(-0.4, 0.1));
-        return test::reasonOf([&] { trace(in, change); });
+        return reasonOf([&] { trace(in, change); });
     }
     static bool isOnBorder(const Strip& strip, const CutNode& node) {
         return node.kind == NodeKind::face && strip.edges[node.stripEdge].onBorder;
@@ -294,7 +282,7 @@ void expectKinds(const StepInput& in, const Traced& traced) {
         const CutNode& from = curves.nodes[edge.from];
         const CutNode& to = curves.nodes[edge.to];
         if (edge.kind == OutlineKind::free) {
-            EXPECT_LT(distanceToBorder(strip, 0.5 * (from.layout + to.layout)), kNear);
+            EXPECT_LT(distanceToBorder(strip, 0.5 * (from.layout + to.layout)), kNearBorder);
         } else if (edge.kind == OutlineKind::front) {
             const int h = in.mesh.findHalfEdge(from.a, to.a);
             ASSERT_GE(h, 0);
@@ -318,7 +306,7 @@ void expectFront(const StepInput& in, const Traced& traced) {
     }
     const auto isInside = [&](int node) {
         return !traced.strip.isOld(node) &&
-               test::windingNumber(in.mesh, traced.strip.nodes[node].position) > 0.5;
+               windingNumber(in.mesh, traced.strip.nodes[node].position) > 0.5;
     };
     EXPECT_EQ(outline.endAInside, isInside(traced.strip.newRung.front()));
     EXPECT_EQ(outline.endBInside, isInside(traced.strip.newRung.back()));
@@ -358,18 +346,18 @@ void expectSeparates(const StepInput& in, const Traced& traced, std::mt19937& ra
         const Vec3 place = mixed([&](int k) -> const Vec3& { return strip.nodes[k].position; });
         if (!isNearOutline(traced.curves, traced.outline, layout)) {
             EXPECT_EQ(windingAround(traced.curves, traced.outline, layout),
-                      std::lround(test::windingNumber(in.mesh, place)));
+                      std::lround(windingNumber(in.mesh, place)));
         }
     }
 }
 
 TEST(Outline, OfRandomStepsSeparatesTheInsideFromTheAir) {
-    const std::uint32_t seed = test::fuzzSeed(41);
+    const std::uint32_t seed = fuzzSeed(41);
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random{seed};
     int front = 0;
     int inside = 0;
-    const int steps = test::forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep&) {
+    const int steps = forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep&) {
         const Traced traced = trace(in);
         expectClosed(traced.curves, traced.outline);
         expectCurvesAreCut(traced.curves, traced.outline);

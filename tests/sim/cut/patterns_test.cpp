@@ -1,10 +1,3 @@
-#include <gtest/gtest.h>
-
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
 
@@ -25,7 +18,7 @@ SurfaceMesh wedge() {
 }
 
 CutSettings wedgeSettings() {
-    CutSettings settings = test::exactSettings();
+    CutSettings settings = exactSettings();
     settings.wallEdgeLength = 0.3;
     settings.gate = 0.1;
     return settings;
@@ -75,7 +68,7 @@ class Patterns : public ::testing::Test {
 
     void TearDown() override {
         EXPECT_EQ(checkClosedManifold(mesh), "");
-        EXPECT_EQ(test::checkMirroredWalls(mesh), "");
+        EXPECT_EQ(checkMirroredWalls(mesh), "");
         EXPECT_NEAR(meshVolume(mesh), meshVolume(wedge()), 1e-12);
     }
 };
@@ -143,10 +136,10 @@ TEST(PatternNames, AreThoseOfThePaper) {
 
 TEST(Seeds, EveryArmIsFound) {
     // In one step through both arms of the ring, the curves on them are apart.
-    SurfaceMesh ring = test::torus();
-    Cutter cutter(ring, test::exactSettings());
-    const test::Stroke stroke =
-        test::straightStroke(Vec3(0.003, 0.001, 0.007), Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 1);
+    SurfaceMesh ring = torus();
+    Cutter cutter(ring, exactSettings());
+    const Stroke stroke =
+        straightStroke(Vec3(0.003, 0.001, 0.007), Vec3::UnitX(), -Vec3::UnitY(), 3.0, 2.4, 1);
     cutter.begin(stroke[0]);
     const CutResult result = cutter.advance(stroke[1]);
     EXPECT_EQ(result.statistics.seeds, 2);

@@ -1,22 +1,9 @@
 #include "sim/cut/plan/seams.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 #include "sim/cut/plan/plan.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/facing_walls.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
 
 namespace kerf::cut {
 namespace {
-
-using test::Stages;
-using test::StepBench;
 
 constexpr double kSeamH = 0.25;
 constexpr double kRounding = 1e-9;  // of numbers that the two walls have in common
@@ -27,8 +14,8 @@ constexpr double kRounding = 1e-9;  // of numbers that the two walls have in com
 class CrossingAtAnAngle {
   public:
     CrossingAtAnAngle(double angle, double y, double gap = 0) : slope_(std::tan(angle)), y_(y) {
-        bench.begin(test::bladeAt(1, 0.1));
-        bench.cutTo(test::bladeAt(-1, 0.1));
+        bench.begin(bladeAt(1, 0.1));
+        bench.cutTo(bladeAt(-1, 0.1));
         liftUpperHalf(gap);
         letMove();
         bench.seesSlitsOpen = true;
@@ -40,7 +27,7 @@ class CrossingAtAnAngle {
         return {{-2, y, z + 0.001}, {2, y, z - 0.001}};
     }
 
-    StepBench bench{test::box(Vec3::Ones(), 2), kSeamH};
+    StepBench bench{box(Vec3::Ones(), 2), kSeamH};
 
   private:
     void liftUpperHalf(double gap) {
@@ -196,7 +183,7 @@ void expectOnlyAdds(const SurfaceMesh& mesh, const CutCurves& before, const CutC
 }
 
 int expectSeams(const StepInput& in) {
-    const Stages stages = test::stagesOf(in);
+    const Stages stages = stagesOf(in);
     expectSeamNodes(in.mesh, stages.outlined, stages.seamed);
     expectOnlyAdds(in.mesh, stages.outlined, stages.seamed);
     EXPECT_TRUE(keepsMirrors(in.mesh, planStep(in).plan, kCloseNoise * in.h));
@@ -208,7 +195,7 @@ TEST(Seams, AStrokeAcrossAGapDividesBothWallsAndCutsOne) {
     const StepInput in = crossing.bench.stepTo(crossing.blade(-1));
     ASSERT_FALSE(in.opening.empty());
     EXPECT_GT(expectSeams(in), 4);
-    const Stages stages = test::stagesOf(in);
+    const Stages stages = stagesOf(in);
     EXPECT_GT(stages.seamed.nodes.size(), stages.outlined.nodes.size());
     EXPECT_EQ(stages.outline.edges.size(),
               static_cast<std::size_t>(std::ranges::count_if(
@@ -221,7 +208,7 @@ TEST(Seams, AStrokeAcrossAGapDividesBothWallsAndCutsOne) {
 TEST(Seams, NodesThatFaceEachOtherTakeOnePlace) {
     CrossingAtAnAngle crossing(0.07, 0);
     const StepInput in = crossing.bench.stepTo(crossing.blade(-1));
-    const std::vector<int> walls = test::wallsOfPlus(in.mesh);
+    const std::vector<int> walls = wallsOfPlus(in.mesh);
     const int wall = *std::ranges::find_if(walls, [&](int t) {
         return std::ranges::none_of(in.mesh.triangle(t),
                                     [&](int v) { return in.opening.displacement(v).isZero(0); });
@@ -229,9 +216,9 @@ TEST(Seams, NodesThatFaceEachOtherTakeOnePlace) {
     const int mirror = test::mirrorOf(in.mesh, wall);
     const int a = in.mesh.triangle(wall)[0];
     const int b = in.mesh.triangle(wall)[1];
-    test::DrawnCurves drawn(in.mesh);
+    DrawnCurves drawn(in.mesh);
     drawn.onEdge(a, b, 0.4, 0);
-    drawn.onEdge(test::copyIn(in.mesh, mirror, a), test::copyIn(in.mesh, mirror, b), 0.5, 0);
+    drawn.onEdge(copyIn(in.mesh, mirror, a), copyIn(in.mesh, mirror, b), 0.5, 0);
     drawn.inFace(wall, {0.3, 0.3, 0.4}, 1);
     drawn.inFace(mirror, {0.2, 0.2, 0.6}, 1);
     const std::vector<CutNode> nodes = withSeams(in, drawn.curves).nodes;
@@ -246,7 +233,7 @@ TEST(Seams, NodesThatFaceEachOtherTakeOnePlace) {
 TEST(Seams, WithoutAnOpenSlitThereAreNone) {
     CrossingAtAnAngle crossing(0.07, 0);
     crossing.bench.seesSlitsOpen = false;
-    const Stages stages = test::stagesOf(crossing.bench.stepTo(crossing.blade(-1)));
+    const Stages stages = stagesOf(crossing.bench.stepTo(crossing.blade(-1)));
     EXPECT_EQ(stages.seamed.nodes.size(), stages.outlined.nodes.size());
     EXPECT_EQ(stages.seamed.segments.size(), stages.outlined.segments.size());
 }
@@ -254,7 +241,7 @@ TEST(Seams, WithoutAnOpenSlitThereAreNone) {
 TEST(Seams, AddedTwiceAreThoseAddedOnce) {
     CrossingAtAnAngle crossing(0.07, 0);
     const StepInput in = crossing.bench.stepTo(crossing.blade(-1));
-    const Stages stages = test::stagesOf(in);
+    const Stages stages = stagesOf(in);
     const CutCurves twice = withSeams(in, stages.seamed);
     EXPECT_EQ(twice.nodes.size(), stages.seamed.nodes.size());
     EXPECT_EQ(twice.segments.size(), stages.seamed.segments.size());
@@ -267,7 +254,7 @@ TEST(Seams, WallsThatHaveMovedApartAreStillDividedAlike) {
 }
 
 TEST(Seams, StrokesThatCrossGapsInManyWaysLeaveWallsMirrored) {
-    const std::uint32_t seed = test::fuzzSeed(91);
+    const std::uint32_t seed = fuzzSeed(91);
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random{seed};
     std::uniform_real_distribution<double> uniform{0, 1};
@@ -279,14 +266,14 @@ TEST(Seams, StrokesThatCrossGapsInManyWaysLeaveWallsMirrored) {
         const int steps = 1 + i % 4;
         for (int k = 1; k <= steps; ++k) {
             const StepInput in = crossing.bench.stepTo(crossing.blade(1 - 2.0 * k / steps));
-            if (const std::optional<PlannedStep> step = test::planned(in)) {
+            if (const std::optional<PlannedStep> step = planned(in)) {
                 walls += expectSeams(in);
                 crossing.bench.carryOut(*step);
                 ++taken;
             }
         }
         EXPECT_EQ(checkClosedManifold(crossing.bench.mesh), "");
-        EXPECT_EQ(test::checkMirroredWalls(crossing.bench.mesh), "");
+        EXPECT_EQ(checkMirroredWalls(crossing.bench.mesh), "");
     }
     EXPECT_GT(walls, 100);
     EXPECT_GT(taken, 15) << "of 50 steps";
@@ -295,11 +282,11 @@ TEST(Seams, StrokesThatCrossGapsInManyWaysLeaveWallsMirrored) {
 TEST(Seams, ASeamThatMissesTheEdgeItFacesIsRefused) {
     CrossingAtAnAngle crossing(0.07, 0);
     const StepInput in = crossing.bench.stepTo(crossing.blade(-1));
-    CutCurves curves = test::stagesOf(in).outlined;
+    CutCurves curves = stagesOf(in).outlined;
     for (Segment& segment : curves.segments) {
         segment.stripTriangle += in.mesh.kind(segment.triangle) == SurfaceKind::wall ? 1000 : 0;
     }
-    EXPECT_EQ(test::reasonOf([&] { withSeams(in, curves); }),
+    EXPECT_EQ(reasonOf([&] { withSeams(in, curves); }),
               "a seam does not meet the edge that it faces");
 }
 

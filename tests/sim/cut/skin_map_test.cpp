@@ -1,17 +1,7 @@
 #include "sim/cut/plan/wall/skin_map.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/mesh/invariants.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
-
-using test::Stages;
-using test::StepBench;
 
 using Motion = std::function<Vec3(const Vec3& rest)>;
 
@@ -31,7 +21,7 @@ struct Mapped {
 
 Mapped map(const StepInput& in) {
     Mapped mapped;
-    mapped.stages = test::stagesOf(in);
+    mapped.stages = stagesOf(in);
     mapped.curves = mapped.stages.walled;
     mapped.curves.nodes = mapFromSkin(in, mapped.stages.sheets, mapped.curves.nodes);
     return mapped;
@@ -65,7 +55,7 @@ class SkinMapOfASphere : public ::testing::Test {
         return map(bench.stepTo(kTo));
     }
 
-    StepBench bench{test::icosphere(2), 0.15};
+    StepBench bench{icosphere(2), 0.15};
 };
 
 TEST_F(SkinMapOfASphere, AtRestEachNodeRestsWhereItIs) {
@@ -165,9 +155,8 @@ TEST_F(SkinMapOfASphere, DoesNotAskTheVerticesOfItsOwnStroke) {
 }
 
 TEST(SkinMap, EachPieceHasAMapOfItsOwn) {
-    const TriangleSoup two =
-        test::joined(test::icosphereSoup(1), test::icosphereSoup(1), {1.2, 0, 0});
-    StepBench bench(test::meshOf(two), 0.2);
+    const TriangleSoup two = joined(icosphereSoup(1), icosphereSoup(1), {1.2, 0, 0});
+    StepBench bench(meshOf(two), 0.2);
     const auto isSecond = [](const Vec3& rest) { return rest.x() > 0.6; };
     moveBody(
         bench.mesh, [&](const Vec3& rest) { return isSecond(rest) ? shifted(rest) : rest; },
@@ -190,7 +179,7 @@ TEST(SkinMap, EachPieceHasAMapOfItsOwn) {
 TEST_F(SkinMapOfASphere, WithoutSamplesTheRimTells) {
     moveBody(bench.mesh, shifted, drifting);
     const StepInput in = bench.stepTo(kTo);
-    Stages stages = test::stagesOf(in);
+    Stages stages = stagesOf(in);
     ASSERT_EQ(stages.sheets.size(), 1U);
     stages.sheets.front().piece = 5;
     for (CutNode& node : stages.walled.nodes) {
@@ -204,17 +193,17 @@ TEST_F(SkinMapOfASphere, WithoutSamplesTheRimTells) {
 }
 
 TEST(SkinMap, OfRandomStepsNodesRestInsideTheBody) {
-    const std::uint32_t seed = test::fuzzSeed(81);
+    const std::uint32_t seed = fuzzSeed(81);
     SCOPED_TRACE("seed " + std::to_string(seed));
     int nodes = 0;
     int outside = 0;
-    test::forRandomSteps(seed, 60, [&](const StepInput& in, const PlannedStep&) {
+    forRandomSteps(seed, 60, [&](const StepInput& in, const PlannedStep&) {
         SurfaceMesh rest = in.mesh;
         rest.exchangeShapes();
         for (const CutNode& node : wallNodes(map(in).curves)) {
             ++nodes;
-            outside += test::windingNumber(in.mesh, node.position) > 0.5 &&
-                       test::windingNumber(rest, node.rest) < 0.5;
+            outside +=
+                windingNumber(in.mesh, node.position) > 0.5 && windingNumber(rest, node.rest) < 0.5;
         }
     });
     EXPECT_GT(nodes, 50);

@@ -1,25 +1,10 @@
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/base/math.h"
-#include "sim/body/rest_geometry.h"
-#include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
-
-using test::CutCheck;
-using test::piecesOf;
-using test::Stroke;
 
 const Vec3 kCenter(0.013, 0.021, 0.034);
 
 Stroke through(const Vec3& along, const Vec3& travel, int steps = 60) {
-    return test::straightStroke(kCenter, along, travel, 3.0, 2.4, steps);
+    return straightStroke(kCenter, along, travel, 3.0, 2.4, steps);
 }
 
 /// The handle stays 1 m above, the tip goes along +x at height `tipY` (a unit sphere of diameter
@@ -40,15 +25,15 @@ void expectSound(const CutCheck& check) {
 }
 
 TEST(Cut, IncisionStaysOnePieceAndClosed) {
-    SurfaceMesh mesh = test::icosphere(3);
-    expectSound(test::runStroke(mesh, test::exactSettings(), incision(0.25, -0.7, 0.7, 60)));
+    SurfaceMesh mesh = icosphere(3);
+    expectSound(runStroke(mesh, exactSettings(), incision(0.25, -0.7, 0.7, 60)));
     EXPECT_EQ(piecesOf(mesh), 1);
-    EXPECT_GT(test::slitEdges(mesh, 0), 5) << "the slit ends inside";
+    EXPECT_GT(slitEdges(mesh, 0), 5) << "the slit ends inside";
 }
 
 TEST(Cut, CopiesBehindTheFrontLieAtEqualPositions) {
-    SurfaceMesh mesh = test::icosphere(3);
-    test::runStroke(mesh, test::exactSettings(), incision(0.25, -0.7, 0.1, 40));
+    SurfaceMesh mesh = icosphere(3);
+    runStroke(mesh, exactSettings(), incision(0.25, -0.7, 0.1, 40));
     int copies = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         if (mesh.copyGroup(v) < 0) {
@@ -66,28 +51,26 @@ TEST(Cut, CopiesBehindTheFrontLieAtEqualPositions) {
 }
 
 TEST(Cut, BladeThatMissesChangesNothing) {
-    SurfaceMesh mesh = test::icosphere(2);
-    const std::string before = test::fingerprint(mesh);
-    const Stroke beside =
-        test::straightStroke({0, 0, 0.8}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2, 40);
-    const CutCheck check = test::runStroke(mesh, test::exactSettings(), beside);
+    SurfaceMesh mesh = icosphere(2);
+    const std::string before = fingerprint(mesh);
+    const Stroke beside = straightStroke({0, 0, 0.8}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2, 40);
+    const CutCheck check = runStroke(mesh, exactSettings(), beside);
     expectSound(check);
     EXPECT_EQ(check.cuts, 0);
-    EXPECT_EQ(test::fingerprint(mesh), before);
+    EXPECT_EQ(fingerprint(mesh), before);
 }
 
 TEST(Cut, BladeWhollyInsideChangesNothing) {
-    SurfaceMesh mesh = test::icosphere(2);
-    const std::string before = test::fingerprint(mesh);
-    const Stroke inside =
-        test::straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 0.3, 0.3, 10);
-    EXPECT_EQ(test::runStroke(mesh, test::exactSettings(), inside).cuts, 0);
-    EXPECT_EQ(test::fingerprint(mesh), before);
+    SurfaceMesh mesh = icosphere(2);
+    const std::string before = fingerprint(mesh);
+    const Stroke inside = straightStroke(kCenter, Vec3::UnitX(), -Vec3::UnitY(), 0.3, 0.3, 10);
+    EXPECT_EQ(runStroke(mesh, exactSettings(), inside).cuts, 0);
+    EXPECT_EQ(fingerprint(mesh), before);
 }
 
 TEST(Cut, StandingStillAndNoLengthWait) {
-    SurfaceMesh mesh = test::icosphere(1);
-    Cutter cutter(mesh, test::exactSettings());
+    SurfaceMesh mesh = icosphere(1);
+    Cutter cutter(mesh, exactSettings());
     const Blade blade{{-1, 0, 0}, {1, 0, 0}};
     cutter.begin(blade);
     EXPECT_EQ(cutter.advance(blade).outcome, CutOutcome::waiting);
@@ -100,8 +83,8 @@ TEST(Cut, StandingStillAndNoLengthWait) {
 }
 
 TEST(Cut, GateHoldsShortMovesBackAndFinishFlushesThem) {
-    SurfaceMesh mesh = test::icosphere(2);
-    CutSettings settings = test::exactSettings();
+    SurfaceMesh mesh = icosphere(2);
+    CutSettings settings = exactSettings();
     settings.wallEdgeLength = 0.2;
     Cutter cutter(mesh, settings);
     cutter.begin({{-1, 0.6, 0.01}, {1, 0.6, 0.02}});
@@ -113,40 +96,40 @@ TEST(Cut, GateHoldsShortMovesBackAndFinishFlushesThem) {
 }
 
 TEST(Cut, WithdrawingTheBladeChangesNothing) {
-    SurfaceMesh mesh = test::icosphere(3);
-    Cutter cutter(mesh, test::exactSettings());
+    SurfaceMesh mesh = icosphere(3);
+    Cutter cutter(mesh, exactSettings());
     const Stroke forward = incision(0.1, -0.7, 0.0, 40);
     cutter.begin(forward.front());
     for (const Blade& blade : forward) {
         cutter.advance(blade);
     }
-    const std::string before = test::fingerprint(mesh);
+    const std::string before = fingerprint(mesh);
     int withdrawing = 0;
     for (int i = 39; i > 20; --i) {
         withdrawing += cutter.advance(forward[i]).outcome == CutOutcome::withdrawing;
     }
     EXPECT_GT(withdrawing, 5);
-    EXPECT_EQ(test::fingerprint(mesh), before);
+    EXPECT_EQ(fingerprint(mesh), before);
     EXPECT_EQ(cutter.advance(incision(0.1, 0.1, 0.1, 1)[0]).outcome, CutOutcome::cut);
     EXPECT_EQ(checkClosedManifold(mesh), "");
 }
 
 TEST(Cut, TwoCrossingStrokesGiveFourQuarters) {
-    SurfaceMesh mesh = test::icosphere(3);
-    Cutter cutter(mesh, test::exactSettings());
-    expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY())));
+    SurfaceMesh mesh = icosphere(3);
+    Cutter cutter(mesh, exactSettings());
+    expectSound(runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY())));
     EXPECT_EQ(piecesOf(mesh), 2);
-    expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY())));
+    expectSound(runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY())));
     EXPECT_EQ(piecesOf(mesh), 4);
 }
 
 TEST(Cut, ThreeStrokesThroughOneLineGiveSixWedges) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     Cutter cutter(mesh, CutSettings{});
     for (int i = 0; i < 3; ++i) {
         const double angle = 0.2 + 1.05 * i;
         const Vec3 travel(0, std::sin(angle), std::cos(angle));
-        expectSound(test::runStroke(cutter, mesh, through(Vec3::UnitX(), travel)));
+        expectSound(runStroke(cutter, mesh, through(Vec3::UnitX(), travel)));
     }
     // The strokes pass each other by their offsets: six wedges and perhaps one sliver between.
     EXPECT_GE(piecesOf(mesh), 6);
@@ -155,7 +138,7 @@ TEST(Cut, ThreeStrokesThroughOneLineGiveSixWedges) {
 
 TEST(Cut, PivotAboutTheTipAndSawing) {
     for (const bool saw : {false, true}) {
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Stroke stroke;
         for (int i = 0; i <= 60; ++i) {
             const double u = i / 60.0 - 0.5;
@@ -165,7 +148,7 @@ TEST(Cut, PivotAboutTheTipAndSawing) {
                              along * (saw ? 0.1 * std::sin(1.3 * i) : 0.0);
             stroke.push_back({tip - along * 1.5, tip});
         }
-        const CutCheck check = test::runStroke(mesh, test::exactSettings(), stroke);
+        const CutCheck check = runStroke(mesh, exactSettings(), stroke);
         expectSound(check);
         EXPECT_GT(check.cuts, 5);
     }
@@ -175,7 +158,7 @@ TEST(Cut, PivotAboutTheTipAndSawing) {
 TEST(Cut, ABladeThatIsDrawnAlongItselfParts) {
     for (const int turns : {1, 7}) {
         SCOPED_TRACE(std::to_string(turns) + " ways to and fro");
-        SurfaceMesh mesh = test::icosphere(3);
+        SurfaceMesh mesh = icosphere(3);
         Stroke stroke;
         for (int i = 0; i <= 160; ++i) {
             const double u = i / 160.0;
@@ -183,7 +166,7 @@ TEST(Cut, ABladeThatIsDrawnAlongItselfParts) {
             const double y = 1.2 - 2.4 * u;
             stroke.push_back({{slide - 6, y, 0.01}, {slide + 6, y, 0.01}});
         }
-        expectSound(test::runStroke(mesh, test::exactSettings(), stroke));
+        expectSound(runStroke(mesh, exactSettings(), stroke));
         EXPECT_EQ(piecesOf(mesh), 2);
     }
 }
@@ -200,19 +183,19 @@ TEST(Cut, AnEndlessBladeCutsLikeAnOrdinaryOne) {
         }
         return blades;
     };
-    SurfaceMesh endless = test::icosphere(3);
-    expectSound(test::runStroke(endless, test::exactSettings(), stroke(1e5)));
+    SurfaceMesh endless = icosphere(3);
+    expectSound(runStroke(endless, exactSettings(), stroke(1e5)));
     EXPECT_EQ(piecesOf(endless), 2);
-    SurfaceMesh ordinary = test::icosphere(3);
-    expectSound(test::runStroke(ordinary, test::exactSettings(), stroke(3)));
+    SurfaceMesh ordinary = icosphere(3);
+    expectSound(runStroke(ordinary, exactSettings(), stroke(3)));
     const int vertices = ordinary.vertexCount();
     EXPECT_NEAR(endless.vertexCount(), vertices, 0.05 * vertices);
 }
 
 TEST(Cut, CutsABodyThatDeformsSmoothly) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     Cutter cutter(mesh, CutSettings{});
-    const CutCheck check = test::runStroke(
+    const CutCheck check = runStroke(
         cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), [](SurfaceMesh& body, int step) {
             for (int v = 0; v < body.vertexCount(); ++v) {
                 const Vec3 p = body.position(v);
@@ -234,8 +217,8 @@ TEST(Cut, SkinThatMovesAcrossTheBladeInTheAirIsNotLeftAsABridge) {
     constexpr int kBulges = 31;  // the blade stands at y = 0.02
     for (const Vec3& bulge : {Vec3(-0.1, 0.1, 0), Vec3(-0.15, 0.14, 0), Vec3(-0.2, 0.2, 0)}) {
         for (const bool promises : {false, true}) {
-            SurfaceMesh mesh = test::icosphere(3);
-            Cutter cutter(mesh, test::exactSettings());
+            SurfaceMesh mesh = icosphere(3);
+            Cutter cutter(mesh, exactSettings());
             const auto bulgeOut = [&](SurfaceMesh& body, int step) {
                 if (promises && step != kBulges) {
                     cutter.boundMotion(0);
@@ -248,9 +231,8 @@ TEST(Cut, SkinThatMovesAcrossTheBladeInTheAirIsNotLeftAsABridge) {
                     }
                 }
             };
-            expectSound(
-                test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), bulgeOut));
-            EXPECT_EQ(test::slitEdges(mesh, 0), 0);
+            expectSound(runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()), bulgeOut));
+            EXPECT_EQ(slitEdges(mesh, 0), 0);
             EXPECT_EQ(piecesOf(mesh), 2);
         }
     }
@@ -259,10 +241,10 @@ TEST(Cut, SkinThatMovesAcrossTheBladeInTheAirIsNotLeftAsABridge) {
 TEST(Cut, ScrambledBodyIsRefusedUntouched) {
     // Random positions make the surface pierce itself everywhere. Each step either succeeds with a
     // closed mesh or leaves every byte; runStroke checks both.
-    SurfaceMesh mesh = test::icosphere(2);
+    SurfaceMesh mesh = icosphere(2);
     std::mt19937_64 engine(11);
-    Cutter cutter(mesh, test::exactSettings());
-    const CutCheck check = test::runStroke(
+    Cutter cutter(mesh, exactSettings());
+    const CutCheck check = runStroke(
         cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY(), 30), [&](SurfaceMesh& body, int) {
             for (int v = 0; v < body.vertexCount(); ++v) {
                 Vec3 p = body.position(v);
@@ -280,20 +262,20 @@ TEST(Cut, ScrambledBodyIsRefusedUntouched) {
 TEST(Cut, SameStrokeTwiceGivesTheSameBytes) {
     std::vector<std::string> results;
     for (int run = 0; run < 2; ++run) {
-        SurfaceMesh mesh = test::torus();
+        SurfaceMesh mesh = torus();
         Cutter cutter(mesh, CutSettings{});
-        test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
-        test::runStroke(cutter, mesh, incision(0.05, -0.7, 0.7, 40));
-        results.push_back(test::fingerprint(mesh));
+        runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
+        runStroke(cutter, mesh, incision(0.05, -0.7, 0.7, 40));
+        results.push_back(fingerprint(mesh));
     }
     EXPECT_EQ(results[0], results[1]);
 }
 
 TEST(Cut, WallsCarryTheirStrokeAndSide) {
-    SurfaceMesh mesh = test::icosphere(2);
-    Cutter cutter(mesh, test::exactSettings());
-    test::runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
-    test::runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY()));
+    SurfaceMesh mesh = icosphere(2);
+    Cutter cutter(mesh, exactSettings());
+    runStroke(cutter, mesh, through(Vec3::UnitX(), -Vec3::UnitY()));
+    runStroke(cutter, mesh, through(Vec3::UnitZ(), -Vec3::UnitY()));
     std::array<int, 4> count{};
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         if (mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall) {
@@ -310,7 +292,7 @@ TEST(Cut, WallsCarryTheirStrokeAndSide) {
 
 // The body is an affine image of its rest shape and moves with an affine velocity field.
 TEST(Cut, WallsTakeRestPositionsAndVelocitiesFromTheSkin) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     Eigen::Matrix3d stretch;
     stretch << 1.1, 0.08, 0.0, -0.05, 0.9, 0.04, 0.02, 0.0, 1.05;
     Eigen::Matrix3d spin;
@@ -320,8 +302,7 @@ TEST(Cut, WallsTakeRestPositionsAndVelocitiesFromTheSkin) {
         mesh.setVelocity(v, spin * mesh.position(v));
     }
     const double h = meanRestEdgeLength(mesh);
-    expectSound(
-        test::runStroke(mesh, test::exactSettings(), through(Vec3::UnitX(), -Vec3::UnitY())));
+    expectSound(runStroke(mesh, exactSettings(), through(Vec3::UnitX(), -Vec3::UnitY())));
     double worstRest = 0;
     double worstVelocity = 0;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -339,8 +320,8 @@ TEST(Cut, WallsTakeRestPositionsAndVelocitiesFromTheSkin) {
 }
 
 TEST(Cut, WallEdgesAreComparableOnCoarseBodies) {
-    SurfaceMesh mesh = test::icosphere(0);
-    test::runStroke(mesh, CutSettings{}, through(Vec3::UnitX(), -Vec3::UnitY()));
+    SurfaceMesh mesh = icosphere(0);
+    runStroke(mesh, CutSettings{}, through(Vec3::UnitX(), -Vec3::UnitY()));
     int walls = 0;
     for (int t = 0; t < mesh.triangleSlots(); ++t) {
         walls += mesh.alive(t) && mesh.kind(t) == SurfaceKind::wall;

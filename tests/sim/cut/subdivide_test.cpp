@@ -1,19 +1,8 @@
 #include "sim/cut/plan/subdivide.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/mesh/triangle.h"
-#include "tests/support/facing_walls.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
-
 namespace kerf::cut {
 namespace {
 
-using test::DrawnCurves;
 using Directed = std::set<std::pair<int, int>>;
 
 constexpr double kClose = 1e-4;
@@ -149,7 +138,7 @@ void expectPattern(const DrawnCurves& drawn, const SurfaceMesh& mesh, Subdivisio
 
 class SubdivideAFace : public ::testing::Test {
   protected:
-    SurfaceMesh mesh = test::unitTetrahedron();
+    SurfaceMesh mesh = unitTetrahedron();
     DrawnCurves drawn{mesh};
 };
 
@@ -210,7 +199,7 @@ TEST_F(SubdivideAFace, WithoutCurvesThereIsNothingToDivide) {
 
 /// At another of the corners of kFace.
 SurfaceMesh tetrahedronWhoseFaceBegins(int corner) {
-    const SurfaceMesh mesh = test::unitTetrahedron();
+    const SurfaceMesh mesh = unitTetrahedron();
     std::vector<Vec3> positions;
     positions.reserve(mesh.vertexCount());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
@@ -247,7 +236,7 @@ TEST(Subdivide, WhereAFaceBeginsDecidesNothing) {
 class SubdivideRefuses : public SubdivideAFace {
   protected:
     std::string reason() const {
-        return test::reasonOf([&] { subdivide(mesh, drawn.curves, kClose); });
+        return reasonOf([&] { subdivide(mesh, drawn.curves, kClose); });
     }
 };
 
@@ -394,10 +383,10 @@ class RandomDrawing {
 };
 
 TEST(Subdivide, AnyDrawingDividesItsTrianglesWithoutGaps) {
-    const std::uint32_t seed = test::fuzzSeed(21);
+    const std::uint32_t seed = fuzzSeed(21);
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random{seed};
-    const SurfaceMesh mesh = test::icosphere(1);
+    const SurfaceMesh mesh = icosphere(1);
     int segments = 0;
     for (int i = 0; i < 400; ++i) {
         const CutCurves curves = RandomDrawing(mesh, random).run();
@@ -408,9 +397,9 @@ TEST(Subdivide, AnyDrawingDividesItsTrianglesWithoutGaps) {
 }
 
 TEST(Subdivide, CurvesOfTheBladeDivideWhatTheyCross) {
-    const std::uint32_t seed = test::fuzzSeed(22);
+    const std::uint32_t seed = fuzzSeed(22);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const int steps = test::forRandomSteps(seed, 40, [](const StepInput& in, const PlannedStep& s) {
+    const int steps = forRandomSteps(seed, 40, [](const StepInput& in, const PlannedStep& s) {
         expectDivided(in.mesh, s.plan.curves,
                       subdivide(in.mesh, s.plan.curves, kCloseNoise * in.h));
     });
@@ -437,14 +426,13 @@ std::set<Triangle> pointsOf(const SurfaceMesh& mesh, const std::vector<NewTriang
 }
 
 TEST(Subdivide, BothWallsOfASlitAreDividedAlike) {
-    const SurfaceMesh mesh = test::halvedBox(1e-2 * kClose);
-    const std::vector<int> walls = test::wallsOfPlus(mesh);
+    const SurfaceMesh mesh = halvedBox(1e-2 * kClose);
+    const std::vector<int> walls = wallsOfPlus(mesh);
     EXPECT_GT(walls.size(), 10U);
     for (const int t : walls) {
         const int mirror = test::mirrorOf(mesh, t);
         ASSERT_GE(mirror, 0);
-        const Subdivision result =
-            subdivide(mesh, test::drawnOnBoth(mesh, t, mirror).curves, kClose);
+        const Subdivision result = subdivide(mesh, drawnOnBoth(mesh, t, mirror).curves, kClose);
         EXPECT_EQ(pointsOf(mesh, partsOf(result, t), false),
                   pointsOf(mesh, partsOf(result, mirror), true));
     }

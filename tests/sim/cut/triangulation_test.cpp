@@ -1,9 +1,5 @@
 #include "sim/cut/exact/triangulation.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 #include "sim/base/predicates.h"
 
 namespace kerf::cut {

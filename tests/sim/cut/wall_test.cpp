@@ -1,17 +1,9 @@
 #include "sim/cut/plan/wall/wall.h"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/drawn_outline.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
-#include "tests/support/step_bench.h"
 
 namespace kerf::cut {
 namespace {
-
-using test::bladeAt;
-using test::StepBench;
 
 using Directed = std::set<std::pair<int, int>>;
 
@@ -41,12 +33,12 @@ void expectCovers(const Outline& outline, const std::vector<WallSheet>& sheets,
     double area = 0;
     for (const WallSheet& sheet : sheets) {
         for (const Triangle& t : sheet.triangles) {
-            const double doubleArea = test::doubleLayoutArea(nodes, t);
+            const double doubleArea = doubleLayoutArea(nodes, t);
             EXPECT_GT(doubleArea, -1e-12) << "clockwise";
             area += 0.5 * doubleArea;
         }
     }
-    EXPECT_NEAR(area, test::layoutArea(nodes, outline.edges), 1e-9);
+    EXPECT_NEAR(area, layoutArea(nodes, outline.edges), 1e-9);
     const Directed edges = edgesOf(sheets);
     Directed border;
     std::ranges::copy_if(edges, std::inserter(border, border.end()), [&](const auto& edge) {
@@ -63,7 +55,7 @@ void expectCovers(const Outline& outline, const std::vector<WallSheet>& sheets,
 void expectInStrip(const Strip& strip, const std::vector<CutNode>& nodes, std::size_t first) {
     for (std::size_t i = first; i < nodes.size(); ++i) {
         EXPECT_EQ(nodes[i].kind, NodeKind::wall);
-        const std::optional<Vec3> place = test::placeInStrip(strip, nodes[i].layout);
+        const std::optional<Vec3> place = placeInStrip(strip, nodes[i].layout);
         ASSERT_TRUE(place.has_value());
         EXPECT_LT((*place - nodes[i].position).norm(), 1e-9);
     }
@@ -96,7 +88,7 @@ int chordsOf(const SurfaceMesh& mesh, const Outline& outline, const std::vector<
 }
 
 /// Outlines drawn in the layout plane of a strip of 4 by 4, with edges of length 1.
-class WallOfADrawing : public ::testing::Test, protected test::DrawnOutline {
+class WallOfADrawing : public ::testing::Test, protected DrawnOutline {
   protected:
     WallOfADrawing() { bench.begin(bladeAt(2, 0.25)); }
 
@@ -117,7 +109,7 @@ class WallOfADrawing : public ::testing::Test, protected test::DrawnOutline {
     }
 
     std::string reason() {
-        return test::reasonOf([&] { triangulate(); });
+        return reasonOf([&] { triangulate(); });
     }
 
     void putOnFace(int node) {
@@ -136,7 +128,7 @@ class WallOfADrawing : public ::testing::Test, protected test::DrawnOutline {
         return points;
     }
 
-    StepBench bench{test::unitTetrahedron(), 1};
+    StepBench bench{unitTetrahedron(), 1};
     Strip strip;
 };
 
@@ -293,24 +285,24 @@ TEST_F(WallOfADrawing, ALoopOfTwoEdgesIsRefused) {
 }
 
 TEST(Wall, RoundATorusHasAHole) {
-    StepBench bench(test::torus(16, 8), 0.2);
+    StepBench bench(torus(16, 8), 0.2);
     bench.begin({{-1, 0.01, 1}, {1, 0.02, 1}});
     const StepInput in = bench.stepTo({{-1, 0.01, -1}, {1, 0.02, -1}});
-    const test::Stages stages = test::stagesOf(in);
+    const Stages stages = stagesOf(in);
     ASSERT_EQ(stages.sheets.size(), 1U);
     expectCovers(stages.outline, stages.sheets, stages.walled.nodes);
-    EXPECT_NEAR(test::layoutArea(stages.walled.nodes, stages.outline.edges),
+    EXPECT_NEAR(layoutArea(stages.walled.nodes, stages.outline.edges),
                 M_PI * (0.5 * 0.5 - 0.2 * 0.2), 0.1);
 }
 
 TEST(Wall, OfRandomStepsCoversTheInsideOfTheOutline) {
-    const std::uint32_t seed = test::fuzzSeed(71);
+    const std::uint32_t seed = fuzzSeed(71);
     SCOPED_TRACE("seed " + std::to_string(seed));
     int inner = 0;
     int chords = 0;
     int triangles = 0;
-    const int steps = test::forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep&) {
-        const test::Stages stages = test::stagesOf(in);
+    const int steps = forRandomSteps(seed, 80, [&](const StepInput& in, const PlannedStep&) {
+        const Stages stages = stagesOf(in);
         const std::vector<CutNode>& nodes = stages.walled.nodes;
         expectCovers(stages.outline, stages.sheets, nodes);
         expectInStrip(stages.strip, nodes, stages.seamed.nodes.size());
@@ -325,9 +317,9 @@ TEST(Wall, OfRandomStepsCoversTheInsideOfTheOutline) {
 
 // W+ is W- turned over, triangle by triangle, on the same nodes.
 TEST(Wall, BothWallsOfAPlanAreOneSheetFromTwoSides) {
-    const std::uint32_t seed = test::fuzzSeed(72);
+    const std::uint32_t seed = fuzzSeed(72);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    test::forRandomSteps(seed, 20, [](const StepInput& in, const PlannedStep& step) {
+    forRandomSteps(seed, 20, [](const StepInput& in, const PlannedStep& step) {
         const std::vector<NewTriangle>& all = step.plan.triangles;
         const int walls = step.wallTriangles / 2;
         const int plus = sizeOf(all) - 2 * walls;

@@ -1,8 +1,7 @@
 #include "sim/mesh/oriented_box.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
+#include "sim/mesh/thickness.h"
+#include "tests/support/body_upload.h"
 
 namespace kerf {
 namespace {
@@ -125,6 +124,143 @@ TEST_F(OrientedBoxes, OfOnePointAndOfALine) {
     const OrientedBox box = orientedBoxOf(line);
     EXPECT_NEAR(box.half.maxCoeff(), std::sqrt(0.5), 1e-12);
     EXPECT_NEAR(box.half.minCoeff(), 0, 1e-12);
+}
+
+TEST(Thickness, OfASlabIsItsHeightOnItsFaces) {
+    const SurfaceMesh slab = box(Vec3(1, 1, 0.2), 4);
+    const std::vector<float> thickness = surfaceThickness(slab);
+    ASSERT_EQ(thickness.size(), 2U * slab.vertexCount());
+    int inside = 0;
+    for (int v = 0; v < slab.vertexCount(); ++v) {
+        const Vec3& p = slab.position(v);
+        EXPECT_EQ(thickness[2 * v + 1], -1) << "there are no walls";
+        if (std::abs(p.x()) < 0.49 && std::abs(p.y()) < 0.49) {
+            EXPECT_NEAR(thickness[2 * v], 0.2, 1e-6);
+            ++inside;
+        }
+    }
+    EXPECT_GT(inside, 0);
+}
+
+TEST(Thickness, OfASphereIsItsDiameterEverywhere) {
+    const SurfaceMesh ball = icosphere(4, 0.5);
+    const std::vector<float> thickness = surfaceThickness(ball);
+    for (int v = 0; v < ball.vertexCount(); ++v) {
+        EXPECT_NEAR(thickness[2 * v], 1, 0.01);
+    }
+}
+
+TEST(Thickness, OfARingIsThatOfItsTubeOnItsOutside) {
+    const SurfaceMesh ring = torus(64, 32, 0.35, 0.15);
+    const std::vector<float> thickness = surfaceThickness(ring);
+    for (int v = 0; v < ring.vertexCount(); ++v) {
+        if (std::hypot(ring.position(v).x(), ring.position(v).z()) > 0.499) {
+            EXPECT_NEAR(thickness[2 * v], 0.3, 0.005) << "not that of the whole ring";
+        }
+    }
+}
+
+TEST(Thickness, HasNoGapsAlongTheRimOfACut) {
+    const SurfaceMesh opened = openedSphere(8, 0.05, 0.25);
+    const std::vector<float> thickness = surfaceThickness(opened);
+    for (const int t : livingTriangles(opened)) {
+        const int kind = opened.kind(t) == SurfaceKind::wall ? 1 : 0;
+        for (const int v : opened.triangle(t)) {
+            EXPECT_GE(thickness[2 * v + kind], 0) << "vertex " << v << " kind " << kind;
+            EXPECT_LE(thickness[2 * v + kind], 1.01);
+        }
+    }
+}
+
+TEST(Thickness, CanBeGivenUp) {
+    const SurfaceMesh ball = cubeSphere(8);
+    EXPECT_THROW(surfaceThickness(ball, [](double) { throw std::runtime_error("enough"); }),
+                 std::runtime_error);
+}
+
+struct Expected {
+    std::string name;
+    int vertices;
+    int triangles;
+    double maxEdgeRatio;    ///< longest to shortest edge of the whole model
+    double minHeightRatio;  ///< height to longest edge of the worst triangle
+};
+
+std::ostream& operator<<(std::ostream& out, const Expected& expected) {
+    return out << expected.name;
+}
+
+class BuiltinModel : public ::testing::TestWithParam<Expected> {};
+
+struct Evenness {
+    double shortest = std::numeric_limits<double>::max();
+    double longest = 0;
+    double heightRatio = 1;
+};
+
+Evenness measureEvenness(const TriangleSoup& soup) {
+    Evenness even;
+    for (const auto& [a, b, c] : soup.triangles) {
+        const Vec3 ab = soup.positions[b] - soup.positions[a];
+        const Vec3 bc = soup.positions[c] - soup.positions[b];
+        const Vec3 ca = soup.positions[a] - soup.positions[c];
+        const double longest = std::max({ab.norm(), bc.norm(), ca.norm()});
+        even.shortest = std::min({even.shortest, ab.norm(), bc.norm(), ca.norm()});
+        even.longest = std::max(even.longest, longest);
+        even.heightRatio = std::min(even.heightRatio, ab.cross(ca).norm() / (longest * longest));
+    }
+    return even;
+}
+
+TEST_P(BuiltinModel, HasItsCounts) {
+    const MeshReport report = inspectTriangles(builtinSoup(GetParam().name));
+    EXPECT_EQ(report.vertices, GetParam().vertices);
+    EXPECT_EQ(report.triangles, GetParam().triangles);
+}
+
+TEST_P(BuiltinModel, IsOneClosedPieceWithoutHandles) {
+    const TriangleSoup soup = builtinSoup(GetParam().name);
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_EQ(report.vertices - report.triangles / 2, 2) << "Euler characteristic";
+    EXPECT_EQ(checkClosedManifold(builtin(GetParam().name)), "");
+}
+
+TEST_P(BuiltinModel, IsEvenlyMeshed) {
+    const Evenness even = measureEvenness(builtinSoup(GetParam().name));
+    EXPECT_LT(even.longest / even.shortest, GetParam().maxEdgeRatio);
+    EXPECT_GT(even.heightRatio, GetParam().minHeightRatio);
+}
+
+TEST_P(BuiltinModel, IsAboutAMetreLongAroundTheOrigin) {
+    const Bounds bounds = inspectTriangles(builtinSoup(GetParam().name)).bounds;
+    EXPECT_LT(bounds.center().norm(), 1e-5);
+    EXPECT_NEAR((bounds.high - bounds.low).maxCoeff(), 1, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Assets, BuiltinModel,
+                         ::testing::Values(Expected{"sphere20", 12, 20, 1.001, 0.86},
+                                           Expected{"sphere80", 42, 80, 1.2, 0.7},
+                                           Expected{"sphere768", 386, 768, 2, 0.45},
+                                           Expected{"banana", 3147, 6290, 2, 0.4},
+                                           Expected{"octopus", 5800, 11596, 2, 0.4}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(BuiltinModels, ScriptMakesTheCommittedFiles) {
+    KERF_BY_NIGHT();  // neither script nor files change by themselves
+    if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
+        GTEST_SKIP() << "python3-numpy is not installed; the script needs it";
+    }
+    const TemporaryFolder made;
+    const fs::path folder = fs::path(KERF_SOURCE_DIR) / "assets" / "models";
+    const std::string command = "/usr/bin/python3 -B '" + (folder / "make_models.py").string() +
+                                "' '" + made.path().string() + "' >/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    for (const char* name : {"sphere20", "sphere80", "sphere768", "banana", "octopus"}) {
+        const std::string file = std::string(name) + ".obj";
+        EXPECT_TRUE(readBytes(folder / file) == readBytes(made / file)) << file;
+    }
 }
 
 }  // namespace

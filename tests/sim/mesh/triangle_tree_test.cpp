@@ -1,14 +1,5 @@
 #include "sim/mesh/triangle_tree.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/cut/cut_change.h"
-#include "sim/cut/stroke/cutter.h"
-#include "tests/support/cut_strokes.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
 
@@ -60,13 +51,13 @@ class TriangleTreeTest : public testing::Test {
 };
 
 TEST_F(TriangleTreeTest, FindsWhatLiesInABox) {
-    const SurfaceMesh mesh = test::icosphere(4);
+    const SurfaceMesh mesh = icosphere(4);
     TriangleTree tree(mesh);
     expectFindsAnywhere(tree, mesh);
 }
 
 TEST_F(TriangleTreeTest, FollowsABodyThatMovesWithinTheBoundPromised) {
-    SurfaceMesh mesh = test::icosphere(4);
+    SurfaceMesh mesh = icosphere(4);
     TriangleTree tree(mesh);
     const Vec3 drift = 0.004 * point();
     for (int step = 0; step < 200; ++step) {
@@ -82,7 +73,7 @@ TEST_F(TriangleTreeTest, FollowsABodyThatMovesWithinTheBoundPromised) {
 }
 
 TEST_F(TriangleTreeTest, FindsAnewWhereTheBodyMovedAnyhow) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     TriangleTree tree(mesh);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setPosition(v, mesh.position(v) + Vec3(7, 0, 0));
@@ -92,13 +83,12 @@ TEST_F(TriangleTreeTest, FindsAnewWhereTheBodyMovedAnyhow) {
 }
 
 TEST_F(TriangleTreeTest, FollowsCuts) {
-    SurfaceMesh mesh = test::icosphere(3);
+    SurfaceMesh mesh = icosphere(3);
     TriangleTree tree(mesh);
     for (const Vec3& along : {Vec3(1, 0.1, 0.2), Vec3(0.1, 0.3, 1), Vec3(0.7, -0.6, 0.2)}) {
-        Cutter cutter(mesh, test::exactSettings());
+        Cutter cutter(mesh, exactSettings());
         const Vec3 travel = along.cross(Vec3(0.3, 1, -0.4)).normalized();
-        const test::Stroke blades =
-            test::straightStroke(0.1 * point(), along.normalized(), travel, 3, 1.6, 30);
+        const Stroke blades = straightStroke(0.1 * point(), along.normalized(), travel, 3, 1.6, 30);
         cutter.begin(blades.front());
         for (const Blade& blade : blades) {
             const CutResult result = cutter.advance(blade);

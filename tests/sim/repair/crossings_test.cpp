@@ -1,14 +1,8 @@
 #include "sim/repair/crossings.h"
 
-#include <gtest/gtest.h>
+#include "sim/repair/surface_contact.h"
 
-#include <random>
-
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/self_intersections.h"
-#include "tests/support/shapes.h"
-
-namespace kerf {
+namespace kerf::repair {
 namespace {
 
 int crossingTriangles(const TriangleSoup& soup) {
@@ -156,8 +150,7 @@ TEST(Crossings, OfRandomSolidsOfCubesAreWhereTheirCubesSaySo) {
         for (int& along : b.offset) {
             along = static_cast<int>(random() % 13) - 6;
         }
-        const TriangleSoup both =
-            test::joined(surfaceOf(a, random), surfaceOf(b, random), Vec3::Zero());
+        const TriangleSoup both = joined(surfaceOf(a, random), surfaceOf(b, random), Vec3::Zero());
         const bool expected = surfaceEnters(a, b) || surfaceEnters(b, a);
         const std::string what = "pair " + std::to_string(i) + ", seed " + std::to_string(kSeed);
         ASSERT_EQ(!repair::findCrossings(both, 1).empty(), expected) << what;
@@ -170,7 +163,7 @@ TEST(Crossings, OfRandomSolidsOfCubesAreWhereTheirCubesSaySo) {
 
 TEST(Crossings, OfBoxesThatMeetOnEdgesAndDiagonalsAloneAreFound) {
     const auto apartBy = [](const Vec3& offset) {
-        return crossingTriangles(test::joined(test::boxSoup(), test::boxSoup(), offset));
+        return crossingTriangles(joined(boxSoup(), boxSoup(), offset));
     };
     EXPECT_GT(apartBy({0.5, 0.5, 0.5}), 0);
     EXPECT_GT(apartBy({0.5, 0, 0}), 0) << "four sides in common planes";
@@ -195,36 +188,61 @@ TEST(Crossings, OfAPegBehindAFaceThatOnlyTouchesAreFound) {
     std::mt19937 random(7);
     ASSERT_TRUE(surfaceEnters(peg, block));
     const TriangleSoup both =
-        test::joined(surfaceOf(block, random), surfaceOf(peg, random), Vec3::Zero());
+        joined(surfaceOf(block, random), surfaceOf(peg, random), Vec3::Zero());
     EXPECT_GT(crossingTriangles(both), 0);
     EXPECT_GT(crossingTriangles(skewed(both)), 0);
 
     peg.cubes.erase({0, 0, -1});
-    EXPECT_EQ(crossingTriangles(
-                  test::joined(surfaceOf(block, random), surfaceOf(peg, random), Vec3::Zero())),
-              0)
+    EXPECT_EQ(
+        crossingTriangles(joined(surfaceOf(block, random), surfaceOf(peg, random), Vec3::Zero())),
+        0)
         << "without its foot the plate lies on the block";
 }
 
 // --- Whole shapes ----------------------------------------------------------------------------
 
 TEST(Crossings, SoundShapesHaveNone) {
-    EXPECT_EQ(crossingTriangles(test::icosphereSoup(3)), 0);
-    EXPECT_EQ(crossingTriangles(test::torusSoup()), 0);
+    EXPECT_EQ(crossingTriangles(icosphereSoup(3)), 0);
+    EXPECT_EQ(crossingTriangles(torusSoup()), 0);
     EXPECT_EQ(crossingTriangles({}), 0);
 }
 
 TEST(Crossings, AreThoseThatEveryPairWouldShow) {
-    const TriangleSoup both =
-        test::joined(test::icosphereSoup(3), test::torusSoup(), Vec3(0.31, 0.12, 0.07));
-    EXPECT_EQ(repair::findCrossings(both, 1'000'000), test::selfIntersections(test::meshOf(both)));
+    const TriangleSoup both = joined(icosphereSoup(3), torusSoup(), Vec3(0.31, 0.12, 0.07));
+    EXPECT_EQ(repair::findCrossings(both, 1'000'000), selfIntersections(meshOf(both)));
     EXPECT_GT(crossingTriangles(both), 50);
     EXPECT_EQ(repair::findCrossings(both, 7).size(), 7u);
 }
 
 TEST(Crossings, ShellsThatOnlyTouchDoNotCross) {
-    EXPECT_EQ(crossingTriangles(test::joined(test::boxSoup(), test::boxSoup(), Vec3(1, 0, 0))), 0);
+    EXPECT_EQ(crossingTriangles(joined(boxSoup(), boxSoup(), Vec3(1, 0, 0))), 0);
+}
+
+const Corners kFloor{Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+
+TEST(CrossingDepth, OfACornerThroughAFaceIsHowFarItReaches) {
+    const Corners pierces{Vec3(0, 0, -0.01), Vec3(-0.1, 0, 1), Vec3(0.1, 0, 1)};
+    EXPECT_NEAR(crossingDepth(kFloor, pierces), 0.01, 1e-12);
+    EXPECT_NEAR(crossingDepth(pierces, kFloor), 0.01, 1e-12);
+}
+
+TEST(CrossingDepth, OfTwoEdgesIsHowFarTheyPassEachOther) {
+    const Corners upright{Vec3(-1, -1.02, -1), Vec3(1, -1.02, -1), Vec3(0, -0.96, 1)};
+    const double depth = crossingDepth(kFloor, upright);
+    EXPECT_GT(depth, 0);
+    EXPECT_LT(depth, 0.02);
+}
+
+// One is bent away outside of the other: what lies there does not count.
+TEST(CrossingDepth, OfNearlyParallelOnesIsThatWhereTheyLieOverEachOther) {
+    const Corners beside{Vec3(-1, 0, 1e-9), Vec3(3, 0.1, -0.4), Vec3(3, -0.1, -0.4)};
+    const Corners strip{Vec3(-3, -1, 0), Vec3(-0.999999, 0, 0), Vec3(-3, 1, 0)};
+    EXPECT_LT(crossingDepth(strip, beside), 1e-5);
+}
+
+TEST(CrossingDepth, InOnePlaneIsZero) {
+    EXPECT_EQ(crossingDepth(kFloor, kFloor), 0);
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::repair

@@ -1,22 +1,12 @@
 #include "sim/repair/fault_finder.h"
 
-#include <gmock/gmock.h>
-
-#include <random>
-
-#include "sim/repair/crossings.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/fuzz_seed.h"
 #include "tests/support/model_defects.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
 
 using repair::FaultKind;
 using repair::Faults;
-using ::testing::ElementsAre;
-using ::testing::UnorderedElementsAre;
 
 /// The counts of the kinds that are there.
 std::map<FaultKind, int> countsOf(const TriangleSoup& soup) {
@@ -59,13 +49,13 @@ int trianglesAt(const TriangleSoup& soup, const SurfaceFaults::Edge& edge) {
 }
 
 TEST(FaultFinder, FindsNothingInSoundModels) {
-    EXPECT_FALSE(repair::findFaults(test::soundBall()).any());
-    EXPECT_FALSE(repair::findFaults(test::torusSoup()).any());
+    EXPECT_FALSE(repair::findFaults(soundBall()).any());
+    EXPECT_FALSE(repair::findFaults(torusSoup()).any());
     EXPECT_FALSE(repair::findFaults({}).any());
 }
 
 TEST(FaultFinder, FindsTheBorderOfAHole) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const Triangle gone = soup.triangles.front();
     soup.triangles.erase(soup.triangles.begin());
     EXPECT_EQ(countsOf(soup), (std::map<FaultKind, int>{{FaultKind::openEdge, 3}}));
@@ -78,7 +68,7 @@ TEST(FaultFinder, FindsTheBorderOfAHole) {
 }
 
 TEST(FaultFinder, FindsWhereASurfaceBranches) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const Triangle& first = soup.triangles.front();
     const int a = first[0];
     const int b = first[1];
@@ -92,8 +82,7 @@ TEST(FaultFinder, FindsWhereASurfaceBranches) {
 }
 
 TEST(FaultFinder, FindsVerticesWhereASurfaceTouchesItself) {
-    const TriangleSoup soup =
-        weldExactly(test::joined(test::boxSoup(), test::boxSoup(), Vec3(1, 1, 1)));
+    const TriangleSoup soup = weldExactly(joined(boxSoup(), boxSoup(), Vec3(1, 1, 1)));
     const Faults faults = repair::findFaults(soup);
     ASSERT_EQ(faults.of(FaultKind::touchingVertex).count(), 1);
     const Vec3& at = soup.positions[faults.of(FaultKind::touchingVertex).vertices[0]];
@@ -102,13 +91,13 @@ TEST(FaultFinder, FindsVerticesWhereASurfaceTouchesItself) {
 }
 
 TEST(FaultFinder, FindsTrianglesThatFaceOtherwise) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     turnTriangle(soup, 4);
     EXPECT_EQ(countsOf(soup), (std::map<FaultKind, int>{{FaultKind::opposedEdge, 3}}));
 }
 
 TEST(FaultFinder, FindsTrianglesWithoutAreaAndDoubles) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const Triangle first = soup.triangles.front();
     soup.triangles.push_back({first[1], first[2], first[0]});
     soup.triangles.push_back({first[1], first[0], first[2]});
@@ -119,8 +108,7 @@ TEST(FaultFinder, FindsTrianglesWithoutAreaAndDoubles) {
 }
 
 TEST(FaultFinder, FindsTrianglesThatPassThroughOthers) {
-    const TriangleSoup soup =
-        test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.51, 0.37, 0.23));
+    const TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.51, 0.37, 0.23));
     const std::map<FaultKind, int> counts = countsOf(soup);
     EXPECT_EQ(counts.size(), 1U);
     EXPECT_GT(counts.at(FaultKind::crossingTriangle), 4);
@@ -128,13 +116,13 @@ TEST(FaultFinder, FindsTrianglesThatPassThroughOthers) {
 }
 
 TEST(FaultFinder, FindsNeedles) {
-    EXPECT_EQ(countsOf(test::boxSoup(Vec3(1, 20, 1))),
+    EXPECT_EQ(countsOf(boxSoup(Vec3(1, 20, 1))),
               (std::map<FaultKind, int>{{FaultKind::needle, 8}}));
-    EXPECT_TRUE(countsOf(test::boxSoup(Vec3(1, 9, 1))).empty());
+    EXPECT_TRUE(countsOf(boxSoup(Vec3(1, 9, 1))).empty());
 }
 
 TEST(FaultFinder, LeavesOutWhatHasNoPlace) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     soup.positions[soup.triangles[0][0]].x() = std::numeric_limits<double>::quiet_NaN();
     soup.triangles.push_back({0, 1, 99});
     const auto faults = repair::findFaults(soup);
@@ -147,10 +135,10 @@ TEST(FaultFinder, LeavesOutWhatHasNoPlace) {
 }
 
 TEST(FaultFinder, CountsAsTheReportDoesForEachPairOfDefects) {
-    for (const auto& [first, spoil] : test::modelDefects()) {
-        for (const auto& [second, spoilMore] : test::modelDefects()) {
+    for (const auto& [first, spoil] : modelDefects()) {
+        for (const auto& [second, spoilMore] : modelDefects()) {
             SCOPED_TRACE(std::string(first).append(" and ").append(second));
-            TriangleSoup soup = test::soundBall();
+            TriangleSoup soup = soundBall();
             spoil(soup);
             spoilMore(soup);
             expectAsReported(soup);
@@ -159,12 +147,12 @@ TEST(FaultFinder, CountsAsTheReportDoesForEachPairOfDefects) {
 }
 
 TEST(FaultFinder, FindsWhatAPlainCountFindsInWhateverComes) {
-    std::mt19937 random(test::fuzzSeed(20261123));
+    std::mt19937 random(fuzzSeed(20261123));
     constexpr int kRuns = 60;
     for (int run = 0; run < kRuns; ++run) {
         SCOPED_TRACE(run);
-        TriangleSoup soup = test::icosphereSoup(1);
-        test::damage(soup, random, 8);
+        TriangleSoup soup = icosphereSoup(1);
+        damage(soup, random, 8);
         expectAsReported(soup);
         std::erase_if(soup.triangles, [](const Triangle& t) {
             return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];

@@ -1,19 +1,7 @@
 #include "sim/repair/soup_inspection.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/base/math.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 /// Each triangle with corners of its own, as STL files give them.
 constexpr unsigned kBoxSeed = 20261126;
@@ -35,7 +23,7 @@ void turn(Triangle& t) {
 }
 
 TEST(Weld, JoinsLooseTriangles) {
-    const TriangleSoup welded = weldExactly(exploded(test::icosphereSoup(2)));
+    const TriangleSoup welded = weldExactly(exploded(icosphereSoup(2)));
     EXPECT_EQ(welded.positions.size(), 162u);
     EXPECT_TRUE(inspectTriangles(welded).cuttable);
 }
@@ -57,7 +45,7 @@ TEST(Weld, NegativeZeroEqualsZeroAndTheNextNumberDoesNot) {
 }
 
 TEST(Inspect, SoundShape) {
-    const MeshReport report = inspectTriangles(test::boxSoup(Vec3(1, 2, 3)));
+    const MeshReport report = inspectTriangles(boxSoup(Vec3(1, 2, 3)));
     EXPECT_TRUE(report.cuttable);
     EXPECT_EQ(report.problem, "");
     EXPECT_TRUE(report.closed && report.manifold && report.oriented);
@@ -69,10 +57,9 @@ TEST(Inspect, SoundShape) {
 }
 
 TEST(Inspect, WhatIsCuttableMakesASoundMesh) {
-    for (const TriangleSoup& soup :
-         {test::torusSoup(), test::bentTubeSoup(), test::cubeSphereSoup(8)}) {
+    for (const TriangleSoup& soup : {torusSoup(), bentTubeSoup(), cubeSphereSoup(8)}) {
         ASSERT_TRUE(inspectTriangles(soup).cuttable) << inspectTriangles(soup).problem;
-        EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+        EXPECT_EQ(checkClosedManifold(meshOf(soup)), "");
     }
 }
 
@@ -81,7 +68,7 @@ TEST(Inspect, Nothing) {
 }
 
 TEST(Inspect, OpenEdgesAreCounted) {
-    TriangleSoup soup = test::icosphereSoup(1);
+    TriangleSoup soup = icosphereSoup(1);
     soup.triangles.pop_back();
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.openEdges, 3);
@@ -93,7 +80,7 @@ TEST(Inspect, OpenEdgesAreCounted) {
 }
 
 TEST(Inspect, EdgeWithThreeTriangles) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const auto [a, b, c] = soup.triangles[0];
     soup.positions.push_back(Vec3(0, 0, 5));
     soup.triangles.push_back({a, b, 8});
@@ -105,14 +92,13 @@ TEST(Inspect, EdgeWithThreeTriangles) {
 }
 
 TEST(Inspect, DuplicateTriangle) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     soup.triangles.push_back(soup.triangles[0]);
     EXPECT_EQ(inspectTriangles(soup).nonManifoldEdges, 3);
 }
 
 TEST(Inspect, PiecesThatTouchInAPoint) {
-    const TriangleSoup soup =
-        weldExactly(test::joined(test::boxSoup(), test::boxSoup(), Vec3::Ones()));
+    const TriangleSoup soup = weldExactly(joined(boxSoup(), boxSoup(), Vec3::Ones()));
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.nonManifoldVertices, 1);
     EXPECT_TRUE(report.closed);
@@ -121,7 +107,7 @@ TEST(Inspect, PiecesThatTouchInAPoint) {
 }
 
 TEST(Inspect, OneTriangleTurned) {
-    TriangleSoup soup = test::icosphereSoup(1);
+    TriangleSoup soup = icosphereSoup(1);
     turn(soup.triangles[5]);
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.misorientedEdges, 3);
@@ -131,7 +117,7 @@ TEST(Inspect, OneTriangleTurned) {
 }
 
 TEST(Inspect, TriangleWithARepeatedCornerLeavesTheTopologyAlone) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     soup.triangles.push_back({0, 0, 1});
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.degenerateTriangles, 1);
@@ -141,7 +127,7 @@ TEST(Inspect, TriangleWithARepeatedCornerLeavesTheTopologyAlone) {
 
 TEST(Inspect, TriangleWithoutArea) {
     // A needle across the middle of one edge of a box face.
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     const auto [a, b, c] = soup.triangles[0];
     soup.positions.push_back(0.5 * (soup.positions[a] + soup.positions[b]));
     soup.triangles[0] = {a, 8, c};
@@ -155,7 +141,7 @@ TEST(Inspect, TriangleWithoutArea) {
 
 // A hole says nothing of how the triangles face.
 TEST(Inspect, AMeshWithAHoleIsOrientedWhereItsTrianglesAgree) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     soup.triangles.pop_back();
     EXPECT_FALSE(inspectTriangles(soup).closed);
     EXPECT_TRUE(inspectTriangles(soup).oriented);
@@ -164,7 +150,7 @@ TEST(Inspect, AMeshWithAHoleIsOrientedWhereItsTrianglesAgree) {
 }
 
 TEST(Inspect, NotANumberAndOutOfRange) {
-    TriangleSoup soup = test::icosphereSoup(0);
+    TriangleSoup soup = icosphereSoup(0);
     soup.positions[2].y() = std::numeric_limits<double>::quiet_NaN();
     soup.triangles[3][1] = 12;
     soup.triangles[4][2] = -1;
@@ -183,7 +169,7 @@ TEST(Inspect, FlatPiece) {
 }
 
 TEST(TurnOutward, WholeModelInsideOut) {
-    TriangleSoup soup = test::torusSoup();
+    TriangleSoup soup = torusSoup();
     for (Triangle& t : soup.triangles) {
         turn(t);
     }
@@ -193,8 +179,8 @@ TEST(TurnOutward, WholeModelInsideOut) {
 }
 
 TEST(TurnOutward, OnePieceOfTwo) {
-    const TriangleSoup ball = test::icosphereSoup(1);
-    TriangleSoup both = test::joined(test::boxSoup(Vec3(2, 2, 2)), ball, Vec3(3, 0, 0));
+    const TriangleSoup ball = icosphereSoup(1);
+    TriangleSoup both = joined(boxSoup(Vec3(2, 2, 2)), ball, Vec3(3, 0, 0));
     for (std::size_t t = 12; t < both.triangles.size(); ++t) {
         turn(both.triangles[t]);
     }
@@ -205,8 +191,7 @@ TEST(TurnOutward, OnePieceOfTwo) {
 }
 
 TEST(TurnOutward, CavityStays) {
-    TriangleSoup hollow =
-        test::joined(test::boxSoup(Vec3(2, 2, 2)), test::icosphereSoup(1), Vec3::Zero());
+    TriangleSoup hollow = joined(boxSoup(Vec3(2, 2, 2)), icosphereSoup(1), Vec3::Zero());
     for (std::size_t t = 12; t < hollow.triangles.size(); ++t) {
         turn(hollow.triangles[t]);
     }
@@ -224,10 +209,9 @@ TEST(TurnOutward, CavityStays) {
 }
 
 TEST(TurnOutward, ShellInsideAnotherBecomesACavityAndOneInsideThatMaterial) {
-    TriangleSoup nested =
-        test::joined(test::boxSoup(Vec3(2, 2, 2)), test::icosphereSoup(1), Vec3::Zero());
-    nested = test::joined(nested, test::icosphereSoup(1, 0.2), Vec3(0.1, 0, 0));
-    nested = test::joined(nested, test::icosphereSoup(1, 0.1), Vec3(0.1, 0, 0));
+    TriangleSoup nested = joined(boxSoup(Vec3(2, 2, 2)), icosphereSoup(1), Vec3::Zero());
+    nested = joined(nested, icosphereSoup(1, 0.2), Vec3(0.1, 0, 0));
+    nested = joined(nested, icosphereSoup(1, 0.1), Vec3(0.1, 0, 0));
     const MeshReport before = inspectTriangles(nested);
     EXPECT_EQ(before.outwardCavities, 2);
     EXPECT_FALSE(before.cuttable);
@@ -240,12 +224,12 @@ TEST(TurnOutward, ShellInsideAnotherBecomesACavityAndOneInsideThatMaterial) {
 }
 
 TEST(TurnOutward, ACoreThatFillsACavityStaysMaterial) {
-    const TriangleSoup core = test::icosphereSoup(1);
-    const TriangleSoup box = test::boxSoup(Vec3(2, 2, 2));
+    const TriangleSoup core = icosphereSoup(1);
+    const TriangleSoup box = boxSoup(Vec3(2, 2, 2));
     const auto filled = [&](const TriangleSoup& first, const TriangleSoup& second) {
-        return test::joined(test::joined(box, first, Vec3::Zero()), second, Vec3::Zero());
+        return joined(joined(box, first, Vec3::Zero()), second, Vec3::Zero());
     };
-    for (TriangleSoup soup : {filled(test::turned(core), core), filled(core, test::turned(core))}) {
+    for (TriangleSoup soup : {filled(turned(core), core), filled(core, turned(core))}) {
         EXPECT_EQ(turnOutward(soup), 0);
         const MeshReport report = inspectTriangles(soup);
         EXPECT_EQ(report.problem, "");
@@ -256,20 +240,19 @@ TEST(TurnOutward, ACoreThatFillsACavityStaysMaterial) {
 }
 
 TEST(TurnOutward, ShellsThatCrossStayAsTheyAre) {
-    TriangleSoup both =
-        test::joined(test::icosphereSoup(2), test::icosphereSoup(2, 0.3), Vec3(0.4, 0, 0));
+    TriangleSoup both = joined(icosphereSoup(2), icosphereSoup(2, 0.3), Vec3(0.4, 0, 0));
     EXPECT_EQ(inspectTriangles(both).cavities, 0);
     EXPECT_EQ(turnOutward(both), 0);
     // One that looks out by a hundredth of the other's size, within its box.
-    TriangleSoup eye = test::joined(test::icosphereSoup(4), test::icosphereSoup(2, 0.1),
-                                    Vec3::Constant(0.415 / std::sqrt(3.0)));
+    TriangleSoup eye =
+        joined(icosphereSoup(4), icosphereSoup(2, 0.1), Vec3::Constant(0.415 / std::sqrt(3.0)));
     EXPECT_EQ(inspectTriangles(eye).cavities, 0);
     EXPECT_EQ(turnOutward(eye), 0);
 }
 
 /// A box between two corners.
 TriangleSoup boxBetween(const Vec3& low, const Vec3& high) {
-    TriangleSoup box = test::boxSoup(high - low);
+    TriangleSoup box = boxSoup(high - low);
     for (Vec3& p : box.positions) {
         p += (low + high) / 2;
     }
@@ -278,17 +261,15 @@ TriangleSoup boxBetween(const Vec3& low, const Vec3& high) {
 
 TEST(TurnOutward, AShellOfWhichOnlyCornersLookOutStays) {
     // The middles of the cube's triangles lie in the ball.
-    TriangleSoup both =
-        test::joined(test::icosphereSoup(3, 1), test::boxSoup(Vec3::Constant(1.2)), Vec3::Zero());
+    TriangleSoup both = joined(icosphereSoup(3, 1), boxSoup(Vec3::Constant(1.2)), Vec3::Zero());
     EXPECT_EQ(inspectTriangles(both).cavities, 0);
     EXPECT_EQ(turnOutward(both), 0);
 }
 
 TEST(TurnOutward, ShellsAroundThatCrossCountAsOne) {
-    TriangleSoup soup = test::joined(boxBetween({0, 0, 0}, {2, 1, 1}),
-                                     boxBetween({1, 0.1, 0.1}, {3, 1.2, 1.2}), Vec3::Zero());
-    soup = test::joined(soup, test::turned(boxBetween({1.4, 0.4, 0.4}, {1.6, 0.6, 0.6})),
-                        Vec3::Zero());
+    TriangleSoup soup = joined(boxBetween({0, 0, 0}, {2, 1, 1}),
+                               boxBetween({1, 0.1, 0.1}, {3, 1.2, 1.2}), Vec3::Zero());
+    soup = joined(soup, turned(boxBetween({1.4, 0.4, 0.4}, {1.6, 0.6, 0.6})), Vec3::Zero());
     const MeshReport report = inspectTriangles(soup);
     EXPECT_EQ(report.cavities, 1);
     EXPECT_TRUE(report.cuttable) << report.problem;
@@ -297,14 +278,14 @@ TEST(TurnOutward, ShellsAroundThatCrossCountAsOne) {
 TriangleSoup all(const std::vector<TriangleSoup>& shells) {
     TriangleSoup soup;
     for (const TriangleSoup& shell : shells) {
-        soup = test::joined(soup, shell, Vec3::Zero());
+        soup = joined(soup, shell, Vec3::Zero());
     }
     return soup;
 }
 
 TEST(TurnOutward, WhatStandsAtTheWallsOfACavityIsMaterial) {
     const TriangleSoup outer = boxBetween(Vec3::Zero(), Vec3::Constant(10));
-    const TriangleSoup cavity = test::turned(boxBetween(Vec3::Ones(), Vec3::Constant(9)));
+    const TriangleSoup cavity = turned(boxBetween(Vec3::Ones(), Vec3::Constant(9)));
     const std::vector<TriangleSoup> inside{
         boxBetween({4, 4, 1}, {6, 6, 9}),       // a column from floor to ceiling
         boxBetween({7, 4, 4}, {9, 6, 6}),       // an island at a wall
@@ -319,26 +300,26 @@ TEST(TurnOutward, WhatStandsAtTheWallsOfACavityIsMaterial) {
 
 TEST(TurnOutward, AnIslandInTheHollowOfTwoBodiesThatCrossIsMaterial) {
     const auto at = [](double x, const TriangleSoup& box) {
-        return test::joined({}, box, Vec3(x, 0, 0));
+        return joined({}, box, Vec3(x, 0, 0));
     };
-    const TriangleSoup outer = test::boxSoup(Vec3::Constant(10));
-    const TriangleSoup cavity = test::turned(test::boxSoup(Vec3::Constant(8)));
-    TriangleSoup soup = all({outer, cavity, at(4, outer), at(4, cavity), at(2, test::boxSoup())});
+    const TriangleSoup outer = boxSoup(Vec3::Constant(10));
+    const TriangleSoup cavity = turned(boxSoup(Vec3::Constant(8)));
+    TriangleSoup soup = all({outer, cavity, at(4, outer), at(4, cavity), at(2, boxSoup())});
     EXPECT_EQ(inspectTriangles(soup).cavities, 2);
     EXPECT_EQ(turnOutward(soup), 0);
 }
 
 TEST(TurnOutward, CavitiesThatCrossAndThatTouchTheWallAreCavities) {
     const TriangleSoup outer = boxBetween(Vec3::Zero(), Vec3::Constant(10));
-    TriangleSoup crossing = all({outer, test::turned(boxBetween({1, 1, 1}, {6, 6, 6})),
-                                 test::turned(boxBetween({4, 4, 4}, {9, 9, 9}))});
+    TriangleSoup crossing = all({outer, turned(boxBetween({1, 1, 1}, {6, 6, 6})),
+                                 turned(boxBetween({4, 4, 4}, {9, 9, 9}))});
     EXPECT_EQ(inspectTriangles(crossing).cavities, 2);
     for (int axis = 0; axis < 3; ++axis) {
         for (const bool low : {true, false}) {
             Vec3 from = Vec3::Constant(4);
             Vec3 to = Vec3::Constant(5);
             (low ? from : to)[axis] = low ? 0 : 10;
-            const TriangleSoup touching = all({outer, test::turned(boxBetween(from, to))});
+            const TriangleSoup touching = all({outer, turned(boxBetween(from, to))});
             EXPECT_EQ(inspectTriangles(touching).cavities, 1);
             EXPECT_EQ(inspectTriangles(touching).insideOutPieces, 0);
         }
@@ -354,11 +335,11 @@ TEST(TurnOutward, CavitiesWithSidesInThePlanesOfOthersStay) {
         const auto tenth = [&] { return nearestFloat(0.1 * tenths(random)); };
         const Vec3 low(1, tenth(), tenth());
         const Vec3 high(2.5, 2 + tenth(), 2 + tenth());
-        TriangleSoup soup = test::joined(boxBetween(Vec3::Zero(), Vec3::Constant(4)),
-                                         test::turned(boxBetween(low, high)), Vec3::Zero());
+        TriangleSoup soup = joined(boxBetween(Vec3::Zero(), Vec3::Constant(4)),
+                                   turned(boxBetween(low, high)), Vec3::Zero());
         const int axis = run % 3;
-        soup = test::joined(soup, boxBetween({5, low.y(), low.z()}, {6, high.y(), high.z()}),
-                            Vec3::Zero());
+        soup =
+            joined(soup, boxBetween({5, low.y(), low.z()}, {6, high.y(), high.z()}), Vec3::Zero());
         for (Vec3& p : soup.positions) {
             p = Vec3(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
         }

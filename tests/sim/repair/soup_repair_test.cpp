@@ -1,22 +1,12 @@
 #include "sim/repair/soup_repair.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/mesh/invariants.h"
-#include "sim/repair/soup_inspection.h"
+#include "sim/repair/double_triangles.h"
+#include "sim/repair/remesher.h"
 #include "sim/repair/vertex_parting.h"
 #include "tests/support/model_defects.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-using ::testing::Contains;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// As the reader of files does it, which refuses indices that are not there.
 TriangleSoup welded(const TriangleSoup& soup) {
@@ -35,24 +25,24 @@ void expectRepaired(TriangleSoup soup) {
     EXPECT_LE(report.bounds.diagonal(), 1.001 * diagonal);
     EXPECT_GT(report.volume, 0.3);
     if (report.cuttable) {
-        EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+        EXPECT_EQ(checkClosedManifold(meshOf(soup)), "");
     }
 }
 
 TEST(Repair, MendsEachDefect) {
-    for (const auto& [name, spoil] : test::modelDefects()) {
+    for (const auto& [name, spoil] : modelDefects()) {
         SCOPED_TRACE(name);
-        TriangleSoup soup = test::soundBall();
+        TriangleSoup soup = soundBall();
         spoil(soup);
         expectRepaired(soup);
     }
 }
 
 TEST(Repair, MendsDefectsInPairs) {
-    for (const auto& [first, spoil] : test::modelDefects()) {
-        for (const auto& [second, spoilMore] : test::modelDefects()) {
+    for (const auto& [first, spoil] : modelDefects()) {
+        for (const auto& [second, spoilMore] : modelDefects()) {
             SCOPED_TRACE(::testing::Message() << first << ", " << second);
-            TriangleSoup soup = test::soundBall();
+            TriangleSoup soup = soundBall();
             spoil(soup);
             spoilMore(soup);
             if (!inspectTriangles(soup).cuttable) {
@@ -63,7 +53,7 @@ TEST(Repair, MendsDefectsInPairs) {
 }
 
 TEST(Repair, LeavesWhatIsSound) {
-    TriangleSoup soup = test::torusSoup();
+    TriangleSoup soup = torusSoup();
     const TriangleSoup before = soup;
     EXPECT_THAT(repair::repairSoup(soup), IsEmpty());
     EXPECT_EQ(soup.positions, before.positions);
@@ -71,8 +61,8 @@ TEST(Repair, LeavesWhatIsSound) {
 }
 
 TEST(Repair, SolidsThatTouchStayApart) {
-    const TriangleSoup box = test::boxSoup();
-    TriangleSoup touching = test::joined(box, box, Vec3(1, 0, 0));
+    const TriangleSoup box = boxSoup();
+    TriangleSoup touching = joined(box, box, Vec3(1, 0, 0));
     touching.triangles.push_back({0, 0, 1});
     EXPECT_EQ(repair::repairSoup(touching).size(), 1u);
     EXPECT_EQ(inspectTriangles(touching).problem, "");
@@ -81,7 +71,7 @@ TEST(Repair, SolidsThatTouchStayApart) {
 }
 
 TEST(Repair, SaysWhatItDid) {
-    TriangleSoup soup = test::soundBall();
+    TriangleSoup soup = soundBall();
     soup.triangles.erase(soup.triangles.begin() + 5);
     soup.triangles.push_back(soup.triangles[60]);
     const std::vector<std::string> done = repair::repairSoup(soup);
@@ -90,11 +80,11 @@ TEST(Repair, SaysWhatItDid) {
 }
 
 TEST(Repair, FillsHolesWithTrianglesLikeThoseAround) {
-    TriangleSoup soup = test::icosphereSoup(4);
+    TriangleSoup soup = icosphereSoup(4);
     std::erase_if(soup.triangles,
                   [&](const Triangle& t) { return soup.positions[t[0]].y() > 0.3; });
     const std::size_t before = soup.triangles.size();
-    const double volume = inspectTriangles(test::icosphereSoup(4)).volume;
+    const double volume = inspectTriangles(icosphereSoup(4)).volume;
     repair::repairSoup(soup);
     EXPECT_GT(soup.triangles.size(), before + 150) << "not a fan of long triangles";
     EXPECT_NEAR(inspectTriangles(soup).volume, volume, 0.12 * volume);
@@ -107,14 +97,14 @@ TEST(Repair, WhateverComesIsMendedOrRefused) {
     for (unsigned seed = 0; seed < kRuns; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
-        TriangleSoup soup = seed % 2 == 0 ? test::icosphereSoup(2) : test::torusSoup(16, 8);
-        test::damage(soup, random, 12);
+        TriangleSoup soup = seed % 2 == 0 ? icosphereSoup(2) : torusSoup(16, 8);
+        damage(soup, random, 12);
         soup = weldExactly(soup);
         repair::repairSoup(soup);
         const MeshReport report = inspectTriangles(soup);
         EXPECT_EQ(report.cuttable, report.problem.empty());
         if (report.cuttable) {
-            EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+            EXPECT_EQ(checkClosedManifold(meshOf(soup)), "");
             ++mended;
         }
     }
@@ -127,6 +117,239 @@ TEST(Repair, SheetStaysAndIsRefused) {
     repair::repairSoup(sheet);
     EXPECT_FALSE(inspectTriangles(sheet).cuttable);
     EXPECT_THAT(inspectTriangles(sheet).problem, HasSubstr("give it thickness"));
+}
+
+using repair::dropDoubles;
+
+Triangle backOf(const Triangle& t) {
+    return {t[0], t[2], t[1]};
+}
+
+/// Doubles with the other side of all triangles whose corners lie above `z`.
+TriangleSoup doubledAbove(TriangleSoup soup, double z) {
+    const std::vector<Triangle> before = soup.triangles;
+    for (const Triangle& t : before) {
+        if (std::ranges::all_of(t, [&](int v) { return soup.positions[v].z() > z; })) {
+            soup.triangles.push_back(backOf(t));
+        }
+    }
+    return soup;
+}
+
+TEST(Doubles, OfADoubleSidedPartOneSideStays) {
+    const double volume = inspectTriangles(icosphereSoup(3)).volume;
+    for (const double z : {0.4, 0.25, 0.0, -0.3, -1.0}) {
+        SCOPED_TRACE(z);
+        TriangleSoup ball = doubledAbove(icosphereSoup(3), z);
+        repair::repairSoup(ball);
+        const MeshReport report = inspectTriangles(ball);
+        EXPECT_TRUE(report.cuttable) << report.problem;
+        EXPECT_EQ(report.triangles, 1280);
+        EXPECT_NEAR(report.volume, volume, 1e-12);
+    }
+}
+
+/// A unit cube whose opposite faces have the same diagonal.
+TriangleSoup cell() {
+    TriangleSoup cube;
+    for (int i = 0; i < 8; ++i) {
+        cube.positions.emplace_back(i % 2, i / 2 % 2, i / 4);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = 1 << (axis + 1) % 3;
+        const int v = 1 << (axis + 2) % 3;
+        const int high = 1 << axis;
+        cube.triangles.push_back({high, high + u, high + u + v});
+        cube.triangles.push_back({high, high + u + v, high + v});
+        cube.triangles.push_back({0, u + v, u});
+        cube.triangles.push_back({0, v, u + v});
+    }
+    return cube;
+}
+
+/// Cubes side by side, `n` along each axis, with welded vertices.
+TriangleSoup cubesInABlock(int n) {
+    TriangleSoup all;
+    for (int i = 0; i < n * n * n; ++i) {
+        const Eigen::Vector3i place(i % n, i / n % n, i / (n * n));
+        all = joined(all, cell(), place.cast<double>());
+    }
+    return weldExactly(all);
+}
+
+TEST(Doubles, OfWallsBetweenCubesNoneStays) {
+    for (const int n : {2, 3, 4}) {
+        TriangleSoup cubes = cubesInABlock(n);
+        EXPECT_EQ(dropDoubles(cubes), 3 * (n - 1) * n * n * 4);
+        const MeshReport report = inspectTriangles(cubes);
+        EXPECT_TRUE(report.cuttable) << report.problem;
+        EXPECT_NEAR(report.volume, n * n * n, 1e-12);
+    }
+}
+
+TEST(Doubles, OfAFaceThatTwoSolidsHaveBothStay) {
+    TriangleSoup longer = boxSoup(Vec3(2, 1, 1));
+    TriangleSoup both = weldExactly(joined(longer, boxSoup(), Vec3(-0.5, 0, 0)));
+    EXPECT_EQ(dropDoubles(both), 0);
+    EXPECT_EQ(both.triangles.size(), 24u);
+}
+
+TEST(Doubles, OfAModelThatIsThereTwiceOneStays) {
+    TriangleSoup ball = icosphereSoup(2);
+    const std::vector<Triangle> before = ball.triangles;
+    ball.triangles.insert(ball.triangles.end(), before.begin(), before.end());
+    EXPECT_EQ(dropDoubles(ball), 320);
+    EXPECT_EQ(ball.triangles, before);
+}
+
+TEST(Doubles, OfASolidThatIsThereOnceForEachSideAndHasANeighbourOneStays) {
+    const TriangleSoup both = joined(cell(), turned(cell()), Vec3::Zero());
+    TriangleSoup three = weldExactly(joined(both, cell(), Vec3(1, 0, 0)));
+    repair::repairSoup(three);
+    const MeshReport report = inspectTriangles(three);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_NEAR(report.volume, 2, 0.01);
+}
+
+TEST(Doubles, OfAFlapNoneStays) {
+    TriangleSoup box = boxSoup();
+    const Triangle flap{0, 1, static_cast<int>(box.positions.size())};
+    box.positions.emplace_back(2, 2, 2);
+    box.triangles.push_back(flap);
+    box.triangles.push_back(backOf(flap));
+    EXPECT_EQ(dropDoubles(box), 2);
+    EXPECT_TRUE(inspectTriangles(box).cuttable);
+}
+
+/// Still apart once a file of floats was written and read.
+MeshReport asReadAgain(TriangleSoup soup) {
+    repair::moveApart(soup);
+    roundToFloats(soup);
+    MeshReport report = inspectTriangles(soup);
+    countCrossings(soup, report);
+    return report;
+}
+
+TEST(MoveApart, LeavesWhatIsApart) {
+    TriangleSoup ball = icosphereSoup(2);
+    const std::vector<Vec3> before = ball.positions;
+    EXPECT_EQ(repair::moveApart(ball), 0);
+    EXPECT_EQ(ball.positions, before);
+}
+
+TEST(MoveApart, LeavesSolidsThatTouch) {
+    TriangleSoup cubes = joined(boxSoup(), boxSoup(), Vec3(1, 0, 0));
+    const std::vector<Vec3> before = cubes.positions;
+    EXPECT_EQ(repair::moveApart(cubes), 0);
+    EXPECT_EQ(cubes.positions, before);
+}
+
+TEST(MoveApart, CubesWithACornerAnEdgeOrAFaceInCommonBecomeTwo) {
+    for (const Vec3& way : {Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(1, 0, 0)}) {
+        const MeshReport report = asReadAgain(joined(boxSoup(), boxSoup(), way));
+        EXPECT_TRUE(report.cuttable) << report.problem;
+        EXPECT_EQ(report.pieces, 2);
+        EXPECT_EQ(report.crossingTriangles, 0);
+        EXPECT_NEAR(report.volume, 2, 0.01);
+    }
+}
+
+TEST(MoveApart, SolidsWithACornerAndItsSidesInCommonBecomeTwo) {
+    const MeshReport report =
+        asReadAgain(joined(boxSoup(Vec3::Constant(2)), boxSoup(), Vec3::Constant(0.5)));
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.vertices, 16);
+}
+
+TEST(MoveApart, ACavityThatTouchesTheWallStaysInside) {
+    // A tetrahedron with one corner at a corner of the box around it.
+    TriangleSoup box = boxSoup(Vec3::Constant(4));
+    TriangleSoup cavity{{{-2, -2, -2}, {-1, -1, 0}, {0, -1, -1}, {-1, 0, -1}},
+                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+    const double own = inspectTriangles(cavity).volume;
+    cavity = own > 0 ? turned(cavity) : cavity;
+    const MeshReport report = asReadAgain(joined(box, cavity, Vec3::Zero()));
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.cavities, 1);
+    EXPECT_EQ(report.crossingTriangles, 0);
+    EXPECT_NEAR(report.volume, 64 - std::abs(own), 0.5);
+}
+
+TEST(MoveApart, CavitiesThatTouchStayTwo) {
+    const TriangleSoup hollow = turned(boxSoup());
+    TriangleSoup soup = joined(boxSoup(Vec3::Constant(8)), hollow, Vec3::Zero());
+    soup = joined(soup, hollow, Vec3::Ones());
+    const MeshReport report = asReadAgain(soup);
+    EXPECT_TRUE(report.cuttable) << report.problem;
+    EXPECT_EQ(report.cavities, 2);
+    EXPECT_EQ(report.crossingTriangles, 0);
+}
+
+/// [degrees]
+double leastAngle(const TriangleSoup& soup) {
+    double least = 180;
+    for (const Triangle& t : soup.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const Vec3 u = soup.positions[t[(i + 1) % 3]] - soup.positions[t[i]];
+            const Vec3 v = soup.positions[t[(i + 2) % 3]] - soup.positions[t[i]];
+            least =
+                std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)) * 180 / std::numbers::pi);
+        }
+    }
+    return least;
+}
+
+/// A box of long needles.
+TriangleSoup needles() {
+    TriangleSoup soup = boxSoup(Vec3(1, 1, 1), 12);
+    for (Vec3& p : soup.positions) {
+        p.x() *= 0.05;
+    }
+    return soup;
+}
+
+TEST(Remesher, MakesEvenTrianglesAndKeepsTheVolume) {
+    for (TriangleSoup soup : {gradedSphereSoup(), bentTubeSoup(60, 16), torusSoup(90, 12)}) {
+        const double volume = inspectTriangles(soup).volume;
+        const double edge = figuresOf(soup).meanEdge();
+        repair::remesh(soup, edge);
+        const MeshReport report = inspectTriangles(soup);
+        EXPECT_EQ(report.problem, "");
+        EXPECT_NEAR(report.volume, volume, 0.01 * volume);
+        EXPECT_GT(leastAngle(soup), 15);
+        EXPECT_NEAR(figuresOf(soup).meanEdge(), edge, 0.25 * edge);
+        EXPECT_EQ(checkClosedManifold(meshOf(soup)), "");
+    }
+}
+
+TEST(Remesher, KeepsHardEdges) {
+    TriangleSoup soup = needles();
+    const Bounds before = inspectTriangles(soup).bounds;
+    repair::remesh(soup, 0.05);
+    const MeshReport report = inspectTriangles(soup);
+    EXPECT_EQ(report.problem, "");
+    EXPECT_NEAR(report.volume, 0.05, 1e-6);
+    EXPECT_NEAR((report.bounds.low - before.low).norm(), 0, 1e-12);
+    EXPECT_NEAR((report.bounds.high - before.high).norm(), 0, 1e-12);
+    EXPECT_GT(leastAngle(soup), 15);
+}
+
+TEST(Remesher, RefinesWhatIsCoarseAndKeepsItsFlatFaces) {
+    TriangleSoup soup = boxSoup();
+    const double edge = proposedEdge(figuresOf(soup), std::sqrt(3));
+    repair::remesh(soup, edge);
+    EXPECT_EQ(inspectTriangles(soup).problem, "");
+    EXPECT_NEAR(inspectTriangles(soup).volume, 1, 1e-12);
+    for (const Vec3& p : soup.positions) {
+        ASSERT_NEAR(p.cwiseAbs().maxCoeff(), 0.5, 1e-12) << "beside the surface";
+    }
+    const TriangleFigures figures = figuresOf(soup);
+    EXPECT_NEAR(figures.area, 6, 1e-12);
+    EXPECT_LT(figures.longestEdge, 1.6 * edge);
+    EXPECT_GT(figures.shortestEdge, 0.4 * edge);
+    EXPECT_NEAR(figures.meanEdge(), edge, 0.2 * edge);
+    EXPECT_GT(leastAngle(soup), 20);
+    EXPECT_FALSE(isCoarse(figures, std::sqrt(3)));
 }
 
 }  // namespace

@@ -1,23 +1,10 @@
 #include "sim/repair/thickening.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "sim/mesh/invariants.h"
-#include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/shapes.h"
 #include "tests/support/sheet_soup.h"
 
 namespace kerf {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 TriangleSoup without(TriangleSoup soup, const std::function<bool(const Vec3&)>& isGone) {
     std::erase_if(soup.triangles, [&](const Triangle& t) {
@@ -27,7 +14,7 @@ TriangleSoup without(TriangleSoup soup, const std::function<bool(const Vec3&)>& 
 }
 
 TriangleSoup hemisphere() {
-    return without(test::icosphereSoup(4), [](const Vec3& p) { return p.y() < 0; });
+    return without(icosphereSoup(4), [](const Vec3& p) { return p.y() < 0; });
 }
 
 /// A band of n quads around the y axis that turns over `halfTurns` times on its way.
@@ -65,7 +52,7 @@ void expectBody(const TriangleSoup& soup) {
     EXPECT_EQ(report.problem, "");
     EXPECT_TRUE(repair::crossingTriangles(soup).empty());
     if (report.cuttable) {
-        EXPECT_EQ(checkClosedManifold(test::meshOf(soup)), "");
+        EXPECT_EQ(checkClosedManifold(meshOf(soup)), "");
     }
     TriangleSoup written = soup;
     roundToFloats(written);
@@ -103,7 +90,7 @@ double thicknessTold(const std::string& problem) {
 TEST(Thickening, MakesABoxOfASquare) {
     for (const int n : {1, 7}) {
         for (const double thickness : {1e-4, 0.03, 5.0}) {
-            TriangleSoup soup = test::sheetSoup(n);
+            TriangleSoup soup = sheetSoup(n);
             ASSERT_EQ(repair::thicken(soup, thickness).problem, "");
             expectBody(soup);
             const MeshReport report = inspectTriangles(soup);
@@ -118,8 +105,7 @@ TEST(Thickening, MakesABoxOfASquare) {
 TEST(Thickening, KeepsTheThicknessOfAFold) {
     const double slope = 1;  // a ridge of 90 degrees
     const double thickness = 0.05;
-    TriangleSoup soup =
-        test::sheetSoup(6, [&](double x, double) { return -slope * std::abs(x - 0.5); });
+    TriangleSoup soup = sheetSoup(6, [&](double x, double) { return -slope * std::abs(x - 0.5); });
     const double area = areaOf(soup);
     EXPECT_NEAR(thickenedVolume(soup, thickness), thickness * area, 1e-12);
     ASSERT_EQ(repair::thicken(soup, thickness).problem, "");
@@ -131,7 +117,7 @@ TEST(Thickening, KeepsTheThicknessOfAFold) {
 }
 
 TEST(Thickening, ClosesTheBordersOfHoles) {
-    const TriangleSoup ring = without(test::sheetSoup(6), [](const Vec3& p) {
+    const TriangleSoup ring = without(sheetSoup(6), [](const Vec3& p) {
         return std::abs(p.x() - 0.5) < 0.17 && std::abs(p.z() - 0.5) < 0.17;
     });
     const double area = 8.0 / 9;
@@ -147,12 +133,12 @@ TEST(Thickening, MakesABowlOfAHemisphere) {
 }
 
 TEST(Thickening, MakesABodyOfEachSheet) {
-    const TriangleSoup two = test::joined(test::sheetSoup(3), test::sheetSoup(4), Vec3(0, 0.5, 0));
+    const TriangleSoup two = joined(sheetSoup(3), sheetSoup(4), Vec3(0, 0.5, 0));
     EXPECT_NEAR(thickenedVolume(two, 0.1, 2), 0.2, 1e-12);
 }
 
 TEST(Thickening, TurnsTrianglesThatFaceOtherwise) {
-    TriangleSoup soup = test::sheetSoup(5);
+    TriangleSoup soup = sheetSoup(5);
     for (const int t : {3, 4, 20, 31}) {
         std::swap(soup.triangles[t][0], soup.triangles[t][1]);
     }
@@ -161,14 +147,14 @@ TEST(Thickening, TurnsTrianglesThatFaceOtherwise) {
 
 TEST(Thickening, PartsFansThatMeetInAVertex) {
     const TriangleSoup soup =
-        without(test::sheetSoup(4), [](const Vec3& p) { return (p.x() < 0.5) == (p.z() < 0.5); });
+        without(sheetSoup(4), [](const Vec3& p) { return (p.x() < 0.5) == (p.z() < 0.5); });
     ASSERT_GT(inspectTriangles(soup).nonManifoldVertices, 0);
     EXPECT_NEAR(thickenedVolume(soup, 0.02, 2), 0.02 * 0.5, 1e-4);
 }
 
 TEST(Thickening, LeavesClosedPartsAlone) {
-    const TriangleSoup ball = test::icosphereSoup(2);
-    TriangleSoup soup = test::joined(ball, test::sheetSoup(3), Vec3(2, 0, 0));
+    const TriangleSoup ball = icosphereSoup(2);
+    TriangleSoup soup = joined(ball, sheetSoup(3), Vec3(2, 0, 0));
     ASSERT_EQ(repair::thicken(soup, 0.01).sheets, 1);
     expectBody(soup);
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
@@ -184,7 +170,7 @@ TEST(Thickening, LeavesClosedPartsAlone) {
 }
 
 TEST(Thickening, PutsTheLooksOnBothSides) {
-    TriangleSoup soup = test::sheetSoup(2);
+    TriangleSoup soup = sheetSoup(2);
     const auto count = static_cast<int>(soup.triangles.size());
     const auto uvOf = [](const Vec3& p) { return Vec2(p.x(), p.z()).cast<float>().eval(); };
     resizeAttributes(soup.skin, 0);
@@ -225,7 +211,7 @@ TEST(Thickening, RefusesWhatHasOneSide) {
 }
 
 TEST(Thickening, RefusesWhatBranches) {
-    TriangleSoup soup = test::sheetSoup(2);
+    TriangleSoup soup = sheetSoup(2);
     const auto apex = static_cast<int>(soup.positions.size());
     soup.positions.emplace_back(0.5, 1, 0.5);
     soup.triangles.push_back({4, 5, apex});
@@ -233,14 +219,14 @@ TEST(Thickening, RefusesWhatBranches) {
 }
 
 TEST(Thickening, RefusesTrianglesWithoutArea) {
-    TriangleSoup soup = test::sheetSoup(1);
+    TriangleSoup soup = sheetSoup(1);
     soup.positions.emplace_back(0.5, 0, 0);
     soup.triangles.push_back({0, 4, 1});
     EXPECT_THAT(problemOf(soup, 0.01), StartsWith("1 triangle without area"));
 }
 
 TEST(Thickening, RefusesAVertexWithoutAngles) {
-    TriangleSoup soup = test::sheetSoup(1);
+    TriangleSoup soup = sheetSoup(1);
     soup.positions.emplace_back(3, 1e-200, 0);
     soup.triangles.push_back({0, 1, 4});
     EXPECT_THAT(problemOf(soup, 0.01), HasSubstr("nearly without area"));
@@ -248,23 +234,22 @@ TEST(Thickening, RefusesAVertexWithoutAngles) {
 
 TEST(Thickening, SaysWhichThicknessDoes) {
     const auto wave = [](double x, double z) { return 0.05 * std::sin(20 * x) * std::cos(20 * z); };
-    const TriangleSoup near =
-        test::joined(test::sheetSoup(4), test::sheetSoup(4), Vec3(0.01, 0.02, 0));
-    for (const TriangleSoup& soup : {test::sheetSoup(40, wave), hemisphere(), near}) {
+    const TriangleSoup near = joined(sheetSoup(4), sheetSoup(4), Vec3(0.01, 0.02, 0));
+    for (const TriangleSoup& soup : {sheetSoup(40, wave), hemisphere(), near}) {
         const double told = thicknessTold(problemOf(soup, 1.5));
         EXPECT_GT(told, 0.005);
         TriangleSoup thinner = soup;
         EXPECT_EQ(repair::thicken(thinner, told).problem, "");
         expectBody(thinner);
     }
-    EXPECT_THAT(problemOf(test::sheetSoup(3), 1e-9), HasSubstr("too little"));
-    EXPECT_THAT(problemOf(test::sheetSoup(3), std::nan("")), HasSubstr("too little"));
-    EXPECT_THAT(problemOf(test::sheetSoup(3), HUGE_VAL), HasSubstr("too much"));
+    EXPECT_THAT(problemOf(sheetSoup(3), 1e-9), HasSubstr("too little"));
+    EXPECT_THAT(problemOf(sheetSoup(3), std::nan("")), HasSubstr("too little"));
+    EXPECT_THAT(problemOf(sheetSoup(3), HUGE_VAL), HasSubstr("too much"));
 }
 
 TEST(Thickening, RefusesASheetThatPassesThroughItself) {
     // A spiral ramp whose end goes through its beginning.
-    TriangleSoup soup = test::sheetSoup(12, [](double, double) { return 0.0; });
+    TriangleSoup soup = sheetSoup(12, [](double, double) { return 0.0; });
     for (Vec3& p : soup.positions) {
         const double around = 3 * std::numbers::pi * p.x();
         p = Vec3(std::cos(around) * (1 + 0.2 * std::sin(around / 2)), p.z(), std::sin(around));
@@ -274,19 +259,18 @@ TEST(Thickening, RefusesASheetThatPassesThroughItself) {
 }
 
 TEST(Thickening, LetsSheetsPassThroughEachOther) {
-    TriangleSoup upright = test::sheetSoup(2);
+    TriangleSoup upright = sheetSoup(2);
     for (Vec3& p : upright.positions) {
         p = Vec3(p.x(), p.z() - 0.4, 0.51);
     }
-    TriangleSoup soup = test::joined(test::sheetSoup(3), upright, Vec3::Zero());
+    TriangleSoup soup = joined(sheetSoup(3), upright, Vec3::Zero());
     EXPECT_EQ(repair::thicken(soup, 0.02).problem, "") << "as leaves do; a repair unites them";
     EXPECT_EQ(inspectTriangles(soup).problem, "");
 }
 
 TEST(Thickening, ProposesAFiftiethOfTheDiagonalOrLess) {
-    EXPECT_NEAR(proposedFor(test::sheetSoup(4)), std::sqrt(2.0) / 50, 0.0005);
-    const TriangleSoup near =
-        test::joined(test::sheetSoup(4), test::sheetSoup(4), Vec3(0, 0.01, 0));
+    EXPECT_NEAR(proposedFor(sheetSoup(4)), std::sqrt(2.0) / 50, 0.0005);
+    const TriangleSoup near = joined(sheetSoup(4), sheetSoup(4), Vec3(0, 0.01, 0));
     const double less = proposedFor(near);
     EXPECT_LT(less, 0.01);
     EXPECT_GT(less, 0.004);
@@ -295,10 +279,10 @@ TEST(Thickening, ProposesAFiftiethOfTheDiagonalOrLess) {
 }
 
 TEST(Thickening, TellsSheetsFromBodiesWithHoles) {
-    EXPECT_TRUE(repair::isSheet(test::sheetSoup(3)));
+    EXPECT_TRUE(repair::isSheet(sheetSoup(3)));
     EXPECT_TRUE(repair::isSheet(hemisphere()));
-    EXPECT_FALSE(repair::isSheet(test::icosphereSoup(2)));
-    const TriangleSoup holes = without(test::icosphereSoup(4), [](const Vec3& p) {
+    EXPECT_FALSE(repair::isSheet(icosphereSoup(2)));
+    const TriangleSoup holes = without(icosphereSoup(4), [](const Vec3& p) {
         return std::abs(p.y()) > 0.47 || std::abs(p.x()) > 0.47 || std::abs(p.z()) > 0.47;
     });
     EXPECT_FALSE(repair::isSheet(holes));
@@ -306,15 +290,15 @@ TEST(Thickening, TellsSheetsFromBodiesWithHoles) {
 
 // KERF_FUZZ_SEED sets the seed.
 TEST(Thickening, MakesBodiesOfRandomHeightFields) {
-    std::mt19937 random(test::fuzzSeed(20261127));
+    std::mt19937 random(fuzzSeed(20261127));
     const auto any = [&](double low, double high) {
         return low + (high - low) * static_cast<double>(random()) / std::mt19937::max();
     };
     for (int i = 0; i < 30; ++i) {
         SCOPED_TRACE(i);
         const double rough = any(0, 0.03);
-        TriangleSoup soup = test::sheetSoup(4 + static_cast<int>(random() % 20),
-                                            [&](double, double) { return any(-rough, rough); });
+        TriangleSoup soup = sheetSoup(4 + static_cast<int>(random() % 20),
+                                      [&](double, double) { return any(-rough, rough); });
         for (int gone = static_cast<int>(random() % 9); gone > 0; --gone) {
             soup.triangles.erase(soup.triangles.begin() +
                                  static_cast<std::ptrdiff_t>(random() % soup.triangles.size()));

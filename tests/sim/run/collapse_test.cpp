@@ -1,19 +1,6 @@
 // What has collapsed comes back to its shape: pieces turned inside out by parameters at their
 // extremes.
-#include <gtest/gtest.h>
 #include <spdlog/fmt/fmt.h>
-
-#include <cstdlib>
-#include <iostream>
-#include <random>
-
-#include "sim/body/body_model.h"
-#include "sim/body/folded_triangles.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/nightly.h"
-#include "tests/support/shape_error.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -40,8 +27,7 @@ std::vector<PieceShape> shapesOf(const SurfaceMesh& mesh) {
         if (model.pieces[p].holdsVolume) {
             const Piece& piece = map.pieces[map.ofVertex[members[p].front()]];
             shapes.push_back(
-                {test::rmsShapeError(mesh.restPositions(), mesh.positions(), members[p]) /
-                     model.diagonal,
+                {rmsShapeError(mesh.restPositions(), mesh.positions(), members[p]) / model.diagonal,
                  piece.volume / piece.restVolume, insideOut[p]});
         }
     }
@@ -61,11 +47,11 @@ PieceShape worstOf(const SurfaceMesh& mesh) {
 }
 
 std::vector<SurfaceMesh> sixBodies() {
-    return {test::icosphere(1), test::icosphere(2),    test::cubeSphere(5),
-            test::torus(16, 8), test::bentTube(12, 8), test::box({1, 0.25, 0.6}, 3)};
+    return {icosphere(1), icosphere(2),    cubeSphere(5),
+            torus(16, 8), bentTube(12, 8), box({1, 0.25, 0.6}, 3)};
 }
 
-class CollapseTest : public test::SimulationTest {
+class CollapseTest : public SimulationFixture {
   protected:
     void set(const std::string& name, const ParamValue& value) {
         ASSERT_EQ(simulation->execute(SetParam{name, value}), "");
@@ -84,7 +70,7 @@ class CollapseTest : public test::SimulationTest {
 
     /// `seconds` at the default parameters, less gravity and floor.
     void rest(double seconds) {
-        const Params ordinary = test::weightless();
+        const Params ordinary = weightless();
         for (const ParamInfo& info : paramTable()) {
             set(std::string(info.name), getParam(ordinary, info.name));
         }
@@ -94,9 +80,9 @@ class CollapseTest : public test::SimulationTest {
 
 // shared case ispc-zero-and-back: 1,620 triangles became 1,364, and the halves polyhedra.
 TEST_F(CollapseTest, HalvesComeBackFromIspcStiffnessZero) {
-    Params params = test::weightless();
+    Params params = weightless();
     params.floor = -0.65;
-    simulation.emplace(test::builtin("sphere768"), params);
+    simulation.emplace(builtin("sphere768"), params);
     cutAt(0.1, 50);
     ASSERT_EQ(simulation->measuredPieces().size(), 2);
     const int cut = triangles();
@@ -116,7 +102,7 @@ TEST_F(CollapseTest, HalvesComeBackFromIspcStiffnessZero) {
 }
 
 TEST_F(CollapseTest, NothingThatACutLeftIsCleanedAwayOnTheWay) {
-    Params params = test::weightless();
+    Params params = weightless();
     params.floor = -0.65;
     for (const SurfaceMesh& body : sixBodies()) {
         SCOPED_TRACE(body.aliveTriangles());
@@ -144,7 +130,7 @@ class FlatSphereTest : public CollapseTest {
         params.gravity = Vec3(0, -30, 0);
         params.floor = -0.52;
         params.ispcStiffness = 0;
-        simulation.emplace(test::icosphere(2), params);
+        simulation.emplace(icosphere(2), params);
         run(200);
     }
 };
@@ -192,10 +178,6 @@ TEST_F(FlatSphereTest, AMomentKnowsThatItIsDrawnBack) {
 // --- Storms ----------------------------------------------------------------------------------
 
 // KERF_COLLAPSE_STORMS: more of them. KERF_COLLAPSE_SEED: others (one storm repeats one).
-unsigned environmentNumber(const char* name, unsigned otherwise) {
-    const char* text = std::getenv(name);
-    return text == nullptr ? otherwise : static_cast<unsigned>(std::atol(text));
-}
 
 struct Extreme {
     std::string name;
@@ -269,8 +251,8 @@ class CollapseStormTest : public CollapseTest {
 
 TEST_F(CollapseStormTest, WhatStormsCrushComesBack) {
     constexpr unsigned kFirst = 20261123;
-    const unsigned first = environmentNumber("KERF_COLLAPSE_SEED", kFirst);
-    const auto storms = static_cast<unsigned>(test::runs("KERF_COLLAPSE_STORMS", 2, 10));
+    const auto first = static_cast<unsigned>(environmentNumber("KERF_COLLAPSE_SEED", kFirst));
+    const auto storms = static_cast<unsigned>(runs("KERF_COLLAPSE_STORMS", 2, 10));
     unsigned bent = 0;
     for (unsigned i = 0; i < storms; ++i) {
         SCOPED_TRACE("KERF_COLLAPSE_STORMS=1 KERF_COLLAPSE_SEED=" + std::to_string(first + i));

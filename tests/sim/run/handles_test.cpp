@@ -1,25 +1,9 @@
 // Hands that pull and pins that hold, as commands of a simulation.
-#include <glad/gl.h>
-#include <gmock/gmock.h>
-
-#include "sim/body/piece_masses.h"
-#include "sim/run/moment.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
 
-using test::weightless;
-using testing::HasSubstr;
-
-class HandlesTest : public test::GlTest {};
-
-void run(Simulation& simulation, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        simulation.step();
-    }
-}
+class HandlesTest : public GlTest {};
 
 Vec3 middle(const SurfaceMesh& mesh) {
     Vec3 sum = Vec3::Zero();
@@ -32,7 +16,7 @@ Vec3 middle(const SurfaceMesh& mesh) {
 TEST_F(HandlesTest, AHandPullsTheBodyAlongAndLetsGo) {
     Params params = weightless();
     params.airDrag = 10;
-    Simulation simulation(test::icosphere(2), params);
+    Simulation simulation(icosphere(2), params);
     ASSERT_EQ(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0.2}), "");
     const std::size_t held = simulation.hands().at(0).held.size();
     EXPECT_GT(held, 2u);
@@ -41,7 +25,7 @@ TEST_F(HandlesTest, AHandPullsTheBodyAlongAndLetsGo) {
         ASSERT_EQ(simulation.execute(Drag{0, Vec3(0.5 + 0.01 * step, 0, 0)}), "");
         simulation.step();
     }
-    run(simulation, 150);
+    step(simulation, 150);
     EXPECT_NEAR(middle(simulation.mesh()).x(), 0.4, 0.05);
     for (const Hands::Held& each : simulation.hands().at(0).held) {
         const Vec3 wanted = Vec3(0.9, 0, 0) + each.offset;
@@ -52,7 +36,7 @@ TEST_F(HandlesTest, AHandPullsTheBodyAlongAndLetsGo) {
 }
 
 TEST_F(HandlesTest, TwoHandsPullABodyApartAndItComesBack) {
-    Simulation simulation(test::icosphere(2), weightless());
+    Simulation simulation(icosphere(2), weightless());
     ASSERT_EQ(simulation.execute(Grab{1, Vec3(0.5, 0, 0), 0.25}), "");
     ASSERT_EQ(simulation.execute(Grab{2, Vec3(-0.5, 0, 0), 0.25}), "");
     for (int step = 1; step <= 20; ++step) {
@@ -60,25 +44,25 @@ TEST_F(HandlesTest, TwoHandsPullABodyApartAndItComesBack) {
         simulation.execute(Drag{2, Vec3(-0.5 - 0.01 * step, 0, 0)});
         simulation.step();
     }
-    run(simulation, 40);
+    step(simulation, 40);
     const auto width = [&] { return simulation.bounds().high.x() - simulation.bounds().low.x(); };
     EXPECT_GT(width(), 1.3);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);
     simulation.execute(Release{1});
     simulation.execute(Release{2});
-    run(simulation, 150);
+    step(simulation, 150);
     EXPECT_NEAR(width(), 1, 0.05);
 }
 
 TEST_F(HandlesTest, PinnedVerticesHoldTheBodyUp) {
     Params params = weightless();
     params.gravity = Vec3(0, -9.81, 0);
-    Simulation simulation(test::icosphere(2), params);
+    Simulation simulation(icosphere(2), params);
     ASSERT_EQ(simulation.execute(Pin{Bounds{{-1, 0.35, -1}, {1, 1, 1}}, true}), "");
     const std::vector<std::uint32_t> pinned = simulation.pinnedVertices();
     ASSERT_GT(pinned.size(), 3u);
     const SurfaceMesh before = simulation.mesh();
-    run(simulation, 100);
+    step(simulation, 100);
     for (const std::uint32_t v : pinned) {
         const int vertex = static_cast<int>(v);
         EXPECT_EQ(simulation.mesh().position(vertex), before.position(vertex));
@@ -87,12 +71,12 @@ TEST_F(HandlesTest, PinnedVerticesHoldTheBodyUp) {
     EXPECT_LT(middle(simulation.mesh()).y(), -0.001) << "it sags";
     ASSERT_EQ(simulation.execute(Pin{Ball{{0, 0.5, 0}, 2}, false}), "");
     EXPECT_TRUE(simulation.pinnedVertices().empty());
-    run(simulation, 60);
+    step(simulation, 60);
     EXPECT_LT(middle(simulation.mesh()).y(), -0.3) << "it falls";
 }
 
 TEST_F(HandlesTest, CopiesOfPinnedVerticesThatACutMakesStayPinned) {
-    Simulation simulation(test::icosphere(2), weightless());
+    Simulation simulation(icosphere(2), weightless());
     ASSERT_EQ(simulation.execute(Pin{Ball{Vec3::Zero(), 1}, true}), "");
     const std::size_t before = simulation.pinnedVertices().size();
     for (int i = 0; i <= 20; ++i) {
@@ -145,7 +129,7 @@ SurfaceMesh evenBar(int n) {
             }
         }
     }
-    return test::meshOf(soup);
+    return meshOf(soup);
 }
 
 /// The mean of what lies at the lower end of a bar that is pinned at its upper one.
@@ -172,12 +156,12 @@ TEST_F(HandlesTest, ABarStretchesByAForceAsItsModulusSays) {
     const Bounds end{{-1, -1, -1}, {1, -0.999, 1}};
     ASSERT_EQ(simulation.execute(Pin{Bounds{{-1, -0.001, -1}, {1, 1, 1}}}), "");
     ASSERT_EQ(simulation.execute(ApplyForce{end, Vec3(0, -200, 0)}), "");
-    run(simulation, 400);
+    step(simulation, 400);
     const double stretch = 200 / (1e5 * 0.25 * 0.25);  // F L / (E A)
     EXPECT_NEAR(lowerEnd(simulation, end), -1 - stretch, 0.06 * stretch);
     ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0, 0, 0}, 2}, Vec3::Zero()}), "");
     EXPECT_TRUE(simulation.forces().empty());
-    run(simulation, 400);
+    step(simulation, 400);
     EXPECT_NEAR(lowerEnd(simulation, end), -1, 0.06 * stretch);
 }
 
@@ -186,11 +170,11 @@ TEST_F(HandlesTest, AFreeBodyIsAcceleratedByItsMass) {
         Params params = weightless();
         params.solver = mode;
         params.airDrag = 0;
-        Simulation simulation(test::icosphere(2), params);
+        Simulation simulation(icosphere(2), params);
         const std::vector<double> masses = unitMasses(simulation.bodyModel());
         const double mass = params.density * std::accumulate(masses.begin(), masses.end(), 0.0);
         ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0, 0, 0}, 2}, Vec3(mass, 0, 0)}), "");
-        run(simulation, 100);
+        step(simulation, 100);
         const double t = 100 * params.timeStep;
         EXPECT_NEAR(middle(simulation.mesh()).x(), 0.5 * t * t, 0.02 * t * t);
     }
@@ -200,7 +184,7 @@ TEST_F(HandlesTest, PinsMoveExactlyAsPrescribedAndThenStay) {
     Params params = weightless();
     params.gravity = Vec3(0, -9.81, 0);
     params.sleeps = 1;
-    Simulation simulation(test::icosphere(2), params);
+    Simulation simulation(icosphere(2), params);
     const Vec3 velocity(2e-5, 0.03, -0.01);  // slower than a body that sleeps, along x
     Pin pin{Bounds{{-1, 0.35, -1}, {1, 1, 1}}};
     pin.velocity = velocity;
@@ -214,9 +198,9 @@ TEST_F(HandlesTest, PinsMoveExactlyAsPrescribedAndThenStay) {
             EXPECT_LT((simulation.mesh().position(vertex) - there).norm(), 2e-6);
         }
     };
-    run(simulation, 60);
+    step(simulation, 60);
     expectMoved(60 * params.timeStep);
-    run(simulation, 100);
+    step(simulation, 100);
     expectMoved(*pin.seconds);
     for (const std::uint32_t v : simulation.pinnedVertices()) {
         EXPECT_EQ(simulation.mesh().velocity(static_cast<int>(v)), Vec3::Zero());
@@ -224,7 +208,7 @@ TEST_F(HandlesTest, PinsMoveExactlyAsPrescribedAndThenStay) {
 }
 
 TEST_F(HandlesTest, ForcesAndMotionsFollowACutAndAreTakenBack) {
-    Simulation simulation(test::icosphere(2), weightless());
+    Simulation simulation(icosphere(2), weightless());
     simulation.setUndoBudget(std::size_t{1} << 30);
     ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0.5, 0, 0}, 0.4}, Vec3(1, 0, 0)}), "");
     Pin pin{Ball{{-0.5, 0, 0}, 0.4}};
@@ -238,7 +222,7 @@ TEST_F(HandlesTest, ForcesAndMotionsFollowACutAndAreTakenBack) {
         simulation.step();
     }
     simulation.execute(LiftBlade{});
-    run(simulation, 3);
+    step(simulation, 3);
     ASSERT_EQ(simulation.report().pieces, 2);
     EXPECT_GE(simulation.forces().at(0).held.vertices().size(), pushed);
     EXPECT_GE(simulation.pinnedVertices().size(), pinned);
@@ -252,11 +236,11 @@ TEST_F(HandlesTest, ForcesAndMotionsFollowACutAndAreTakenBack) {
     EXPECT_TRUE(simulation.forces().empty());
     EXPECT_EQ(simulation.execute(Redo{}), "");
     EXPECT_EQ(simulation.forces().at(0).newtons, Vec3(1, 0, 0));
-    run(simulation, 2);
+    step(simulation, 2);
 }
 
 TEST_F(HandlesTest, MistakesAreOneSentenceAndChangeNothing) {
-    Simulation simulation(test::icosphere(1), weightless());
+    Simulation simulation(icosphere(1), weightless());
     const std::string hash = simulation.stateHash();
     EXPECT_THAT(simulation.execute(Grab{0, Vec3(5, 0, 0), 0.1}), HasSubstr("No free vertex"));
     EXPECT_THAT(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0}), HasSubstr("radius"));
@@ -275,7 +259,7 @@ TEST_F(HandlesTest, MistakesAreOneSentenceAndChangeNothing) {
 
 // What moves, by an empty list, kept a body from sleeping, but not in its replay.
 TEST_F(HandlesTest, AMotionOfNothingLeavesNothingBehind) {
-    Simulation simulation(test::icosphere(1), weightless());
+    Simulation simulation(icosphere(1), weightless());
     const auto before = bytesOf(simulation.moment());
     Pin pin{Ball{{9, 9, 9}, 1}};
     pin.velocity = Vec3(1, 0, 0);
@@ -284,7 +268,7 @@ TEST_F(HandlesTest, AMotionOfNothingLeavesNothingBehind) {
 }
 
 TEST_F(HandlesTest, AHandThatHoldsAgainLetsGoOfWhatItHeld) {
-    Simulation simulation(test::icosphere(2), weightless());
+    Simulation simulation(icosphere(2), weightless());
     ASSERT_EQ(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0.2}), "");
     ASSERT_EQ(simulation.execute(Grab{0, Vec3(0.5, 0, 0), 0.2}), "") << "its own are free";
     EXPECT_EQ(simulation.hands().size(), 1u);
@@ -292,7 +276,7 @@ TEST_F(HandlesTest, AHandThatHoldsAgainLetsGoOfWhatItHeld) {
 }
 
 TEST_F(HandlesTest, ALostPieceIsTakenBackAndSaidOnce) {
-    Simulation simulation(test::icosphere(1), weightless());
+    Simulation simulation(icosphere(1), weightless());
     // To a speed that nothing real reaches.
     ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0.5, 0, 0}, 0.3}, Vec3(1e12, 0, 0)}), "");
     EXPECT_EQ(simulation.step().lostPieces, 1);

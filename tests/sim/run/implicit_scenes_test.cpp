@@ -1,14 +1,9 @@
 // Scenes whose steps are implicit: see docs/notes/implicit-steps.md.
-#include <gtest/gtest.h>
-
-#include "sim/run/moment.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
 
-class ImplicitScenesTest : public test::SimulationTest {
+class ImplicitScenesTest : public SimulationFixture {
   protected:
     static Params params() {
         Params params;
@@ -19,7 +14,7 @@ class ImplicitScenesTest : public test::SimulationTest {
         return params;
     }
     /// A ball of 1 m.
-    void begin(const Params& params) { simulation.emplace(test::icosphere(2), params); }
+    void begin(const Params& params) { simulation.emplace(icosphere(2), params); }
     Vec3 middle() {
         const std::vector<Vec3> places = simulation->mesh().positions();
         return std::accumulate(places.begin(), places.end(), Vec3(Vec3::Zero())) /
@@ -93,7 +88,7 @@ TEST_F(ImplicitScenesTest, ASlitBodyIsNotStrainedByAFall) {
     Params falling = params();
     falling.youngsModulus = 3e5;
     falling.gravity.setZero();
-    simulation.emplace(test::cubeSphere(16, 0.5), falling);
+    simulation.emplace(cubeSphere(16, 0.5), falling);
     cut(1.0);
     simulation->execute(SetParam{"gravity", Vec3(0, -9.81, 0)});
     run(40);

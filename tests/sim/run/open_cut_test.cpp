@@ -1,20 +1,10 @@
 // The open cut with the solver: hollow while the blade moves, patched when it has left.
-#include <gmock/gmock.h>
 
-#include "sim/body/body_updater.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/triangle.h"
-#include "sim/run/simulation.h"
 #include "sim/solve/body_view.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/open_manifold.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
-
-using ::testing::Contains;
-using ::testing::HasSubstr;
 
 constexpr int kStrokeSteps = 30;
 
@@ -31,11 +21,11 @@ Blade bladeAt(double x, int step) {
     return {{x, y, -1}, {x, y, 1}};
 }
 
-class OpenCutTest : public test::GlTest {
+class OpenCutTest : public GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        simulation.emplace(test::cubeSphere(6, 0.5), openParams());
+        simulation.emplace(cubeSphere(6, 0.5), openParams());
         simulation->setUndoBudget(std::size_t{1} << 30);
     }
     void TearDown() override {
@@ -70,8 +60,8 @@ TEST_F(OpenCutTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     EXPECT_TRUE(cutting.open);
     EXPECT_FALSE(cutting.closed);
     const SurfaceMesh& mesh = simulation->mesh();
-    EXPECT_EQ(test::checkOpenManifold(mesh), "");
-    EXPECT_GT(test::borderHalfEdges(mesh).size(), 10u);
+    EXPECT_EQ(checkOpenManifold(mesh), "");
+    EXPECT_GT(borderHalfEdges(mesh).size(), 10u);
     const auto absent = static_cast<int>(absentTriangles(mesh).size());
     EXPECT_GT(absent, 20);
     EXPECT_EQ(cutting.triangles + absent, mesh.aliveTriangles());
@@ -92,9 +82,7 @@ TEST_F(OpenCutTest, TheBodyIsOpenWhileTheBladeIsInItAndClosedAfter) {
     for (const PieceModel& piece : buildBodyModel(simulation->mesh()).pieces) {
         EXPECT_TRUE(piece.holdsVolume);
     }
-    for (int i = 0; i < 120; ++i) {
-        simulation->step();
-    }
+    step(*simulation, 120);
     expectSane();
     EXPECT_NEAR(simulation->report().volumeRatio, 1, 0.02);
 }
@@ -150,7 +138,7 @@ TEST_F(OpenCutTest, RepeatsBitForBitAndGoesOnFromAMomentInTheMiddle) {
     simulation->goTo(middle);
     EXPECT_EQ(simulation->stateHash(), then);
     EXPECT_EQ(goOn(), after);
-    Simulation again(test::cubeSphere(6, 0.5), openParams());
+    Simulation again(cubeSphere(6, 0.5), openParams());
     std::swap(*simulation, again);
     simulation->readAllBack(true);
     sweep(0.03, 0, 14);

@@ -1,10 +1,4 @@
 // A scene of several models, each of its own material.
-#include <gmock/gmock.h>
-
-#include "sim/run/start/prepared_body.h"
-#include "sim/run/undo/undo_history.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -56,11 +50,11 @@ constexpr int kLanding = 68;      // steps until the bar has been on the floor f
 constexpr int kStepsOfFall = 80;  // and for 50 ms
 constexpr double kAlike = 1e-4;   // how far bars may be apart that should be alike [m]
 
-class SeveralModelsTest : public test::SimulationTest {
+class SeveralModelsTest : public SimulationFixture {
   protected:
     /// A ball and beside it a smaller, longish box.
     void SetUp() override {
-        SimulationTest::SetUp();
+        SimulationFixture::SetUp();
         params.floor = -0.5;
         // Not by the state, on which the faster model decides for both.
         params.iterations = 8;
@@ -107,8 +101,8 @@ class SeveralModelsTest : public test::SimulationTest {
     }
 
     Params params;
-    SurfaceMesh ball = test::cubeSphere(6, 0.5);
-    SurfaceMesh bar = moved(test::box(Vec3(0.6, 0.4, 0.3), 4), Vec3(kApart, -0.2, 0));
+    SurfaceMesh ball = cubeSphere(6, 0.5);
+    SurfaceMesh bar = moved(box(Vec3(0.6, 0.4, 0.3), 4), Vec3(kApart, -0.2, 0));
 };
 
 TEST_F(SeveralModelsTest, EachFallsAsIfItWereAlone) {
@@ -181,7 +175,7 @@ TEST_F(SeveralModelsTest, OneIsPlacedAndTheOtherStays) {
     EXPECT_LT((simulation->mesh().position(ball.vertexCount()) - wanted).norm(), 1e-6);
     EXPECT_EQ(simulation->execute(Undo{}), "");
     EXPECT_EQ(simulation->placement(1), Placement{});
-    EXPECT_THAT(simulation->execute(Place{higher, false, 2}), testing::HasSubstr("no model 2"));
+    EXPECT_THAT(simulation->execute(Place{higher, false, 2}), HasSubstr("no model 2"));
 }
 
 }  // namespace

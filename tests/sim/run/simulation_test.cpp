@@ -1,25 +1,15 @@
 #include "sim/run/simulation.h"
 
-#include <glad/gl.h>
-#include <gmock/gmock.h>
-
-#include <cstdio>
-#include <random>
-
-#include "sim/mesh/invariants.h"
 #include "sim/solve/body_view.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shape_error.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
 
 constexpr double kRadius = 0.5;
 
-class SimulationTest : public test::GlTest {};
+class SimulationTest : public GlTest {};
 
-Params weightless() {
+Params floating() {
     Params params;
     params.gravity = Vec3::Zero();
     params.floor.reset();
@@ -54,12 +44,6 @@ void cutDown(
     each();
 }
 
-void run(Simulation& simulation, int steps) {
-    for (int i = 0; i < steps; ++i) {
-        simulation.step();
-    }
-}
-
 double topSpeed(Simulation& simulation) {
     double top = 0;
     const SurfaceMesh& mesh = simulation.mesh();
@@ -73,11 +57,11 @@ double shapeError(Simulation& simulation) {
     const SurfaceMesh& mesh = simulation.mesh();
     std::vector<int> all(mesh.vertexCount());
     std::iota(all.begin(), all.end(), 0);
-    return test::rmsShapeError(mesh.restPositions(), mesh.positions(), all);
+    return rmsShapeError(mesh.restPositions(), mesh.positions(), all);
 }
 
 TEST_F(SimulationTest, ReportsTheBodyBeforeTheFirstStep) {
-    Simulation simulation(test::cubeSphere(8), weightless());
+    Simulation simulation(cubeSphere(8), floating());
     const StepReport& report = simulation.report();
     EXPECT_EQ(simulation.stepCount(), 0);
     EXPECT_EQ(report.vertices, 386);
@@ -89,14 +73,14 @@ TEST_F(SimulationTest, ReportsTheBodyBeforeTheFirstStep) {
 }
 
 TEST_F(SimulationTest, StaysAtRestWithoutForces) {
-    Simulation simulation(test::cubeSphere(8), weightless());
-    run(simulation, 50);
+    Simulation simulation(cubeSphere(8), floating());
+    step(simulation, 50);
     EXPECT_LT(topSpeed(simulation), 5e-4);
     EXPECT_LT(shapeError(simulation), 1e-6);
 }
 
 TEST_F(SimulationTest, RefusesBadParametersWithASentence) {
-    Simulation simulation(test::icosphere(1), Params{});
+    Simulation simulation(icosphere(1), Params{});
     EXPECT_NE(simulation.execute(SetParam{"gravitas", 1.0}), "");
     EXPECT_NE(simulation.execute(SetParam{"time_step", 1e3}), "");
     EXPECT_NE(simulation.execute(SetParam{"time_step", 0.0}), "");
@@ -108,7 +92,7 @@ TEST_F(SimulationTest, RefusesBadParametersWithASentence) {
 }
 
 TEST_F(SimulationTest, RefusesABladeThatIsNone) {
-    Simulation simulation(test::icosphere(1), Params{});
+    Simulation simulation(icosphere(1), Params{});
     Blade blade = bladeAt(1);
     blade.b.z() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(simulation.execute(MoveBlade{blade}), "");
@@ -119,17 +103,17 @@ TEST_F(SimulationTest, RefusesABladeThatIsNone) {
 }
 
 TEST_F(SimulationTest, AppliesParametersFromTheNextStepOn) {
-    Simulation simulation(test::icosphere(1), weightless());
-    run(simulation, 2);
+    Simulation simulation(icosphere(1), floating());
+    step(simulation, 2);
     EXPECT_EQ(simulation.execute(SetParam{"gravity", Vec3(0, 3, 0)}), "");
     EXPECT_EQ(simulation.execute(SetParam{"air_drag", 0.0}), "");
-    run(simulation, 10);
+    step(simulation, 10);
     const Vec3& velocity = simulation.mesh().velocity(0);
     EXPECT_NEAR(velocity.y(), 3 * 10 * 0.005, 1e-3);
 }
 
 void expectDropsSoftly(const Params& params) {
-    for (const SurfaceMesh& mesh : {test::icosphere(0), test::icosphere(1), test::cubeSphere(8)}) {
+    for (const SurfaceMesh& mesh : {icosphere(0), icosphere(1), cubeSphere(8)}) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
         Simulation simulation(mesh, params);
         const double diagonal = meshBounds(mesh).diagonal();
@@ -165,8 +149,8 @@ double fastestIn(Simulation& simulation, int steps) {
 
 void expectIsFilledAgain(Params params) {
     params.ispcStiffness = 0;
-    Simulation simulation(test::icosphere(1), params);
-    run(simulation, 300);
+    Simulation simulation(icosphere(1), params);
+    step(simulation, 300);
     ASSERT_LT(simulation.report().volumeRatio, 0.5);
     ASSERT_EQ(simulation.execute(SetParam{"ispc_stiffness", 0.5}), "");
     EXPECT_LT(fastestIn(simulation, 400), 15);
@@ -181,30 +165,30 @@ TEST_F(SimulationTest, ACollapsedBodyIsFilledAgainWithoutBeingShotOff) {
 }
 
 TEST_F(SimulationTest, WhatPlainPbdTurnedInsideOutComesBack) {
-    Params params = weightless();
+    Params params = floating();
     params.solver = SolverMode::pbd;
-    Simulation simulation(test::cubeSphere(8), params);
+    Simulation simulation(cubeSphere(8), params);
     ASSERT_EQ(simulation.execute(Pin{Ball{{0, -0.5, 0}, 0.2}}), "");
     ASSERT_EQ(simulation.execute(Grab{0, {0, 0.5, 0}, 0.3}), "");
     for (int i = 1; i <= 40; ++i) {
         ASSERT_EQ(simulation.execute(Drag{0, {0, 0.5 - 0.05 * i, 0}}), "");
         simulation.step();
     }
-    run(simulation, 15);
+    step(simulation, 15);
     ASSERT_EQ(simulation.execute(Release{0}), "");
-    run(simulation, 40);
+    step(simulation, 40);
     ASSERT_LT(simulation.report().volumeRatio, -0.5);
     ASSERT_EQ(simulation.execute(SetParam{"solver", std::string("implicit")}), "");
     EXPECT_LT(fastestIn(simulation, 300), 50);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 0.01);
     EXPECT_THAT(simulation.takeMessages(),
-                testing::ElementsAre("step 101: 1 piece of 1 collapsed, partly inside out, and is "
-                                     "drawn back to its shape at rest."));
+                ElementsAre("step 101: 1 piece of 1 collapsed, partly inside out, and is "
+                            "drawn back to its shape at rest."));
 }
 
 TEST_F(SimulationTest, ARaisedFloorLiftsTheBodyGently) {
-    Simulation simulation(test::icosphere(2), dropped(0));
-    run(simulation, 20);
+    Simulation simulation(icosphere(2), dropped(0));
+    step(simulation, 20);
     EXPECT_EQ(simulation.execute(SetParam{"floor", *simulation.params().floor + 0.2}), "");
     double fastest = 0;
     for (int i = 0; i < 80; ++i) {
@@ -216,8 +200,8 @@ TEST_F(SimulationTest, ARaisedFloorLiftsTheBodyGently) {
 }
 
 TEST_F(SimulationTest, ABladeThatMissesChangesNothing) {
-    Simulation with(test::icosphere(2), dropped(0.1));
-    Simulation without(test::icosphere(2), dropped(0.1));
+    Simulation with(icosphere(2), dropped(0.1));
+    Simulation without(icosphere(2), dropped(0.1));
     for (int step = 0; step < 20; ++step) {
         const double y = 1 - 0.1 * step;
         with.execute(MoveBlade{Blade{{-1, y, 2}, {1, y, 2}}});
@@ -231,9 +215,9 @@ TEST_F(SimulationTest, ABladeThatMissesChangesNothing) {
 class CutAtRestTest : public SimulationTest, public testing::WithParamInterface<SolverMode> {};
 
 TEST_P(CutAtRestTest, CutsInTwoWithoutMovingAnything) {
-    Params params = weightless();
+    Params params = floating();
     params.solver = GetParam();
-    Simulation simulation(test::cubeSphere(8), params);
+    Simulation simulation(cubeSphere(8), params);
     const double diagonal = meshBounds(simulation.mesh()).diagonal();
     double fastest = 0;
     cutDown(simulation, 0.7, -0.7, 30, [&] {
@@ -249,10 +233,10 @@ TEST_P(CutAtRestTest, CutsInTwoWithoutMovingAnything) {
     EXPECT_LT(fastest, 1e-3 * diagonal);
     EXPECT_GT(simulation.report().vertices, 386);
     EXPECT_EQ(checkClosedManifold(simulation.mesh()), "");
-    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     ASSERT_EQ(simulation.pieces().pieces.size(), 2u);
     const auto& pieces = simulation.pieces().pieces;
-    EXPECT_NEAR(pieces[0].volume + pieces[1].volume, meshRestVolume(test::cubeSphere(8)), 1e-5);
+    EXPECT_NEAR(pieces[0].volume + pieces[1].volume, meshRestVolume(cubeSphere(8)), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, CutAtRestTest,
@@ -262,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, CutAtRestTest,
                          });
 
 TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
-    Simulation simulation(test::cubeSphere(8), [] {
+    Simulation simulation(cubeSphere(8), [] {
         Params params = dropped(0.3);
         params.gravity = Vec3::Zero();
         return params;
@@ -283,8 +267,8 @@ TEST_F(SimulationTest, HalvesFallApartAndKeepTheirVolume) {
 
 TEST_F(SimulationTest, CutsASaggingBodyInTwo) {
     // Without the anchored front this ends at 12 m/s in one piece.
-    Simulation simulation(test::cubeSphere(8), dropped(0));
-    run(simulation, 60);
+    Simulation simulation(cubeSphere(8), dropped(0));
+    step(simulation, 60);
     double fastest = 0;
     cutDown(simulation, 0.75, -0.75, 120, [&] {
         EXPECT_TRUE(simulation.report().closed);
@@ -297,7 +281,7 @@ TEST_F(SimulationTest, CutsASaggingBodyInTwo) {
 
 TEST_F(SimulationTest, ABladeThatLeavesEndsItsStrokeAsOneThatIsLifted) {
     const auto cut = [](const Command& end) {
-        Simulation simulation(test::cubeSphere(4), weightless());
+        Simulation simulation(cubeSphere(4), floating());
         for (int i = 0; i <= 28; ++i) {
             EXPECT_EQ(simulation.execute(MoveBlade{bladeAt(0.8 - 0.05 * i)}), "");
             simulation.step();
@@ -315,7 +299,7 @@ TEST_F(SimulationTest, ABladeThatLeavesEndsItsStrokeAsOneThatIsLifted) {
 }
 
 TEST_F(SimulationTest, ABladeThatStandsStillCutsNothing) {
-    Simulation simulation(test::cubeSphere(8), weightless());
+    Simulation simulation(cubeSphere(8), floating());
     for (int i = 0; i <= 10; ++i) {
         simulation.execute(MoveBlade{bladeAt(0.7 - 0.05 * i)});
         simulation.step();
@@ -331,12 +315,12 @@ TEST_F(SimulationTest, ABladeThatStandsStillCutsNothing) {
 }
 
 TEST_F(SimulationTest, ResetIsAFreshSimulation) {
-    Simulation simulation(test::icosphere(2), dropped(0.1));
+    Simulation simulation(icosphere(2), dropped(0.1));
     const std::string fresh = simulation.stateHash();
     const auto play = [&] {
         cutDown(simulation, 0.7, -0.3, 20);
         simulation.execute(SetParam{"gravity", Vec3(0, 4, 0)});
-        run(simulation, 5);
+        step(simulation, 5);
         return simulation.stateHash();
     };
     const std::string first = play();
@@ -352,42 +336,42 @@ TEST_F(SimulationTest, ResetIsAFreshSimulation) {
 
 // A body that pierces itself everywhere.
 TEST_F(SimulationTest, KeepsWhatItSaidOfARefusedStep) {
-    SurfaceMesh mesh = test::icosphere(2);
+    SurfaceMesh mesh = icosphere(2);
     std::mt19937_64 engine(11);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         const auto random = [&] { return 0.3 * (static_cast<double>(engine() >> 11) * 0x1p-53); };
         mesh.setPosition(v, mesh.position(v) + Vec3(random(), random(), random()));
         mesh.setRestPosition(v, mesh.position(v));
     }
-    Simulation simulation(mesh, weightless());
+    Simulation simulation(mesh, floating());
     EXPECT_EQ(simulation.refusalOfStroke(), "");
     cutDown(simulation, 1.0, -0.4, 20);
     const std::string refusal = simulation.refusalOfStroke();
-    EXPECT_THAT(refusal, testing::HasSubstr("the cut was refused"));
-    EXPECT_THAT(simulation.takeMessages(), testing::Contains(refusal));
+    EXPECT_THAT(refusal, HasSubstr("the cut was refused"));
+    EXPECT_THAT(simulation.takeMessages(), Contains(refusal));
 }
 
 TEST_F(SimulationTest, RecoversFromNumbersThatAreNotFinite) {
-    Simulation simulation(test::icosphere(2), dropped(0.1));
-    run(simulation, 3);
+    Simulation simulation(icosphere(2), dropped(0.1));
+    step(simulation, 3);
     const std::vector<Vec3> good = simulation.mesh().positions();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     glNamedBufferSubData(simulation.bodyView().positions->id(), 0, sizeof nan, &nan);
     simulation.step();
-    EXPECT_THAT(simulation.takeMessages(), testing::ElementsAre(testing::StartsWith("step 3: ")));
+    EXPECT_THAT(simulation.takeMessages(), ElementsAre(StartsWith("step 3: ")));
     EXPECT_EQ(simulation.mesh().positions(), good);
     EXPECT_EQ(topSpeed(simulation), 0);
-    run(simulation, 3);
-    EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+    step(simulation, 3);
+    EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     EXPECT_EQ(checkFinite(simulation.mesh()), "");
 }
 
 /// Halves that fall on each other, on a box and on the floor.
 Simulation fallingHalves(const Params& params) {
-    Simulation simulation(test::cubeSphere(6), params,
+    Simulation simulation(cubeSphere(6), params,
                           {{{0.1, -0.6, 0.3}, {0.3, 0.2, 0.3}, {0, 20, 10}}});
     cutDown(simulation, 0.7, -0.7, 25);
-    run(simulation, 20);
+    step(simulation, 20);
     return simulation;
 }
 
@@ -422,9 +406,9 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     params.contactThickness = 0.1;
     params.skinThickness = 0.005;
     Simulation simulation = fallingHalves(params);
-    run(simulation, 30);
+    step(simulation, 30);
     const Moment moment = simulation.moment();
-    run(simulation, 5);
+    step(simulation, 5);
     const std::string unchanged = simulation.stateHash();
     // Without a blade or a pull these wait for the next stroke, a tear, or another solver.
     const std::set<std::string_view> waiting{"blade_push",      "blade_width",
@@ -442,7 +426,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
         simulation.goTo(moment);
         const ParamValue value = draggedValue(simulation.params(), info);
         ASSERT_EQ(simulation.execute(SetParam{std::string(info.name), value}), "");
-        run(simulation, 5);
+        step(simulation, 5);
         if (!seldom.contains(info.name)) {
             EXPECT_EQ(simulation.stateHash() == unchanged, waiting.contains(info.name));
         }
@@ -450,7 +434,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
         EXPECT_TRUE(simulation.report().closed);
         EXPECT_NEAR(simulation.report().volumeRatio, 1, info.name == "solver" ? 0.1 : 0.02)
             << "pbd has no volume constraint";
-        EXPECT_THAT(simulation.takeMessages(), testing::IsEmpty());
+        EXPECT_THAT(simulation.takeMessages(), IsEmpty());
     }
 }
 
@@ -462,7 +446,7 @@ TEST_F(SimulationTest, PrintsTheHashOfACut) {
 }
 
 std::string hashWithThreads(const char* threads) {
-    const std::string self = std::filesystem::read_symlink("/proc/self/exe");
+    const std::string self = fs::read_symlink("/proc/self/exe");
     const std::string command = std::string("LP_NUM_THREADS=") + threads +
                                 " GTEST_TOTAL_SHARDS=1 GTEST_SHARD_INDEX=0 '" + self +
                                 "' --gtest_filter=SimulationTest.PrintsTheHashOfACut";

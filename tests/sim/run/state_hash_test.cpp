@@ -1,10 +1,5 @@
 #include "sim/run/state_hash.h"
 
-#include <gtest/gtest.h>
-
-#include "sim/base/math.h"
-#include "tests/support/shapes.h"
-
 namespace kerf {
 namespace {
 
@@ -18,9 +13,9 @@ TEST(StateHash, IsFnv1aOfLittleEndianWords) {
 }
 
 TEST(StateHash, SeesEveryPartOfTheState) {
-    const SurfaceMesh mesh = test::icosphere(1);
+    const SurfaceMesh mesh = icosphere(1);
     const std::string before = hashMesh(mesh).hexadecimal();
-    EXPECT_EQ(hashMesh(test::icosphere(1)).hexadecimal(), before);
+    EXPECT_EQ(hashMesh(icosphere(1)).hexadecimal(), before);
 
     SurfaceMesh moved = mesh;
     moved.setPosition(5, mesh.position(5) + Vec3(1e-6, 0, 0));
@@ -39,7 +34,7 @@ TEST(StateHash, SeesEveryPartOfTheState) {
 }
 
 TEST(StateHash, SeesBoxesWhereThereAreAny) {
-    const SurfaceMesh mesh = test::icosphere(1);
+    const SurfaceMesh mesh = icosphere(1);
     std::vector<StaticBox> boxes(1);
     const std::string before = hashScene(mesh, boxes).hexadecimal();
     EXPECT_EQ(hashScene(mesh, {}).hexadecimal(), hashMesh(mesh).hexadecimal());
@@ -60,7 +55,7 @@ std::vector<StatePart> differingParts(const StateHashes& a, const StateHashes& b
 }
 
 TEST(StateHash, EachPartHasItsOwn) {
-    const SurfaceMesh mesh = test::icosphere(1);
+    const SurfaceMesh mesh = icosphere(1);
     const std::vector<StaticBox> boxes(1);
     const Blade blade{{0, 0, 0}, {1, 0, 0}};
     const StateHashes before = hashParts(mesh, boxes, {}, blade);
@@ -87,7 +82,7 @@ TEST(StateHash, EachPartHasItsOwn) {
 }
 
 TEST(StateHash, SeesEveryParameterThatChangesStates) {
-    const SurfaceMesh mesh = test::icosphere(0);
+    const SurfaceMesh mesh = icosphere(0);
     Params tearing;
     tearing.tearing = 1;  // without it strengths wait
     const StateHashes before = hashParts(mesh, {}, tearing, std::nullopt);
@@ -112,7 +107,7 @@ TEST(StateHash, SeesEveryParameterThatChangesStates) {
 }
 
 TEST(StateHash, IsThatOfOldRunsWhereTheBodyDoesNotTear) {
-    const SurfaceMesh mesh = test::icosphere(0);
+    const SurfaceMesh mesh = icosphere(0);
     Params strong;
     strong.tensileStrength = 1e6;
     strong.skinToughness = 7;
@@ -123,12 +118,216 @@ TEST(StateHash, IsThatOfOldRunsWhereTheBodyDoesNotTear) {
 }
 
 TEST(StateHash, RoundsToFloat) {
-    const SurfaceMesh mesh = test::icosphere(1);
+    const SurfaceMesh mesh = icosphere(1);
     SurfaceMesh rounded = mesh;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         rounded.setPosition(v, nearestFloats(mesh.position(v)));
     }
     EXPECT_EQ(hashMesh(rounded).hexadecimal(), hashMesh(mesh).hexadecimal());
+}
+
+// Moments that another simulation continues from: bit for bit, as if it had done it all.
+
+using Bytes = std::vector<std::byte>;
+
+/// All that a moment has to carry: auto iterations, sleep, contact.
+Params newScene(SolverMode solver = SolverMode::implicit) {
+    Params params;
+    params.solver = solver;
+    params.iterations = kAutoIterations;
+    params.sleeps = 1;
+    params.floor = -0.6;
+    params.youngsModulus = 2e4;
+    params.wallCoarsening = 3;
+    return params;
+}
+
+/// The same random work for several simulations.
+class Work {
+  public:
+    explicit Work(unsigned seed) : random_(seed) {}
+
+    /// A stroke, then some steps.
+    void cut(Simulation& simulation) {
+        const double x = uniform(-0.35, 0.35);
+        const double slant = uniform(-0.2, 0.2);
+        const double depth = uniform(0.2, 1.6);
+        for (int i = 0; i <= 12; ++i) {
+            const double y = 0.8 - depth * i / 12;
+            simulation.execute(MoveBlade{{{x, y, -1}, {x + slant, y, 1}}});
+            simulation.step();
+        }
+        simulation.execute(LiftBlade{});
+        for (int left = std::uniform_int_distribution(1, 12)(random_); left > 0; --left) {
+            simulation.step();
+        }
+    }
+    /// One of the other things that people do.
+    void change(Simulation& simulation) {
+        switch (std::uniform_int_distribution(0, 4)(random_)) {
+            case 0:
+                simulation.execute(SetParam{"youngs_modulus", uniform(1e4, 1e5)});
+                break;
+            case 1:
+                simulation.execute(Grab{60, {uniform(-0.4, 0.4), 0.4, 0}, 0.2});
+                simulation.execute(Drag{60, {0.3, 0.9, 0}});
+                break;
+            case 2:
+                simulation.execute(Pin{Ball{{0.4, uniform(-0.3, 0.3), 0}, 0.2}, true});
+                break;
+            case 3:
+                simulation.execute(AddBox{{{uniform(-0.5, 0.5), -0.5, 0}, {0.2, 0.2, 0.2}}});
+                break;
+            default:
+                simulation.execute(SetParam{"ispc_stiffness", uniform(0, 1)});
+                break;
+        }
+    }
+
+  private:
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution(low, high)(random_);
+    }
+
+    std::mt19937 random_;
+};
+
+class StoredMomentTest : public SimulationFixture {
+  protected:
+    static Simulation begun(SolverMode solver = SolverMode::implicit) {
+        return {cubeSphere(6, 0.5), newScene(solver)};
+    }
+    static Bytes bytesNow(Simulation& simulation) {
+        const std::optional<Bytes> bytes = bytesOf(simulation.moment());
+        EXPECT_TRUE(bytes);
+        return bytes.value_or(Bytes{});
+    }
+};
+
+TEST_F(StoredMomentTest, AnotherSimulationContinuesWithTheSameBits) {
+    for (unsigned seed = 1; seed <= 9; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const SolverMode solver = seed > 6 ? SolverMode::pbd : SolverMode::implicit;
+        Simulation first = begun(solver);
+        Work before(seed);
+        for (unsigned i = 0; i < seed % 4; ++i) {
+            before.cut(first);
+            before.change(first);
+        }
+        Simulation second = begun(solver);
+        ASSERT_TRUE(second.goTo(bytesNow(first)));
+        EXPECT_EQ(second.stepCount(), first.stepCount());
+        EXPECT_EQ(second.report().time, first.report().time);
+        EXPECT_EQ(second.report().pieces, first.report().pieces);
+        EXPECT_EQ(second.report().volumeRatio, first.report().volumeRatio);
+        EXPECT_EQ(second.hands().size(), first.hands().size());
+        ASSERT_EQ(second.stateHashes().parts, first.stateHashes().parts);
+        for (Simulation* one : {&first, &second}) {
+            Work after(seed + 100);
+            after.cut(*one);
+            after.change(*one);
+            after.cut(*one);
+        }
+        ASSERT_EQ(second.stateHashes().parts, first.stateHashes().parts);
+    }
+}
+
+/// Leaves memory full of what others wrote.
+void soil() {
+    for (const std::size_t size : {40, 200, 1'000, 40'000, 4'000'000}) {
+        const std::vector<std::vector<unsigned char>> blocks(
+            40, std::vector<unsigned char>(size, 0xa5));
+        EXPECT_EQ(blocks.back().back(), 0xa5);
+    }
+}
+
+// Journals, stored ends and tests compare bytes: those between members, of absent values and of
+// tables without an order were once whatever had been there before.
+TEST_F(StoredMomentTest, EqualStatesHaveEqualBytes) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::vector<std::optional<Bytes>> moments;
+        for (int turn = 0; turn < 2; ++turn) {
+            Params params = newScene();
+            if (seed % 2 == 0) {
+                params.floor.reset();
+                params.models.resize(1);
+            }
+            Simulation played(icosphere(2), params);
+            Work work(seed);
+            work.cut(played);
+            work.change(played);
+            played.step();
+            moments.push_back(bytesOf(played.moment()));
+            soil();
+            EXPECT_TRUE(bytesOf(played.moment()) == moments.back()) << "of one state";
+            soil();
+            Simulation other(icosphere(1), Params());
+            Work(seed + 100).cut(other);
+        }
+        ASSERT_TRUE(moments[0]);
+        EXPECT_TRUE(moments[0] == moments[1]) << "after other work";
+    }
+}
+
+TEST_F(StoredMomentTest, APlacedModelComesBackWhereItWas) {
+    const auto placed = [] {
+        Simulation one = begun();
+        Placement turned;
+        turned.rotate = {0, 0, 30};
+        turned.scale = 1.2;
+        EXPECT_EQ(one.execute(Place{turned}), "");
+        Work(7).cut(one);
+        return one;
+    };
+    Simulation first = placed();
+    Simulation second = begun();
+    ASSERT_TRUE(second.goTo(bytesNow(first)));
+    EXPECT_EQ(second.placement().scale, 1.2);
+    for (Simulation* one : {&first, &second}) {
+        Work(8).cut(*one);
+    }
+    EXPECT_EQ(second.stateHash(), first.stateHash());
+}
+
+TEST_F(StoredMomentTest, WhatWasDoneBeforeIsNotUndone) {
+    Simulation first = begun();
+    Work(3).cut(first);
+    Simulation second = begun();
+    second.setUndoBudget(std::size_t{1} << 30);
+    ASSERT_TRUE(second.goTo(bytesNow(first)));
+    EXPECT_FALSE(second.history().canUndo());
+    const std::string then = second.stateHash();
+    Work(4).cut(second);
+    EXPECT_EQ(second.execute(Undo{}), "");
+    EXPECT_NE(second.stateHash(), then);  // where the blade came near
+    EXPECT_FALSE(second.history().canUndo());
+}
+
+TEST_F(StoredMomentTest, NothingIsStoredWhileABladeIsPlaced) {
+    Simulation one = begun();
+    one.execute(MoveBlade{{{0, 0.8, -1}, {0, 0.8, 1}}});
+    EXPECT_FALSE(bytesOf(one.moment()));
+    one.step();
+    EXPECT_FALSE(bytesOf(one.moment()));
+    one.execute(LiftBlade{});
+    one.step();
+    EXPECT_TRUE(bytesOf(one.moment()));
+}
+
+TEST_F(StoredMomentTest, WhatDoesNotFitIsRefused) {
+    Simulation first = begun();
+    Work(5).cut(first);
+    const Bytes bytes = bytesNow(first);
+    Simulation other(cubeSphere(5, 0.5), newScene());
+    EXPECT_FALSE(other.goTo(bytes));
+    Simulation second = begun();
+    const std::string atStart = second.stateHash();
+    for (const std::size_t size : {std::size_t{0}, bytes.size() / 3, bytes.size() - 1}) {
+        EXPECT_FALSE(second.goTo(Bytes(bytes.begin(), bytes.begin() + size))) << size;
+        EXPECT_EQ(second.stateHash(), atStart);
+    }
+    EXPECT_TRUE(second.goTo(bytes));
 }
 
 }  // namespace

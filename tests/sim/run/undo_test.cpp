@@ -1,11 +1,5 @@
 // Undo and redo of a running simulation, compared bit for bit.
-#include <gmock/gmock.h>
 #include <malloc.h>
-
-#include "sim/mesh/invariants.h"
-#include "sim/run/undo/undo_history.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -23,11 +17,11 @@ Blade bladeAt(double x, double y) {
     return {{x, y, -1}, {x, y, 1}};
 }
 
-class UndoTest : public test::SimulationTest {
+class UndoTest : public SimulationFixture {
   protected:
     void SetUp() override {
-        SimulationTest::SetUp();
-        simulation.emplace(test::cubeSphere(6, 0.5), fallingDeep());
+        SimulationFixture::SetUp();
+        simulation.emplace(cubeSphere(6, 0.5), fallingDeep());
         simulation->setUndoBudget(kRoom);
     }
     /// Down through the body at x; the first `steps` of 30 steps of it.
@@ -119,7 +113,7 @@ TEST_F(UndoTest, GoingToAMomentAndOnGivesTheSameBits) {
     simulation->goTo(middle);
     EXPECT_EQ(simulation->stateHash(), then);
     EXPECT_EQ(simulation->params().iterations, 3);
-    EXPECT_THAT(names(), ::testing::ElementsAre("Iterations: 3", "Cut 1", "Cut 2"));
+    EXPECT_THAT(names(), ElementsAre("Iterations: 3", "Cut 1", "Cut 2"));
     EXPECT_TRUE(simulation->blade());
     EXPECT_EQ(goOn(), end);
     EXPECT_EQ(simulation->stepCount(), steps);
@@ -170,7 +164,7 @@ TEST_F(UndoTest, ACoarseBodyGoesOnWithTheSameBits) {
     soft.floor = -0.6;
     soft.youngsModulus = 2e4;
     const auto hashAfter = [&](bool withUndo) {
-        simulation.emplace(test::builtin("sphere80"), soft);
+        simulation.emplace(builtin("sphere80"), soft);
         simulation->setUndoBudget(kRoom);
         run(5);
         EXPECT_EQ(simulation->execute(MoveBlade{{{0.1, 0.8, -0.9}, {0.12, 0.8, 0.9}}}), "");
@@ -191,7 +185,7 @@ TEST_F(UndoTest, ACoarseBodyGoesOnWithTheSameBits) {
 }
 
 TEST_F(UndoTest, SnapshotBytesAreAboutWhatTheHeapGives) {
-    simulation.emplace(test::cubeSphere(40, 0.5), fallingDeep());
+    simulation.emplace(cubeSphere(40, 0.5), fallingDeep());
     simulation->setUndoBudget(kRoom);
     simulation->mesh();
     const auto inUse = [] { return ::mallinfo2().uordblks + ::mallinfo2().hblkhd; };
@@ -238,7 +232,7 @@ TEST_F(UndoTest, ParametersAndCutsFormOneRow) {
     simulation->execute(SetParam{"time_step", 0.002, true});
     cutAt(0.03);
     simulation->execute(SetParam{"floor", std::monostate{}});
-    EXPECT_THAT(names(), ::testing::ElementsAre("Time step: 0.002 s", "Cut 1", "Floor: none"));
+    EXPECT_THAT(names(), ElementsAre("Time step: 0.002 s", "Cut 1", "Floor: none"));
     undo();
     EXPECT_EQ(simulation->params().floor, -0.8);
     EXPECT_EQ(pieces(), 2);
@@ -264,8 +258,7 @@ TEST_F(UndoTest, AMaterialIsOneChangeHoweverManyParametersItSets) {
     simulation->execute(SetParam{"density", 950.0, false, "Rubber"});
     simulation->execute(SetParam{"density", 960.0, false, "Rubber"});
     simulation->execute(SetParam{"density", 970.0});
-    EXPECT_THAT(names(), ::testing::ElementsAre("Material: Brain", "Material: Rubber",
-                                                "Density: 970 kg/m^3"));
+    EXPECT_THAT(names(), ElementsAre("Material: Brain", "Material: Rubber", "Density: 970 kg/m^3"));
     undo();
     EXPECT_EQ(simulation->params().density, 960);
     undo();
@@ -288,7 +281,7 @@ TEST_F(UndoTest, AStrokeThatEndsForARedoIsAChangeOfItsOwn) {
     }
     ASSERT_TRUE(simulation->history().canRedo());
     EXPECT_EQ(simulation->execute(Redo{}), "There is nothing to redo.");
-    EXPECT_THAT(names(), ::testing::ElementsAre("Cut 1"));
+    EXPECT_THAT(names(), ElementsAre("Cut 1"));
     undo();
     EXPECT_EQ(simulation->report().triangles, 432);
 }
@@ -298,8 +291,7 @@ TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
     const std::string cut = simulation->stateHash();
     const int steps = simulation->stepCount();
     simulation->execute(Restart{});
-    EXPECT_EQ(simulation->stateHash(),
-              Simulation(test::cubeSphere(6, 0.5), fallingDeep()).stateHash());
+    EXPECT_EQ(simulation->stateHash(), Simulation(cubeSphere(6, 0.5), fallingDeep()).stateHash());
     EXPECT_EQ(simulation->stepCount(), steps);
     undo();
     EXPECT_EQ(simulation->stateHash(), cut);
@@ -308,7 +300,7 @@ TEST_F(UndoTest, ARestartCanBeTakenBackAndTimeGoesOn) {
 TEST_F(UndoTest, ARestartedBodyIsCutAsANewOne) {
     cutAt(-0.2);
     const std::string cut = simulation->stateHash();
-    simulation.emplace(test::cubeSphere(6, 0.5), fallingDeep());
+    simulation.emplace(cubeSphere(6, 0.5), fallingDeep());
     simulation->setUndoBudget(kRoom);
     cutAt(0.03);
     simulation->execute(Restart{});
@@ -356,7 +348,7 @@ TEST_F(UndoTest, TheBudgetForgetsTheOldestFirst) {
     const std::size_t used = simulation->history().bytes();
     EXPECT_GT(used, 0U);
     simulation->setUndoBudget(used - 1);
-    EXPECT_THAT(names(), ::testing::ElementsAre("Cut 2"));
+    EXPECT_THAT(names(), ElementsAre("Cut 2"));
     EXPECT_EQ(simulation->history().forgotten(), 1);
     undo();
     EXPECT_EQ(pieces(), 2);
@@ -365,7 +357,7 @@ TEST_F(UndoTest, TheBudgetForgetsTheOldestFirst) {
 
 TEST_F(UndoTest, WithoutABudgetNothingIsKeptAndTheBitsAreTheSame) {
     cutAt(0.03);
-    Simulation plain(test::cubeSphere(6, 0.5), fallingDeep());
+    Simulation plain(cubeSphere(6, 0.5), fallingDeep());
     const std::string kept = simulation->stateHash();
     std::optional<Simulation> other(std::move(plain));
     simulation.swap(other);

@@ -1,31 +1,90 @@
 #include "sim/solve/gpu_solver.h"
 
-#include "sim/body/solver_uniforms.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/plain_pbd.h"
+#include "sim/base/params.h"
 #include "tests/support/reference/reference_constraints.h"
-#include "tests/support/reference/solver_pair.h"
-#include "tests/support/shapes.h"
+#include "tests/support/reference/reference_solver.h"
 
 namespace kerf {
 namespace {
+
+/// A body, displaced from rest and in motion, on the GPU and in double precision, from the same
+/// floats, to compare the two solvers.
+struct SolverPair {
+    /// `parts`: of SolverUniforms::active_parts. `shake`: how far from rest [edge lengths].
+    /// Throws gpu::ShaderError, gpu::OutOfMemory.
+    SolverPair(const SurfaceMesh& mesh, const Params& params, shared::uint parts, unsigned seed,
+               float shake = 0.05f)
+        : model(buildBodyModel(mesh)), uniforms(solverUniforms(params, model)) {
+        uniforms.active_parts = parts;
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> noise(-1, 1);
+        const auto vector = [&] { return Vec3f(noise(random), noise(random), noise(random)); };
+        const float reach = shake * static_cast<float>(meanRestEdgeLength(mesh));
+        for (const Vec3f& p : model.restPositions) {
+            start.positions.push_back(p + reach * vector());
+            start.velocities.push_back(vector());
+        }
+        reference = restState(model);
+        for (std::size_t v = 0; v < start.positions.size(); ++v) {
+            reference.positions[v] = start.positions[v].cast<double>();
+            reference.velocities[v] = start.velocities[v].cast<double>();
+        }
+        gpu.setModel(model, start);
+        gpu.setUniforms(uniforms);
+    }
+
+    /// Largest difference between the displacements of the two solvers [m].
+    double error() const {
+        const std::vector<Vec3f> ours = gpu.readDisplacements();
+        double largest = 0;
+        for (std::size_t v = 0; v < ours.size(); ++v) {
+            largest =
+                std::max(largest, (ours[v].cast<double>() - reference.displacements[v]).norm());
+        }
+        return largest;
+    }
+    /// Largest difference between their positions, between substeps [m].
+    double positionError() const {
+        const BodyState state = gpu.readState();
+        double largest = 0;
+        for (std::size_t v = 0; v < state.positions.size(); ++v) {
+            const Vec3 x = state.positions[v].cast<double>();
+            largest = std::max(largest, (x - reference.positions[v]).norm());
+        }
+        return largest;
+    }
+    /// Largest change of a displacement of the reference since `before` [m].
+    double change(const std::vector<Vec3>& before) const {
+        double largest = 0;
+        for (std::size_t v = 0; v < before.size(); ++v) {
+            largest = std::max(largest, (reference.displacements[v] - before[v]).norm());
+        }
+        return largest;
+    }
+
+    BodyModel model;
+    shared::SolverUniforms uniforms;
+    BodyState start;
+    ReferenceState reference;
+    GpuSolver gpu;
+};
 
 using shared::uint;
 
 using Pair = SolverPair;
 
 std::vector<SurfaceMesh> bodies() {
-    return {test::icosphere(0), test::cubeSphere(8), test::torus(), test::bentTube()};
+    return {icosphere(0), cubeSphere(8), torus(), bentTube()};
 }
 
 /// So brief that floats of displacements have many digits.
 Params briefStep() {
-    Params params = test::plainPbd();
+    Params params = plainPbd();
     params.timeStep = 0.00025;
     return params;
 }
 
-class GpuSolverTest : public test::GlTest {
+class GpuSolverTest : public GlTest {
   protected:
     /// Runs predict, then one phase, on both. Expects them to agree within `tolerance` [m], and the
     /// phase to have done much more than that.
@@ -56,7 +115,7 @@ constexpr double kSweepTolerance = 1e-8;
 constexpr double kPositionTolerance = 6e-8;
 
 TEST_F(GpuSolverTest, PredictsLikeTheReference) {
-    Pair pair(test::cubeSphere(8), briefStep(), 0, 7);
+    Pair pair(cubeSphere(8), briefStep(), 0, 7);
     ReferenceSolver(pair.model, pair.uniforms).predict(pair.reference);
     pair.gpu.predictAndStretch();
     EXPECT_LT(pair.error(), kDisplacementTolerance);
@@ -87,7 +146,7 @@ TEST_F(GpuSolverTest, MeetsTheFloorLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, FinishesLikeTheReference) {
-    Pair pair(test::bentTube(), test::plainPbd(), 0, 7);
+    Pair pair(bentTube(), plainPbd(), 0, 7);
     const ReferenceSolver solver(pair.model, pair.uniforms);
     solver.predict(pair.reference);
     solver.finish(pair.reference);
@@ -105,7 +164,7 @@ TEST_F(GpuSolverTest, FinishesLikeTheReference) {
 TEST_F(GpuSolverTest, StepsLikeTheReference) {
     for (const SurfaceMesh& mesh : bodies()) {
         SCOPED_TRACE(std::to_string(mesh.vertexCount()) + " vertices");
-        Params params = test::plainPbd();
+        Params params = plainPbd();
         params.iterations = 7;
         params.floor = -0.45;
         Pair pair(mesh, params, solverUniforms(params).active_parts, 11);
@@ -123,9 +182,9 @@ TEST_F(GpuSolverTest, StepsLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, MeasuresEveryPiece) {
-    const SurfaceMesh mesh = test::meshOf(
-        test::joined(test::icosphereSoup(3), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
-    Pair pair(mesh, test::plainPbd(), 0, 3);
+    const SurfaceMesh mesh =
+        meshOf(joined(icosphereSoup(3), boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
+    Pair pair(mesh, plainPbd(), 0, 3);
     const std::vector<double> expected =
         ReferenceSolver(pair.model, pair.uniforms).volumes(pair.reference);
     const BodyMeasure measure = pair.gpu.measure();
@@ -142,9 +201,9 @@ TEST_F(GpuSolverTest, MeasuresEveryPiece) {
 }
 
 TEST_F(GpuSolverTest, MeasuresTheEnergyOfAFallingBody) {
-    Params params = test::plainPbd();
+    Params params = plainPbd();
     params.floor = -3.0;
-    Pair pair(test::icosphere(3), params, shared::kFloorPart, 3);
+    Pair pair(icosphere(3), params, shared::kFloorPart, 3);
     const double mass = params.density * pair.model.pieces[0].restVolume;
     BodyState state{pair.model.restPositions, {}};
     state.velocities.assign(state.positions.size(), Vec3f(0, -2, 0));
@@ -177,7 +236,7 @@ TEST_F(GpuSolverTest, MeasuresTheEnergyOfStrainedMaterialLikeTheReference) {
 
 // Edges and ISPCs are springs of their own length, and angles stay.
 TEST_F(GpuSolverTest, StrainEnergyGrowsWithTheSquareOfAStretch) {
-    Pair pair(test::cubeSphere(6), Params{}, solverUniforms(Params{}).active_parts, 3);
+    Pair pair(cubeSphere(6), Params{}, solverUniforms(Params{}).active_parts, 3);
     const auto energyAt = [&](float strain) {
         BodyState state = pair.start;
         for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -195,7 +254,7 @@ TEST_F(GpuSolverTest, StrainEnergyGrowsWithTheSquareOfAStretch) {
 TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
-    Pair pair(test::icosphere(2), test::plainPbd(), 0, 3);
+    Pair pair(icosphere(2), plainPbd(), 0, 3);
     const BodyState good = pair.start;
     for (const float bad : {nan, infinite, -infinite, 1e30f, 1e4f}) {
         BodyState state = good;
@@ -212,7 +271,7 @@ TEST_F(GpuSolverTest, FlagsWhatIsNotFiniteOrRunsAway) {
 }
 
 TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
-    Pair pair(test::icosphere(2), test::plainPbd(), 0, 3);
+    Pair pair(icosphere(2), plainPbd(), 0, 3);
     pair.gpu.savedPieces().save();
     pair.gpu.step();
     EXPECT_NE(pair.gpu.readState().positions, pair.start.positions);
@@ -223,10 +282,10 @@ TEST_F(GpuSolverTest, RestoresTheSavedStateAtRest) {
 }
 
 TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
-    const SurfaceMesh mesh = test::meshOf(
-        test::joined(test::icosphereSoup(2), test::boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
+    const SurfaceMesh mesh =
+        meshOf(joined(icosphereSoup(2), boxSoup({0.2, 0.3, 0.4}, 3), {2, 0, 0}));
     const auto run = [&](float badSpeed) {
-        Pair pair(mesh, test::plainPbd(), solverUniforms(test::plainPbd()).active_parts, 3);
+        Pair pair(mesh, plainPbd(), solverUniforms(plainPbd()).active_parts, 3);
         BodyState state = pair.start;
         state.velocities.front().x() += badSpeed;
         pair.gpu.setState(state);
@@ -248,7 +307,7 @@ TEST_F(GpuSolverTest, TakesLostPiecesBackAndLeavesTheOthersAlone) {
 }
 
 TEST_F(GpuSolverTest, PullsLikeTheReference) {
-    Pair pair(test::cubeSphere(8), briefStep(), 0, 7);
+    Pair pair(cubeSphere(8), briefStep(), 0, 7);
     std::vector<shared::PullRecord> pulls;
     for (uint v = 3; v < 40; v += 2) {
         pulls.push_back({v, 0.1f, 0.7f, 0.2f, 1.0f, 0.0f, -2.0f, v % 4 == 1 ? 1u : 0u});
@@ -267,9 +326,9 @@ TEST_F(GpuSolverTest, PullsLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
-    Params params = test::plainPbd();
+    Params params = plainPbd();
     params.floor.reset();
-    Pair pair(test::icosphere(2), params, solverUniforms(params).active_parts, 3);
+    Pair pair(icosphere(2), params, solverUniforms(params).active_parts, 3);
     pair.gpu.masses().setPinned({2, 7, 50});
     for (int step = 0; step < 5; ++step) {
         pair.gpu.step();
@@ -288,8 +347,7 @@ TEST_F(GpuSolverTest, PinnedVerticesStayAndAreFreedAgain) {
 
 TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
     const auto run = [] {
-        Pair pair(test::bentTube(), test::plainPbd(), solverUniforms(test::plainPbd()).active_parts,
-                  13);
+        Pair pair(bentTube(), plainPbd(), solverUniforms(plainPbd()).active_parts, 13);
         for (int step = 0; step < 20; ++step) {
             pair.gpu.step();
         }
@@ -302,11 +360,117 @@ TEST_F(GpuSolverTest, RunsTwiceToTheSameBits) {
 }
 
 TEST_F(GpuSolverTest, UsesAtMostSixDispatchesASweep) {
-    Pair pair(test::icosphere(1), test::plainPbd(), solverUniforms(test::plainPbd()).active_parts,
-              1);
+    Pair pair(icosphere(1), plainPbd(), solverUniforms(plainPbd()).active_parts, 1);
     const long before = pair.gpu.dispatches();
     pair.gpu.step();
     EXPECT_LE(pair.gpu.dispatches() - before, 6 * kUsualSweeps);
+}
+
+class SolverUpdateTest : public GlTest {
+  protected:
+    /// A solver that follows the cuts, and one that is given the model whole, go on alike.
+    void expectAlike(const BodyModel& model, const SurfaceMesh& mesh, GpuSolver& followed) {
+        GpuSolver fresh;
+        fresh.setModel(model, stateOf(mesh));
+        const shared::SolverUniforms uniforms = solverUniforms(plainPbd(), model);
+        fresh.setUniforms(uniforms);
+        followed.setUniforms(uniforms);
+        followed.setState(stateOf(mesh));
+        const BodyMeasure a = followed.measure();
+        const BodyMeasure b = fresh.measure();
+        ASSERT_EQ(a.pieceVolumes.size(), b.pieceVolumes.size());
+        for (std::size_t p = 0; p < a.pieceVolumes.size(); ++p) {
+            EXPECT_NEAR(a.pieceVolumes[p], b.pieceVolumes[p], 1e-6);
+        }
+        EXPECT_EQ(a.bounds.low, b.bounds.low);
+        EXPECT_EQ(a.bounds.high, b.bounds.high);
+        for (GpuSolver* solver : {&followed, &fresh}) {
+            solver->predictAndStretch();
+            solver->phases().solve(shared::kBend);
+            solver->phases().solve(shared::kIspc);
+        }
+        EXPECT_EQ(followed.readDisplacements(), fresh.readDisplacements());
+    }
+};
+
+TEST_F(SolverUpdateTest, GoesOnLikeASolverThatIsGivenTheModelWhole) {
+    SurfaceMesh mesh = icosphere(3);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    int cuts = 0;
+    std::size_t moved = 0;
+    for (const Vec3& along : {Vec3(1, 0.05, 0.1), Vec3(0.1, -0.05, 1)}) {
+        Cutter cutter(mesh, exactSettings());
+        const Stroke stroke =
+            straightStroke(Vec3(0.013, 0.021, 0.034), along.normalized(), -Vec3::UnitY(), 3, 2, 12);
+        cutter.begin(stroke.front());
+        for (std::size_t i = 1; i <= stroke.size(); ++i) {
+            const CutResult result =
+                i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+            if (!result.delta.empty()) {
+                const BodyChange change = body.update(result.delta);
+                const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+                solver.update(body.model(), change, written, stateOf(mesh, written));
+                EXPECT_EQ(solver.readState().positions, stateOf(mesh).positions);
+                expectAlike(body.model(), mesh, solver);
+                moved += result.delta.movedVertices.size();
+                ++cuts;
+            }
+        }
+    }
+    EXPECT_GT(cuts, 10);
+    EXPECT_GT(moved, 0u) << "the clean-up did nothing";
+    EXPECT_EQ(body.model().pieces.size(), 4u);
+}
+
+TEST_F(SolverUpdateTest, KeepsTheStateOfOldVertices) {
+    SurfaceMesh mesh = icosphere(2);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    solver.setUniforms(solverUniforms(Params{}, body.model()));
+    solver.step();
+    const BodyState before = solver.readState();
+    Cutter cutter(mesh, exactSettings());
+    cutter.begin({{-2, 0.021, 0.013}, {2, 0.034, 0.055}});
+    const CutResult first = cutter.advance({{-2, 0.3, 1}, {2, 0.3, 1}});
+    const CutResult result = first.outcome == CutOutcome::cut ? first : cutter.finish();
+    ASSERT_EQ(result.outcome, CutOutcome::cut);
+    const BodyChange change = body.update(result.delta);
+    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+    solver.update(body.model(), change, written, stateOf(mesh, written));
+    const BodyState given = stateOf(mesh);
+    const BodyState after = solver.readState();
+    ASSERT_EQ(after.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
+    for (std::size_t v = 0; v < after.positions.size(); ++v) {
+        const BodyState& expected =
+            std::binary_search(written.begin(), written.end(), v) ? given : before;
+        EXPECT_EQ(after.positions[v], expected.positions[v]);
+        EXPECT_EQ(after.velocities[v], expected.velocities[v]);
+    }
+}
+
+TEST_F(SolverUpdateTest, RemembersWhatACutAdded) {
+    SurfaceMesh mesh = icosphere(2);
+    BodyUpdater body(mesh);
+    GpuSolver solver;
+    solver.setModel(body.model(), stateOf(mesh));
+    solver.setUniforms(solverUniforms(Params{}, body.model()));
+    solver.savedPieces().save();
+    Cutter cutter(mesh, exactSettings());
+    cutter.begin({{-2, 0.021, 0.013}, {2, 0.034, 0.055}});
+    CutResult result = cutter.advance({{-2, 0.3, 1}, {2, 0.3, 1}});
+    result = result.outcome == CutOutcome::cut ? result : cutter.finish();
+    ASSERT_EQ(result.outcome, CutOutcome::cut);
+    const BodyChange change = body.update(result.delta);
+    const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
+    solver.update(body.model(), change, written, stateOf(mesh, written));
+    solver.step();
+    std::vector<int> all(body.model().pieces.size());
+    std::iota(all.begin(), all.end(), 0);
+    solver.savedPieces().restoreAtRest(all);
+    EXPECT_EQ(solver.readState().positions, stateOf(mesh).positions);
 }
 
 }  // namespace

@@ -1,20 +1,13 @@
 #include "sim/solve/implicit_stepper.h"
 
-#include <gtest/gtest.h>
-
 #include "gpu/context.h"
-#include "sim/body/solver_uniforms.h"
-#include "sim/solve/gpu_solver.h"
-#include "tests/support/cut_ball.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/reference/implicit/implicit_solver.h"
 #include "tests/support/reference/implicit/surface_contacts.h"
-#include "tests/support/variable.h"
 
 namespace kerf {
 namespace {
 
-class ImplicitStepperTest : public test::GlTest {};
+class ImplicitStepperTest : public GlTest {};
 
 Params firm() {
     Params params;
@@ -86,9 +79,9 @@ struct ImplicitPair {
 
 TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
     for (const double height : {-0.03, -0.12}) {
-        const BodyModel model = test::cutBallModel(height);
+        const BodyModel model = cutBallModel(height);
         for (const double pinnedBelow : {-1.0, -0.08}) {
-            ImplicitPair pair(model, firm(), {}, test::verticesBelow(model, pinnedBelow));
+            ImplicitPair pair(model, firm(), {}, verticesBelow(model, pinnedBelow));
             for (int i = 0; i < 4; ++i) {
                 pair.solver.step(pair.state);
                 pair.gpu.step();
@@ -100,7 +93,7 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReference) {
 
 // Aggregates of one patch each are so many that a level comes between them and the whole.
 TEST_F(ImplicitStepperTest, StepsLikeTheReferenceWithRegions) {
-    const BodyModel model = buildBodyModel(test::cutBall(-0.06, 16));
+    const BodyModel model = buildBodyModel(cutBall(-0.06, 16));
     const std::vector<ConstraintPull> pulls = pullsAtRest(model, typeModuli(firm()));
     ASSERT_TRUE(groupVertices(model, pulls, kPatchSize).hasLevelBetween());
     ImplicitPair pair(model, firm(), {1.0 / 240, 4, kPatchSize}, {});
@@ -114,7 +107,7 @@ TEST_F(ImplicitStepperTest, StepsLikeTheReferenceWithRegions) {
 /// Halves of a ball that meet the floor and, with contact, each other.
 struct FallingHalves {
     explicit FallingHalves(bool contact)
-        : model(test::cutBallModel(-0.12)),
+        : model(cutBallModel(-0.12)),
           params(onFloor(contact)),
           pair(model, params, {1.0 / 240, 8}, {}),
           surfaces(model, params.friction, params.floor, contact) {
@@ -162,7 +155,7 @@ TEST_F(ImplicitStepperTest, BothWaysOfKernelsGiveTheSameBits) {
     }
     std::vector<BodyState> states;
     for (const std::string way : {"images", "shared"}) {
-        const test::Variable kernels("KERF_KERNELS", way);
+        const Variable kernels("KERF_KERNELS", way);
         FallingHalves halves(true);
         for (int i = 0; i < 8; ++i) {
             halves.stepKernels();
@@ -175,7 +168,7 @@ TEST_F(ImplicitStepperTest, BothWaysOfKernelsGiveTheSameBits) {
 
 /// The state of a slit body after some steps.
 BodyState stateAfterSteps(const Params& params) {
-    ImplicitPair pair(test::cutBallModel(-0.03), params, {}, {});
+    ImplicitPair pair(cutBallModel(-0.03), params, {}, {});
     for (int i = 0; i < 6; ++i) {
         pair.gpu.step();
     }

@@ -1,15 +1,7 @@
-#include <random>
-
-#include "sim/body/piece_masses.h"
-#include "sim/body/rest_geometry.h"
-#include "sim/body/solver_uniforms.h"
-#include "sim/solve/gpu_solver.h"
 #include "sim/solve/time_stepper.h"
 #include "tests/support/folds.h"
-#include "tests/support/gl_fixture.h"
 #include "tests/support/reference/reference_solver.h"
 #include "tests/support/reference/reference_unfolding.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -56,7 +48,7 @@ struct Crumpled {
         for (std::size_t v = 0; v < now.positions.size(); ++v) {
             mesh.setPosition(static_cast<int>(v), now.positions[v].cast<double>());
         }
-        return test::foldedEdges(mesh);
+        return foldedEdges(mesh);
     }
 
     SurfaceMesh mesh;
@@ -83,7 +75,7 @@ Difference differenceOf(const std::vector<Vec3f>& now, const std::vector<Vec3>& 
     return difference;
 }
 
-class UnfoldingTest : public test::GlTest {};
+class UnfoldingTest : public GlTest {};
 
 void expectSameUnfolding(Crumpled& body) {
     body.gpu.setState(body.start);
@@ -104,7 +96,7 @@ class FirmAndGentleUnfoldingTest : public UnfoldingTest,
 INSTANTIATE_TEST_SUITE_P(Firmly, FirmAndGentleUnfoldingTest, ::testing::Bool());
 
 TEST_P(FirmAndGentleUnfoldingTest, DoesWhatTheReferenceDoes) {
-    for (const SurfaceMesh& mesh : {test::cubeSphere(8), test::torus(), test::bentTube()}) {
+    for (const SurfaceMesh& mesh : {cubeSphere(8), torus(), bentTube()}) {
         Crumpled body(mesh, 0.4f, 1.0f);
         body.unfoldFirmly(GetParam());
         EXPECT_GT(body.folds(), 10);
@@ -113,7 +105,7 @@ TEST_P(FirmAndGentleUnfoldingTest, DoesWhatTheReferenceDoes) {
 }
 
 TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
-    Crumpled body(test::cubeSphere(8), 0.4f, 1.0f);
+    Crumpled body(cubeSphere(8), 0.4f, 1.0f);
     body.unfoldFirmly(GetParam());
     body.gpu.stepper().unfold();
     const BodyState now = body.gpu.readState();
@@ -133,7 +125,7 @@ TEST_P(FirmAndGentleUnfoldingTest, KeepsMomentum) {
 }
 
 TEST_F(UnfoldingTest, ChangesNoBitWhereNothingIsFolded) {
-    Crumpled body(test::cubeSphere(8), 0.05f, 1.0f);
+    Crumpled body(cubeSphere(8), 0.05f, 1.0f);
     body.gpu.stepper().unfold();
     const BodyState now = body.gpu.readState();
     EXPECT_EQ(now.positions, body.start.positions);
@@ -142,7 +134,7 @@ TEST_F(UnfoldingTest, ChangesNoBitWhereNothingIsFolded) {
 
 // Thin triangles turn over without a bend before: their apex slides over the edge below it.
 TEST_F(UnfoldingTest, HoldsATriangleThatIsSquashedInItsPlane) {
-    Crumpled body(test::cubeSphere(8), 0.0f, 0.0f);
+    Crumpled body(cubeSphere(8), 0.0f, 0.0f);
     const auto [a, b, apex] = body.mesh.triangle(0);
     BodyState state = body.start;
     const Vec3f foot = (state.positions[a] + state.positions[b]) / 2;

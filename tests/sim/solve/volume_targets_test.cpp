@@ -1,7 +1,5 @@
 #include "sim/solve/volume_targets.h"
 
-#include <gtest/gtest.h>
-
 namespace kerf {
 namespace {
 

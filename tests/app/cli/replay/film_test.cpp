@@ -1,30 +1,10 @@
 // Films and strips of a run, read by ffprobe and ffmpeg themselves.
 #include "app/cli/replay/film.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/files/io/csv.h"
-#include "render/scene/image.h"
-#include "tests/support/program_output.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
-
 namespace kerf::app {
 namespace {
 
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::writeText;
 using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::UnorderedElementsAre;
-namespace fs = std::filesystem;
 
 // --- When a frame is taken ---------------------------------------------------------------------
 
@@ -91,7 +71,7 @@ TEST(FilmCaptions, SayNothingOfThePaceInRealTime) {
 
 class FilmTest : public testing::Test {
   protected:
-    FilmTest() { writeText(folder_ / "test.kerf.json", test::smallSession()); }
+    FilmTest() { writeText(folder_ / "test.kerf.json", smallSession()); }
 
     ProgramRun replay(const std::vector<std::string>& options,
                       const std::map<std::string, std::string>& environment = {}) {
@@ -103,7 +83,7 @@ class FilmTest : public testing::Test {
 
     /// "h264,320,180,30/1,61": what ffprobe says of a film.
     std::string probed(const std::string& film) {
-        return test::outputOf(
+        return outputOf(
             "ffprobe -v error -count_frames -select_streams v:0 -show_entries "
             "stream=codec_name,width,height,avg_frame_rate,nb_read_frames -of csv=p=0 '" +
             path(film) + "'");
@@ -112,8 +92,8 @@ class FilmTest : public testing::Test {
     render::Image frame(const std::string& film, int number) {
         const std::string file = path("frame-" + std::to_string(number) + ".png");
         const std::string said =
-            test::outputOf("ffmpeg -v error -y -i '" + path(film) + "' -vf 'select=eq(n\\," +
-                           std::to_string(number) + ")' -frames:v 1 -update 1 '" + file + "' 2>&1");
+            outputOf("ffmpeg -v error -y -i '" + path(film) + "' -vf 'select=eq(n\\," +
+                     std::to_string(number) + ")' -frames:v 1 -update 1 '" + file + "' 2>&1");
         EXPECT_EQ(said, "");
         return render::readPng(file);
     }
@@ -145,7 +125,7 @@ TEST_F(FilmTest, EachFormatHasTheFramesTheSizeAndTheRate) {
         replay({"--movie", path("a.mp4"), "--size", "320x180", "--speed", "0.1", "--json"});
     ASSERT_EQ(mp4.exitCode, 0) << mp4.errors;
     EXPECT_EQ(probed("a.mp4"), "h264,320,180,30/1,61\n");
-    const auto told = nlohmann::json::parse(mp4.out)["movie"];
+    const auto told = Json::parse(mp4.out)["movie"];
     EXPECT_EQ(told["frames"], 61);
     EXPECT_EQ(told["file"], path("a.mp4"));
     EXPECT_NEAR(told["seconds"], 61.0 / 30, 1e-9);
@@ -305,7 +285,7 @@ TEST_F(FilmTest, WhatFfmpegComplainsOfIsToldAndLeavesNoFilm) {
 
 TEST_F(FilmTest, ARunThatEndsEarlyHasItsFilmUntilThere) {
     writeText(path("test.kerf.json"),
-              test::smallSession(R"(, {"step": 20, "type": "check", "pieces": 7})"));
+              smallSession(R"(, {"step": 20, "type": "check", "pieces": 7})"));
     const ProgramRun run = replay({"--movie", path("a.mp4"), "--size", "64x48", "--fps", "100"});
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_EQ(probed("a.mp4"), "h264,64,48,100/1,11\n") << "0 to 0.1 s";
@@ -334,8 +314,7 @@ TEST_F(FilmTest, MistakesAreRefusedBeforeAnythingRuns) {
         EXPECT_THAT(run.errors, HasSubstr(words));
     }
     const ProgramRun run = replay({"--movie", path("missing/a.mp4")});
-    EXPECT_EQ(run.exitCode, 5);
-    EXPECT_THAT(run.errors, HasSubstr("that folder doesn't exist"));
+    expectEnd(run, 5, "that folder doesn't exist");
     EXPECT_THAT(names(), UnorderedElementsAre("test.kerf.json"));
 }
 

@@ -1,30 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "app/files/io/csv.h"
 #include "app/journal/journal_text.h"
-#include "render/scene/image.h"
-#include "tests/paths.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
 
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::smallSession;
-using test::writeText;
 using testing::ContainsRegex;
-using testing::HasSubstr;
 
 class ReplayVerbOptions : public testing::Test {
   protected:
@@ -38,8 +17,8 @@ class ReplayVerbOptions : public testing::Test {
         words.insert(words.end(), options.begin(), options.end());
         return runKerf(words, environment);
     }
-    nlohmann::json summary(const std::string& out) {
-        return nlohmann::json::parse(readBytes(folder_ / (out + "/summary.json")));
+    Json summary(const std::string& out) {
+        return Json::parse(readBytes(folder_ / (out + "/summary.json")));
     }
     std::string path(const std::string& name) { return folder_ / name; }
 
@@ -72,15 +51,15 @@ TEST_F(ReplayVerbOptions, SetRefusesWhatIsNoParameterOrValue) {
         EXPECT_THAT(run.errors, HasSubstr(words)) << setting;
         EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
     }
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(ReplayVerbOptions, NothingThatIsReadIsWrittenOver) {
     ASSERT_EQ(replay("ref", {}).exitCode, 0);
-    std::filesystem::create_directories(folder_ / "out/diff");
-    std::filesystem::create_directories(folder_ / "own");
-    std::filesystem::copy(folder_ / "ref/end.png", folder_ / "out/diff/end.png");
-    std::filesystem::copy(folder_ / "ref/final.ply", folder_ / "own/final.ply");
+    fs::create_directories(folder_ / "out/diff");
+    fs::create_directories(folder_ / "own");
+    fs::copy(folder_ / "ref/end.png", folder_ / "out/diff/end.png");
+    fs::copy(folder_ / "ref/final.ply", folder_ / "own/final.ply");
     writeText(folder_ / "own/summary.json", smallSession());
     writeText(folder_ / "own/own.kerf.json",
               R"({"format": "kerf-session", "version": 1, "model": {"path": "final.ply"},
@@ -88,30 +67,26 @@ TEST_F(ReplayVerbOptions, NothingThatIsReadIsWrittenOver) {
     const std::string mesh = readBytes(folder_ / "own/final.ply");
     const std::string picture = readBytes(folder_ / "ref/end.png");
 
-    const auto expectRefused = [](const ProgramRun& run, const std::string& words) {
-        EXPECT_EQ(run.exitCode, 2) << run.errors;
-        EXPECT_THAT(run.errors, HasSubstr(words));
-    };
-    expectRefused(replay("ref", {"--reference", path("ref")}),
-                  "ref/pictures/half.png and would write over");
-    expectRefused(replay("ref/../ref", {"--reference", path("ref")}), "would write over");
-    expectRefused(replay("out", {"--reference", path("out/diff")}), "would write over");
-    expectRefused(runKerf({"replay", path("own/own.kerf.json"), "--out", path("own")}),
-                  "own/final.ply and would write over");
-    expectRefused(runKerf({"replay", path("own/summary.json"), "--out", path("own")}),
-                  "own/summary.json and would write over");
+    expectEnd(replay("ref", {"--reference", path("ref")}), 2,
+              "ref/pictures/half.png and would write over");
+    expectEnd(replay("ref/../ref", {"--reference", path("ref")}), 2, "would write over");
+    expectEnd(replay("out", {"--reference", path("out/diff")}), 2, "would write over");
+    expectEnd(runKerf({"replay", path("own/own.kerf.json"), "--out", path("own")}), 2,
+              "own/final.ply and would write over");
+    expectEnd(runKerf({"replay", path("own/summary.json"), "--out", path("own")}), 2,
+              "own/summary.json and would write over");
     writeText(folder_ / "own/pieces.kerf.json",
               R"({"format": "kerf-session", "version": 1, "model": {"path": "e-7.ply"}, "steps": 2,
                   "events": [{"step": 2, "type": "export", "file": "e.ply", "per_piece": true}]})");
-    std::filesystem::copy(folder_ / "own/final.ply", folder_ / "own/e-7.ply");
-    expectRefused(runKerf({"replay", path("own/pieces.kerf.json"), "--out", path("own")}),
-                  "own/e-7.ply and would write over");
-    expectRefused(replay("new", {"--strip", path("new/end.png"), "3"}), "another result");
+    fs::copy(folder_ / "own/final.ply", folder_ / "own/e-7.ply");
+    expectEnd(runKerf({"replay", path("own/pieces.kerf.json"), "--out", path("own")}), 2,
+              "own/e-7.ply and would write over");
+    expectEnd(replay("new", {"--strip", path("new/end.png"), "3"}), 2, "another result");
     EXPECT_EQ(readBytes(folder_ / "own/final.ply"), mesh);
     EXPECT_EQ(readBytes(folder_ / "own/summary.json"), smallSession());
     EXPECT_EQ(readBytes(folder_ / "ref/end.png"), picture);
     EXPECT_EQ(readBytes(folder_ / "out/diff/end.png"), picture);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+    EXPECT_FALSE(fs::exists(folder_ / "new"));
     EXPECT_EQ(replay("other", {"--reference", path("ref")}).exitCode, 0);
 }
 
@@ -121,7 +96,7 @@ TEST_F(ReplayVerbOptions, WithoutStandardStreamsTheirTextReachesNoFile) {
     EXPECT_EQ(WEXITSTATUS(std::system(script.c_str())), 5) << "nobody got what it printed";
     ASSERT_EQ(replay("usual", {"--hashes"}).exitCode, 0);
     EXPECT_EQ(readBytes(folder_ / "out/hashes.csv"), readBytes(folder_ / "usual/hashes.csv"));
-    EXPECT_THAT(readBytes(folder_ / "out/metrics.csv"), testing::StartsWith("step,"));
+    EXPECT_THAT(readBytes(folder_ / "out/metrics.csv"), StartsWith("step,"));
 }
 
 TEST_F(ReplayVerbOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
@@ -136,8 +111,8 @@ TEST_F(ReplayVerbOptions, UntilEndsInTheStateOfTheWholeRunAtThatStep) {
     }
     EXPECT_EQ(summary("some")["state_hash"], some.cell(8, 1));
     EXPECT_EQ(summary("some")["steps"], 9);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "some/pictures/half.png"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "some/end.png"));
+    EXPECT_TRUE(fs::exists(folder_ / "some/pictures/half.png"));
+    EXPECT_FALSE(fs::exists(folder_ / "some/end.png"));
     EXPECT_EQ(replay("out", {"--until", "0"}).exitCode, 2);
 }
 
@@ -172,11 +147,11 @@ TEST_F(ReplayVerbOptions, JsonLinesHaveTheColumnsOfTheMetrics) {
     std::istringstream lines(run.out);
     std::size_t row = 0;
     for (std::string line; std::getline(lines, line); ++row) {
-        const auto json = nlohmann::json::parse(line);
+        const auto json = Json::parse(line);
         for (const auto& item : json.items()) {
             const std::size_t column = metrics.require(item.key());
             const std::string& cell = metrics.cell(row, column);
-            const auto expected = cell.empty() ? nlohmann::json() : nlohmann::json::parse(cell);
+            const auto expected = cell.empty() ? Json() : Json::parse(cell);
             EXPECT_EQ(item.value().dump(), expected.dump()) << item.key();
         }
         EXPECT_EQ(std::ssize(json), columns);
@@ -210,9 +185,7 @@ TEST_F(ReplayVerbOptions, VerifyNamesTheFirstStepAndThePartAndEndsThere) {
     EXPECT_EQ(replay("same", {"--verify", hashes}, {{"LP_NUM_THREADS", "1"}}).exitCode, 0);
 
     const ProgramRun other = replay("other", {"--verify", hashes, "--set", "friction=0.75"});
-    EXPECT_EQ(other.exitCode, 1);
-    EXPECT_THAT(other.errors,
-                HasSubstr("Step 0: the replay has diverged from " + hashes + " in parameters."));
+    expectEnd(other, 1, "Step 0: the replay has diverged from " + hashes + " in parameters.");
     EXPECT_EQ(summary("other")["steps"], 1) << "it goes no further";
     EXPECT_EQ(summary("other")["failures"].size(), 1u);
 
@@ -230,8 +203,7 @@ TEST_F(ReplayVerbOptions, VerifySeesABladeThatCutsTheSame) {
     session.replace(session.find(lift), lift.size(), "0.8, -0.73, 0.05");
     writeText(folder_ / "test.kerf.json", session);
     const ProgramRun run = replay("out", {"--verify", path("first/hashes.csv")});
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.errors, HasSubstr("Step 2: "));
+    expectEnd(run, 1, "Step 2: ");
     EXPECT_THAT(run.errors, HasSubstr("blade"));
 }
 
@@ -246,8 +218,7 @@ TEST_F(ReplayVerbOptions, VerifyTakesTheColumnsThatThereAre) {
     }
     writeText(folder_ / "short.csv", text);
     const ProgramRun run = replay("out", {"--verify", path("short.csv")});
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.errors, HasSubstr("Step 20: "));
+    expectEnd(run, 1, "Step 20: ");
     EXPECT_THAT(run.errors, HasSubstr("in positions or velocities or boxes."));
 }
 
@@ -258,12 +229,10 @@ TEST_F(ReplayVerbOptions, VerifyComparesHowLongTheRunsAre) {
     writeText(folder_ / "shorter.csv", text.substr(0, lastRow + 1));
     writeText(folder_ / "longer.csv", text + "40" + text.substr(text.find(',', lastRow)));
     const ProgramRun shorter = replay("out", {"--verify", path("shorter.csv")});
-    EXPECT_EQ(shorter.exitCode, 1);
-    EXPECT_THAT(shorter.errors, HasSubstr("Step 39: "));
+    expectEnd(shorter, 1, "Step 39: ");
     EXPECT_THAT(shorter.errors, HasSubstr("ends before this step"));
     const ProgramRun longer = replay("out", {"--verify", path("longer.csv")});
-    EXPECT_EQ(longer.exitCode, 1);
-    EXPECT_THAT(longer.errors, HasSubstr("goes on to step 40"));
+    expectEnd(longer, 1, "goes on to step 40");
     EXPECT_EQ(replay("out", {"--verify", path("longer.csv"), "--until", "12"}).exitCode, 0);
 }
 
@@ -283,7 +252,7 @@ TEST_F(ReplayVerbOptions, VerifyRefusesWhatHoldsNoHashes) {
         EXPECT_THAT(run.errors, HasSubstr(words));
     }
     EXPECT_EQ(replay("out", {"--verify", path("missing.csv")}).exitCode, 3);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(ReplayVerbOptions, HashesDoNotWriteOverWhatTheyAreComparedWith) {
@@ -333,14 +302,14 @@ TEST_F(ReplayVerbOptions, TellsTheRealTimeFactor) {
 
 TEST_F(ReplayVerbOptions, NoFactorWhileTimeIsPaused) {
     writeText(folder_ / "test.kerf.json",
-              test::sessionThatDoes(R"({"step": 1, "type": "hold"}, {"step": 4, "type": "run"})"));
+              sessionThatDoes(R"({"step": 1, "type": "hold"}, {"step": 4, "type": "run"})"));
     ASSERT_EQ(replay("out", {}).exitCode, 0);
     const CsvTable metrics(folder_ / "out/metrics.csv", 1 << 20);
     for (std::size_t row = 0; row < metrics.rows(); ++row) {
         EXPECT_EQ(metrics.cell(row, metrics.require("real_time_factor")).empty(),
                   row >= 1 && row < 4);
     }
-    writeText(folder_ / "test.kerf.json", test::sessionThatDoes(R"({"step": 0, "type": "hold"})"));
+    writeText(folder_ / "test.kerf.json", sessionThatDoes(R"({"step": 0, "type": "hold"})"));
     const ProgramRun paused = replay("out", {});
     EXPECT_THAT(paused.out, HasSubstr("time: none was simulated"));
     EXPECT_TRUE(summary("out")["real_time_factor"]["median"].is_null());
@@ -349,9 +318,8 @@ TEST_F(ReplayVerbOptions, NoFactorWhileTimeIsPaused) {
 TEST_F(ReplayVerbOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
     const std::vector<std::string> options{"--reference", path("ref")};
     const ProgramRun none = replay("out", options);
-    EXPECT_EQ(none.exitCode, 1);
-    EXPECT_THAT(none.errors, HasSubstr("end.png: there is no such picture"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "ref"));
+    expectEnd(none, 1, "end.png: there is no such picture");
+    EXPECT_FALSE(fs::exists(folder_ / "ref"));
 
     std::vector<std::string> update = options;
     update.emplace_back("--update");
@@ -359,16 +327,15 @@ TEST_F(ReplayVerbOptions, ReferenceComparesPicturesAndUpdateRenewsThem) {
     EXPECT_EQ(readBytes(folder_ / "ref/pictures/half.png"),
               readBytes(folder_ / "out/pictures/half.png"));
     EXPECT_EQ(replay("out", options).exitCode, 0);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/diff"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/diff"));
 
     render::Image spoiled = render::readPng(folder_ / "ref/end.png");
     std::fill_n(spoiled.pixels.begin(), 96 * 4 * 32, 0);
-    test::writePng(spoiled, folder_ / "ref/end.png");
+    writePng(spoiled, folder_ / "ref/end.png");
     const ProgramRun other = replay("out", options);
-    EXPECT_EQ(other.exitCode, 1);
-    EXPECT_THAT(other.errors, HasSubstr("end.png differs in "));
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "out/diff/end.png"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/diff/pictures"));
+    expectEnd(other, 1, "end.png differs in ");
+    EXPECT_TRUE(fs::exists(folder_ / "out/diff/end.png"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/diff/pictures"));
     EXPECT_EQ(replay("out", {"--update"}).exitCode, 2);
 }
 
@@ -379,13 +346,13 @@ TEST_F(ReplayVerbOptions, ReferenceLeavesOutWhatComesBehindUntil) {
     const ProgramRun made = replay("out", update);
     EXPECT_EQ(made.exitCode, 0) << made.errors;
     EXPECT_THAT(made.out, HasSubstr("written to " + path("ref") + ": pictures/half.png\n"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "ref/end.png"));
+    EXPECT_FALSE(fs::exists(folder_ / "ref/end.png"));
     const ProgramRun same = replay("out", options);
     EXPECT_EQ(same.exitCode, 0);
-    EXPECT_THAT(same.errors, testing::Not(HasSubstr("compares nothing")));
-    std::filesystem::remove(folder_ / "ref/pictures/half.png");
+    EXPECT_THAT(same.errors, Not(HasSubstr("compares nothing")));
+    fs::remove(folder_ / "ref/pictures/half.png");
     update.emplace_back("--json");
-    EXPECT_EQ(nlohmann::json::parse(replay("out", update).out)["renewed"][0], "pictures/half.png");
+    EXPECT_EQ(Json::parse(replay("out", update).out)["renewed"][0], "pictures/half.png");
 }
 
 TEST_F(ReplayVerbOptions, AJournalIsReplayedLikeTheSessionThatItKeeps) {
@@ -404,8 +371,7 @@ TEST_F(ReplayVerbOptions, AJournalIsReplayedLikeTheSessionThatItKeeps) {
 
 TEST_F(ReplayVerbOptions, AReferenceThatComparesNothingSaysSo) {
     const ProgramRun run = replay("out", {"--until", "1", "--reference", path("ref")});
-    EXPECT_EQ(run.exitCode, 0);
-    EXPECT_THAT(run.errors, HasSubstr("compares nothing: this replay takes no screenshot"));
+    expectEnd(run, 0, "compares nothing: this replay takes no screenshot");
 }
 
 TEST_F(ReplayVerbOptions, ACheckThatFailsEndsTheRun) {
@@ -413,8 +379,7 @@ TEST_F(ReplayVerbOptions, ACheckThatFailsEndsTheRun) {
               smallSession(R"(, {"step": 20, "type": "check", "pieces": 5},
                                 {"step": 30, "type": "check", "pieces": 6})"));
     const ProgramRun run = replay("out", {});
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.errors, HasSubstr("Step 20: "));
+    expectEnd(run, 1, "Step 20: ");
     EXPECT_THAT(run.errors, HasSubstr("--keep-going"));
     EXPECT_EQ(summary("out")["steps"], 20);
     EXPECT_EQ(replay("out", {"--keep-going"}).exitCode, 1);

@@ -1,35 +1,19 @@
-#include <gtest/gtest.h>
-#include <sys/stat.h>
+#include "tests/support/shape_error.h"
 
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "tests/support/run_kerf.h"
-#include "tests/support/shapes.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
-
-namespace kerf {
+namespace kerf::app {
 namespace {
 
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::sessionThatDoes;
-using test::smallSession;
-using test::TemporaryFolder;
-using test::writeText;
-
-ProgramRun replay(const TemporaryFolder& folder, const std::string& session, const std::string& out,
+ProgramRun replay(const test::TemporaryFolder& folder, const std::string& session,
+                  const std::string& out,
                   const std::map<std::string, std::string>& environment = {}) {
     writeText(folder / "test.kerf.json", session);
     return runKerf({"replay", folder / "test.kerf.json", "--out", folder / out, "--json"},
                    environment);
 }
 
-std::set<std::string> filesBelow(const std::filesystem::path& folder) {
+std::set<std::string> filesBelow(const fs::path& folder) {
     std::set<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) {
             files.insert(entry.path().lexically_relative(folder).generic_string());
         }
@@ -56,15 +40,15 @@ std::string withoutTimes(const std::string& metrics) {
 }
 
 TEST(Replay, WritesWhatTheContractSaysAndNothingElse) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const ProgramRun run = replay(folder, smallSession(), "out");
     ASSERT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_EQ(filesBelow(folder / "out"),
               (std::set<std::string>{"end.mtl", "end.obj", "end.png", "final.ply", "metrics.csv",
                                      "pictures/half.png", "summary.json"}));
     EXPECT_EQ(filesBelow(folder.path()).size(), 8u) << "the session, and nothing beside DIR";
-    const auto printed = nlohmann::json::parse(run.out);
-    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    const auto printed = Json::parse(run.out);
+    const auto summary = Json::parse(readBytes(folder / "out/summary.json"));
     EXPECT_EQ(printed["state_hash"], summary["state_hash"]);
     EXPECT_EQ(summary["steps"], 40);
     EXPECT_EQ(summary["before"]["triangles"], 80);
@@ -75,14 +59,14 @@ TEST(Replay, WritesWhatTheContractSaysAndNothingElse) {
 }
 
 TEST(Replay, SameBytesWhateverTheNumberOfThreads) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     for (const char* threads : {"0", "1", "2"}) {
         const ProgramRun run =
             replay(folder, smallSession(), threads, {{"LP_NUM_THREADS", threads}});
         ASSERT_EQ(run.exitCode, 0) << run.errors;
     }
     const auto hash = [&](const std::string& out) {
-        return nlohmann::json::parse(readBytes(folder / (out + "/summary.json")))["state_hash"];
+        return Json::parse(readBytes(folder / (out + "/summary.json")))["state_hash"];
     };
     for (const std::string other : {"1", "2"}) {
         EXPECT_EQ(hash(other), hash("0"));
@@ -98,18 +82,18 @@ TEST(Replay, SameBytesWhateverTheNumberOfThreads) {
 }
 
 TEST(Replay, DivergenceIsNamedWithItsStepAndTheResultsStay) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const ProgramRun run = replay(
         folder, smallSession(R"(, {"step": 5, "type": "check", "hash": "0123456789abcdef"})"),
         "out");
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_NE(run.errors.find("Step 5: the state hash is "), std::string::npos) << run.errors;
-    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    const auto summary = Json::parse(readBytes(folder / "out/summary.json"));
     EXPECT_EQ(summary["failures"].size(), 1u);
 }
 
 TEST(Replay, WrongNumberOfPiecesFailsTheCheck) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const ProgramRun run =
         replay(folder, smallSession(R"(, {"step": 0, "type": "check", "pieces": 3})"), "out");
     EXPECT_EQ(run.exitCode, 1);
@@ -119,8 +103,8 @@ TEST(Replay, WrongNumberOfPiecesFailsTheCheck) {
 }
 
 TEST(Replay, AnAbortedRunLeavesNoFinishedResults) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "out");
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "out");
     writeText(folder / "out/summary.json", "of an earlier run");
     // By step 9 there is a piece's file where this export needs a folder.
     const ProgramRun run = replay(
@@ -133,35 +117,35 @@ TEST(Replay, AnAbortedRunLeavesNoFinishedResults) {
 }
 
 TEST(Replay, LinksDoNotLeadOutOfTheFolder) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "out");
-    std::filesystem::create_directories(folder / "elsewhere");
-    std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/pictures");
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "out");
+    fs::create_directories(folder / "elsewhere");
+    fs::create_directory_symlink(folder / "elsewhere", folder / "out/pictures");
     const ProgramRun run = replay(folder, smallSession(), "out");
     EXPECT_EQ(run.exitCode, 5) << run.errors;
-    EXPECT_TRUE(std::filesystem::is_empty(folder / "elsewhere"));
+    EXPECT_TRUE(fs::is_empty(folder / "elsewhere"));
 }
 
 TEST(Replay, LinksToFilesDoNotLeadOutOfTheFolder) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "out");
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "out");
     for (const char* name : {"metrics.csv", "end.png", "end.mtl", "final.ply", "summary.json"}) {
         writeText(folder / ("of-somebody-" + std::string(name)), "mine");
-        std::filesystem::create_symlink(folder / ("of-somebody-" + std::string(name)),
-                                        folder / ("out/" + std::string(name)));
+        fs::create_symlink(folder / ("of-somebody-" + std::string(name)),
+                           folder / ("out/" + std::string(name)));
         const ProgramRun run = replay(folder, smallSession(), "out");
         EXPECT_EQ(readBytes(folder / ("of-somebody-" + std::string(name))), "mine") << run.errors;
-        std::filesystem::remove_all(folder / "out");
-        std::filesystem::create_directories(folder / "out");
+        fs::remove_all(folder / "out");
+        fs::create_directories(folder / "out");
     }
 }
 
 TEST(Replay, ModelsAreReadFromBesideAboveAndAbsolutePaths) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "sessions");
-    std::filesystem::create_directories(folder / "models");
-    const std::filesystem::path model = folder / "models/box.obj";
-    writeText(model, test::objText(test::boxSoup()));
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "sessions");
+    fs::create_directories(folder / "models");
+    const fs::path model = folder / "models/box.obj";
+    writeText(model, objText(boxSoup()));
     for (const std::string& path : {std::string("../models/box.obj"), model.string()}) {
         writeText(folder / "sessions/a.kerf.json",
                   R"({"format": "kerf-session", "version": 1, "steps": 1, "model": {"path": ")" +
@@ -173,11 +157,11 @@ TEST(Replay, ModelsAreReadFromBesideAboveAndAbsolutePaths) {
 }
 
 TEST(Replay, ModelsThatAreNoFilesAreNamed) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe.obj").c_str(), 0600), 0);
-    std::filesystem::create_symlink("/dev/zero", folder / "zero.obj");
-    std::filesystem::create_directory(folder / "folder.obj");
-    std::filesystem::create_symlink("loop.obj", folder / "loop.obj");
+    fs::create_symlink("/dev/zero", folder / "zero.obj");
+    fs::create_directory(folder / "folder.obj");
+    fs::create_symlink("loop.obj", folder / "loop.obj");
     for (const std::string& name :
          {std::string("pipe.obj"), std::string("zero.obj"), std::string("folder.obj"),
           std::string("loop.obj"), std::string("~/a.obj"), std::string(300, 'a') + ".obj",
@@ -189,12 +173,12 @@ TEST(Replay, ModelsThatAreNoFilesAreNamed) {
                    "out");
         EXPECT_EQ(run.exitCode, 3) << name << run.errors;
         EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-        EXPECT_FALSE(std::filesystem::exists(folder / "out")) << name;
+        EXPECT_FALSE(fs::exists(folder / "out")) << name;
     }
 }
 
 TEST(Replay, AnUndoBetweenTwoKeysEndsTheStrokeAsALiftDoes) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     // The key at step 13 places the blade anew below the body.
     const std::string first = R"({"step": 0, "type": "set", "name": "friction", "value": 1}, )";
     const std::string keys =
@@ -205,15 +189,15 @@ TEST(Replay, AnUndoBetweenTwoKeysEndsTheStrokeAsALiftDoes) {
             first + keys + R"(, {"step": 2, "type": ")" + std::string(end) + R"("})";
         const ProgramRun run = replay(folder, sessionThatDoes(events, 20), end);
         ASSERT_EQ(run.exitCode, 0) << run.errors;
-        const auto summary = nlohmann::json::parse(run.out);
+        const auto summary = Json::parse(run.out);
         EXPECT_EQ(summary["after"]["triangles"], 20) << end;
     }
     const ProgramRun whole = replay(folder, sessionThatDoes(first + keys, 20), "whole");
-    EXPECT_EQ(nlohmann::json::parse(whole.out)["pieces"].size(), 2u) << "without one it cuts";
+    EXPECT_EQ(Json::parse(whole.out)["pieces"].size(), 2u) << "without one it cuts";
 }
 
 TEST(Replay, WhatCannotHappenIsNamedAsItStandsInTheFileAndNothingIsWritten) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::string other = R"({"step": 3, "type": "lift"}, )";
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {R"({"step": 1, "type": "undo"})", "events[1] at step 1: There is nothing to undo."},
@@ -238,16 +222,16 @@ TEST(Replay, WhatCannotHappenIsNamedAsItStandsInTheFileAndNothingIsWritten) {
             (turns ? "events[0] at step 2: The two ends of the blade" : sentence);
         EXPECT_EQ(run.errors.substr(0, expected.size()), expected);
         EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-        EXPECT_FALSE(std::filesystem::exists(folder / "new")) << event;
+        EXPECT_FALSE(fs::exists(folder / "new")) << event;
     }
 }
 
 TEST(Replay, ARefusedEventLeavesFoldersThatWereThereAndPicturesOfBefore) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "out");
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "out");
     const std::string undo = R"({"step": 2, "type": "undo"})";
     EXPECT_EQ(replay(folder, sessionThatDoes(undo), "out").exitCode, 3);
-    EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
     const std::string picture =
         R"({"step": 1, "type": "screenshot", "file": "a/b.png", "width": 8, "height": 8}, )";
     EXPECT_EQ(replay(folder, sessionThatDoes(picture + undo), "out").exitCode, 3);
@@ -255,7 +239,7 @@ TEST(Replay, ARefusedEventLeavesFoldersThatWereThereAndPicturesOfBefore) {
 }
 
 TEST(Replay, ASessionOfBeforeSaysOnceThatItsSolverIsReplaced) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::string former =
         R"({"step": 0, "type": "set", "name": "solver", "value": "small_steps"})";
     const ProgramRun run = replay(folder, sessionThatDoes(former), "out");
@@ -265,12 +249,11 @@ TEST(Replay, ASessionOfBeforeSaysOnceThatItsSolverIsReplaced) {
               "\"implicit\" takes its place.\n");
     const ProgramRun present = replay(folder, sessionThatDoes(""), "present");
     EXPECT_EQ(present.errors, "");
-    EXPECT_EQ(nlohmann::json::parse(run.out)["state_hash"],
-              nlohmann::json::parse(present.out)["state_hash"]);
+    EXPECT_EQ(Json::parse(run.out)["state_hash"], Json::parse(present.out)["state_hash"]);
 }
 
 TEST(Replay, ABodyThatTurnsInsideOutIsARemarkAndNoFailure) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     // Two hands draw the top and the bottom through each other.
     const std::string session = R"({"format": "kerf-session", "version": 1, "steps": 16,
         "model": {"builtin": "sphere20"},
@@ -282,7 +265,7 @@ TEST(Replay, ABodyThatTurnsInsideOutIsARemarkAndNoFailure) {
                    {"step": 15, "type": "drag", "hand": 1, "to": [0, 0.7, 0]}]})";
     const ProgramRun run = replay(folder, session, "out");
     EXPECT_EQ(run.exitCode, 0);
-    const auto summary = nlohmann::json::parse(readBytes(folder / "out/summary.json"));
+    const auto summary = Json::parse(readBytes(folder / "out/summary.json"));
     EXPECT_LT(summary["volume_ratio"]["min"], 0);
     ASSERT_EQ(summary["remarks"].size(), 2u);
     const std::string remark = summary["remarks"][0];
@@ -294,12 +277,147 @@ TEST(Replay, ABodyThatTurnsInsideOutIsARemarkAndNoFailure) {
 }
 
 TEST(Replay, WithoutOpenGlNothingIsWritten) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const ProgramRun run = replay(folder, smallSession(), "out", {{"KERF_FORCE_NO_GL", "1"}});
     EXPECT_EQ(run.exitCode, 4) << run.errors;
     EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+    EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+fs::path sessionFile(const std::string& name) {
+    return fs::path(KERF_SOURCE_DIR) / "assets/sessions" / (name + ".kerf.json");
+}
+
+TEST(ShippedSessions, AreReadWithoutWarnings) {
+    std::set<std::string> names;
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(KERF_SOURCE_DIR) / "assets/sessions")) {
+        EXPECT_EQ(readSession(entry.path()).warnings, std::vector<std::string>{});
+        names.insert(entry.path().filename().stem().stem().string());
+    }
+    EXPECT_EQ(names,
+              (std::set<std::string>{"banana", "boxes", "drop-in", "first-cut", "material",
+                                     "octopus", "open-cut", "sphere20", "sphere768", "sphere80"}));
+}
+
+TEST(ShippedSessions, DropInIsASphereInTheMiddleOfTheDefaultView) {
+    const Session session = readSession(sessionFile("drop-in"));
+    EXPECT_EQ(session.params.gravity, Vec3::Zero());
+    EXPECT_FALSE(session.view.has_value());
+    const Bounds bounds = meshBounds(loadSessionModel(session).mesh);
+    const render::Camera camera = sessionCamera(session, bounds);
+    EXPECT_LT((camera.target - bounds.center()).norm(), 1e-9);
+}
+
+class FoundSessions : public GlTest {
+  protected:
+    static ReplayResult replay(const std::string& name) {
+        const Session session =
+            readSession(fs::path(KERF_SOURCE_DIR) / ("tests/sessions/" + name + ".kerf.json"));
+        const test::TemporaryFolder out;
+        return replaySession(session, loadSessionModel(session), out.path(), {});
+    }
+};
+
+// Hands pull the body over both ends of the blade, and a piece parts in which nothing of its front
+// is.
+TEST_F(FoundSessions, AFrontThatIsAllInOtherPieces) {
+    const ReplayResult result = replay("front-in-other-pieces");
+    EXPECT_EQ(result.summary.failures, std::vector<std::string>{});
+    EXPECT_TRUE(result.summary.statistics.closedEveryStep);
+}
+
+// Where a push moved what other threads were looking at, one replay in five with two threads was
+// another.
+TEST_F(FoundSessions, APushingBladeReplaysToTheSameBits) {
+    const auto hash = [] { return replay("pushing-blade").summary.stateHash; };
+    const auto first = hash();
+    for (int i = 0; i < 8; ++i) {
+        EXPECT_EQ(hash(), first);
+    }
+}
+
+/// The bars that a body must clear while it is cut and falls.
+struct Bar {
+    const char* session;
+    int steps;               ///< of the session's, enough for the impact and the rebound
+    double peakDeformation;  ///< least RMS at impact, share of the diagonal
+    bool byNight = false;    ///< the others find the same, and RegressionSessions cut it by day
+};
+
+class ShippedModels : public GlTest, public ::testing::WithParamInterface<Bar> {};
+
+/// Largest RMS deformation of a piece after rigid alignment [m].
+double largestDeformation(Simulation& simulation) {
+    const SurfaceMesh& mesh = simulation.mesh();
+    const PieceMap& pieces = simulation.pieces();
+    double largest = 0;
+    for (int piece = 0; piece < static_cast<int>(pieces.pieces.size()); ++piece) {
+        std::vector<int> vertices;
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (pieces.ofVertex[v] == piece) vertices.push_back(v);
+        }
+        largest =
+            std::max(largest, rmsShapeError(mesh.restPositions(), mesh.positions(), vertices));
+    }
+    return largest;
+}
+
+/// Runs the commands of a session, without its pictures.
+class SessionRun {
+  public:
+    explicit SessionRun(const Session& session)
+        : schedule_(session), simulation_(loadSessionModel(session).mesh, session.params) {}
+
+    const StepReport& step() {
+        driver_.applyActions(schedule_, *this);
+        return driver_.step();
+    }
+    Simulation& simulation() { return simulation_; }
+
+    void perform(const Command& command, int) { EXPECT_EQ(simulation_.execute(command), ""); }
+    template <class Event>
+    void take(const Event&) {}
+
+  private:
+    SessionSchedule schedule_;
+    Simulation simulation_;
+    SimulationDriver driver_{simulation_};
+};
+
+TEST_P(ShippedModels, CutInTwoKeepTheirVolumeStayClosedAndAreSoft) {
+    if (GetParam().byNight) {
+        KERF_BY_NIGHT();
+    }
+    const Session session = readSession(sessionFile(GetParam().session));
+    SessionRun run(session);
+    const double diagonal = meshBounds(run.simulation().mesh()).diagonal();
+    double volumeSum = 0;
+    double peakDeformation = 0;
+    for (int step = 0; step < GetParam().steps; ++step) {
+        const StepReport& report = run.step();
+        ASSERT_TRUE(report.closed) << "step " << step;
+        ASSERT_TRUE(std::isfinite(report.volume)) << "step " << step;
+        volumeSum += report.volumeRatio;
+        if (step % 4 == 0) {
+            peakDeformation = std::max(peakDeformation, largestDeformation(run.simulation()));
+        }
+    }
+    const StepReport& end = run.simulation().report();
+    EXPECT_EQ(end.pieces, 2);
+    EXPECT_GE(volumeSum / GetParam().steps, 0.995);
+    EXPECT_GE(end.volumeRatio, 0.999);
+    EXPECT_GE(peakDeformation / diagonal, GetParam().peakDeformation);
+    EXPECT_EQ(run.simulation().takeMessages(), std::vector<std::string>{});
+    RecordProperty("peak_deformation_percent", std::to_string(100 * peakDeformation / diagonal));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedModels,
+                         ::testing::Values(Bar{"sphere20", 600, 0.03}, Bar{"sphere80", 600, 0.03},
+                                           Bar{"sphere768", 600, 0.03},
+                                           Bar{"banana", 500, 0.01, true},
+                                           Bar{"octopus", 320, 0.01, true}),
+                         [](const auto& each) { return std::string(each.param.session); });
+
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -1,32 +1,11 @@
 // Meshes of a run on the way, and what other programs read in them.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/files/import/model_source.h"
-#include "app/files/io/csv.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/paths.h"
-#include "tests/support/program_output.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
 
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::writeText;
-using testing::HasSubstr;
-using testing::UnorderedElementsAre;
-namespace fs = std::filesystem;
-
 class SequenceTest : public testing::Test {
   protected:
-    SequenceTest() { writeText(folder_ / "test.kerf.json", test::smallSession()); }
+    SequenceTest() { writeText(folder_ / "test.kerf.json", smallSession()); }
 
     ProgramRun replay(const std::vector<std::string>& options) {
         std::vector<std::string> words{"replay", path("test.kerf.json"), "--out", path("out")};
@@ -50,7 +29,7 @@ TEST_F(SequenceTest, HasAMeshEverySoManyStepsAndOfTheEnd) {
     EXPECT_THAT(names(),
                 UnorderedElementsAre("step-000000.ply", "step-000015.ply", "step-000030.ply",
                                      "step-000040.ply", "sequence.ply.series"));
-    const auto series = nlohmann::json::parse(readBytes(path("out/sequence/sequence.ply.series")));
+    const auto series = Json::parse(readBytes(path("out/sequence/sequence.ply.series")));
     EXPECT_EQ(series["file-series-version"], "1.0");
     ASSERT_EQ(series["files"].size(), 4u);
     EXPECT_EQ(series["files"][1]["name"], "step-000015.ply");
@@ -86,11 +65,11 @@ TEST_F(SequenceTest, ChangesNoState) {
 }
 
 /// What tests/app/files/export/read_mesh.py finds in a mesh, as a JSON object.
-nlohmann::json figuresOf(const std::string& file) {
-    const std::string said = test::outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
-                                            "/tests/app/files/export/read_mesh.py' '" +
-                                            file + "' 2>&1");
-    return nlohmann::json::parse(said, nullptr, false);
+Json figuresOf(const std::string& file) {
+    const std::string said =
+        outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR "/tests/app/files/export/read_mesh.py' '" +
+                 file + "' 2>&1");
+    return Json::parse(said, nullptr, false);
 }
 
 TEST_F(SequenceTest, EachFormatHasTheQuantitiesThatItCanHold) {
@@ -98,7 +77,7 @@ TEST_F(SequenceTest, EachFormatHasTheQuantitiesThatItCanHold) {
         SCOPED_TRACE(format);
         ASSERT_EQ(replay({"--sequence", "25", "--meshes", format, "--pieces"}).exitCode, 0);
         const CsvTable pieces(path("out/pieces.csv"), 1 << 20);
-        const nlohmann::json found = figuresOf(path("out/sequence/step-000040." + format));
+        const Json found = figuresOf(path("out/sequence/step-000040." + format));
         ASSERT_TRUE(found.is_object());
         ASSERT_EQ(found["volumes"].size(), 2u);
         for (std::size_t piece = 0; piece < 2; ++piece) {

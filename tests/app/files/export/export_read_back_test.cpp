@@ -1,17 +1,10 @@
 // Exports read back, by Kerf itself and by assimp, as other programs would read them.
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <gmock/gmock.h>
 
 #include <assimp/Importer.hpp>
 
-#include "app/files/export/export.h"
-#include "app/files/import/model_source.h"
-#include "app/files/io/file_io.h"
 #include "sim/cut/stroke/cutter.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -91,13 +84,13 @@ double sixfoldVolume(const aiScene& scene, const aiNode& node) {
 
 class ExportReadBack : public ::testing::TestWithParam<const char*> {
   protected:
-    const aiScene* read(const std::filesystem::path& file) {
+    const aiScene* read(const fs::path& file) {
         const aiScene* scene = importer_.ReadFile(file.string(), aiProcess_ValidateDataStructure);
         EXPECT_NE(scene, nullptr) << importer_.GetErrorString();
         return scene;
     }
-    std::filesystem::path write(const CutBox& box, bool filePerPiece) {
-        std::filesystem::path file = folder_ / (std::string("box") + GetParam());
+    fs::path write(const CutBox& box, bool filePerPiece) {
+        fs::path file = folder_ / (std::string("box") + GetParam());
         for (const ExportedFile& part :
              encodeExport({file, filePerPiece}, box.mesh, box.pieces, box.looks)) {
             writeOutputFile(part.file, part.bytes);
@@ -121,8 +114,8 @@ TEST_P(ExportReadBack, TheWholeBodyKeepsItsVolumeAndItsTriangles) {
 
 TEST_P(ExportReadBack, AFilePerPieceHoldsThatPieceAlone) {
     const CutBox box;
-    const std::filesystem::path file = write(box, true);
-    EXPECT_FALSE(std::filesystem::exists(file));
+    const fs::path file = write(box, true);
+    EXPECT_FALSE(fs::exists(file));
     double volume = 0;
     for (int piece = 0; piece < 2; ++piece) {
         MeshReport report;
@@ -236,6 +229,54 @@ TEST_P(ExportNodes, PiecesAreNodesWithTheirVolume) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, ExportNodes, ::testing::Values(".glb", ".gltf"),
                          [](const auto& format) { return std::string(format.param + 1); });
+
+// Bodies as VTK XML PolyData, read back without VTK.
+
+/// A cube of 1 m that is stretched along x and moves.
+struct MovingBox {
+    MovingBox() {
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            const Vec3 rest = mesh.restPosition(v);
+            mesh.setState(v, {1.2 * rest.x(), rest.y(), rest.z()}, Vec3(1, 2, 3));
+        }
+        pieces = findPieces(mesh);
+    }
+    Json exported(const Placement& placement, Coordinates coordinates) const {
+        const test::TemporaryFolder folder;
+        const fs::path file = folder / "box.vtp";
+        const auto files = encodeExport({file, false, coordinates}, mesh, pieces, {}, {placement});
+        EXPECT_EQ(files.size(), 1U);
+        writeText(file, files.front().bytes);
+        return Json::parse(outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
+                                    "/tests/app/files/export/read_mesh.py' '" +
+                                    file.string() + "' 2>&1"));
+    }
+
+    SurfaceMesh mesh = test::box(Vec3::Ones(), 4);
+    PieceMap pieces;
+};
+
+void expectNumbers(const Json& found, double volume, const Vec3& velocity) {
+    EXPECT_NEAR(found["volumes"][0].get<double>(), volume, 1e-5 * volume);
+    EXPECT_NEAR(found["measured_volumes"][0].get<double>(), volume, 1e-5 * volume);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(found["mean_velocity"][i].get<double>(), velocity[i], 1e-5 * velocity.norm());
+    }
+    EXPECT_NEAR(found["most_strain"].get<double>(), 0.2, 1e-6) << "a share, in whatever unit";
+}
+
+TEST(ExportVtp, HasStrainVelocityAndVolumeInMetresOfTheScene) {
+    expectNumbers(MovingBox().exported({}, Coordinates::scene), 1.2, {1, 2, 3});
+}
+
+TEST(ExportVtp, HasThemInTheUnitAndAxesOfTheModel) {
+    Placement placement;
+    placement.unit = LengthUnit::millimetre;
+    placement.up = UpAxis::z;
+    placement.translate = Vec3(5, 5, 5);
+    // The scene's y is up, which is the model's z.
+    expectNumbers(MovingBox().exported(placement, Coordinates::model), 1.2e9, {1000, -3000, 2000});
+}
 
 }  // namespace
 }  // namespace kerf::app

@@ -1,19 +1,7 @@
 // Models that are opened and exported untouched have the coordinates of their files again, as
 // plain readers of the formats see them, without assimp and without what wrote them.
-#include <gmock/gmock.h>
 
-#include <cstring>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
-#include "app/files/export/export.h"
 #include "app/files/import/import_protocol.h"
-#include "app/files/io/file_io.h"
-#include "app/scene/document/editor_document.h"
-#include "sim/base/math.h"
-#include "sim/mesh/invariants.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
@@ -119,9 +107,9 @@ Soup plainStl(const std::string& bytes) {
 Soup plainGlb(const std::string& bytes) {
     std::size_t at = 12;
     const auto size = take<std::uint32_t>(bytes, at);
-    const auto json = nlohmann::json::parse(bytes.substr(20, size));
+    const auto json = Json::parse(bytes.substr(20, size));
     const std::size_t buffer = 20 + size + 8;
-    const auto startOf = [&](const nlohmann::json& accessor) {
+    const auto startOf = [&](const Json& accessor) {
         return buffer + json["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"]
                             .get<std::size_t>();
     };
@@ -160,28 +148,28 @@ struct Shape {
 std::vector<Shape> shapes() {
     const Vec3 far(1e4, -2e4, 3e4);
     return {
-        {"sphere", test::icosphereSoup(2), 1, Vec3::Zero()},
-        {"a sphere far away", test::icosphereSoup(1, 5), 1, far},
-        {"a tiny ring", test::torusSoup(), 1e-3, Vec3::Zero()},
-        {"a tiny box aside", test::boxSoup(Vec3(1, 2, 3), 2), 1e-3, Vec3(10, 0, -10)},
-        {"a huge tube", test::bentTubeSoup(), 1e3, Vec3::Zero()},
-        {"a huge ball far away", test::cubeSphereSoup(5), 1e3, far},
-        {"a figure of 9.66", test::gradedTorusSoup(), 9.66, Vec3(0, 4.83, 0)},
-        {"a print of 60", test::bentTubeSoup(), 60, Vec3(100, 100, 0)},
+        {"sphere", icosphereSoup(2), 1, Vec3::Zero()},
+        {"a sphere far away", icosphereSoup(1, 5), 1, far},
+        {"a tiny ring", torusSoup(), 1e-3, Vec3::Zero()},
+        {"a tiny box aside", boxSoup(Vec3(1, 2, 3), 2), 1e-3, Vec3(10, 0, -10)},
+        {"a huge tube", bentTubeSoup(), 1e3, Vec3::Zero()},
+        {"a huge ball far away", cubeSphereSoup(5), 1e3, far},
+        {"a figure of 9.66", gradedTorusSoup(), 9.66, Vec3(0, 4.83, 0)},
+        {"a print of 60", bentTubeSoup(), 60, Vec3(100, 100, 0)},
     };
 }
 
 class OwnCoordinates : public ::testing::TestWithParam<const char*> {
   protected:
     /// The soup in floats, as a file of the format has it; what is zero but for rounding is zero.
-    std::filesystem::path write(const Shape& shape) {
+    fs::path write(const Shape& shape) {
         TriangleSoup soup = shape.soup;
         for (Vec3& p : soup.positions) {
             const Vec3 exact = p.unaryExpr([](double x) { return std::fabs(x) < 1e-9 ? 0 : x; });
             p = nearestFloats(shape.size * exact + shape.offset);
         }
-        const SurfaceMesh mesh = test::meshOf(soup);
-        std::filesystem::path file = folder / (std::string("model") + GetParam());
+        const SurfaceMesh mesh = meshOf(soup);
+        fs::path file = folder / (std::string("model") + GetParam());
         writeOutputFile(file, encodeMesh(mesh, findPieces(mesh), *meshFormatOf(file)));
         return file;
     }
@@ -200,7 +188,7 @@ class OwnCoordinates : public ::testing::TestWithParam<const char*> {
 TEST_P(OwnCoordinates, ComeBackExactlyInEveryFormat) {
     const float rounding = std::string(GetParam()) == ".obj" ? 2.4e-7F : 0;
     for (const Shape& shape : shapes()) {
-        const std::filesystem::path file = write(shape);
+        const fs::path file = write(shape);
         const Soup before = readPlainly(GetParam(), readInputFile(file, kMaxModelBytes));
         const Document document = openDocument(file);
         EXPECT_FALSE(document.note.empty());

@@ -1,27 +1,11 @@
 // Models with colours, materials and images of their own, opened and exported, whole and cut, as a
 // reader sees them that knows nothing of Kerf (own_looks.py).
-#include <gmock/gmock.h>
 
-#include <cstdlib>
-#include <fstream>
-
-#include "app/files/export/export.h"
-#include "app/files/io/file_io.h"
-#include "app/scene/document/editor_document.h"
 #include "sim/cut/stroke/cutter.h"
-#include "sim/mesh/invariants.h"
-#include "tests/paths.h"
 #include "tests/support/png_head.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/written_png.h"
 
 namespace kerf::app {
 namespace {
-
-namespace fs = std::filesystem;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 const std::string kScript = KERF_SOURCE_DIR "/tests/app/files/export/own_looks.py";
 
@@ -109,16 +93,15 @@ TEST_F(OwnLooksTest, ComeBackFromEveryModelWholeAndCut) {
     const bool same =
         runScript("check '" + models.string() + "' '" + (folder / "out").string() + "'" + all,
                   folder / "answer");
-    EXPECT_TRUE(same) << test::readBytes(folder / "answer");
+    EXPECT_TRUE(same) << readBytes(folder / "answer");
 }
 
 // --- What can't be shown ------------------------------------------------------------------------
 
 /// A box of one material, with an image of that name.
 fs::path writeBox(const fs::path& folder, const std::string& image) {
-    test::writeText(folder / "box.mtl", "newmtl paint\nKd 0.2 0.4 0.6\nmap_Kd " + image + "\n");
-    test::writeText(folder / "box.obj",
-                    "mtllib box.mtl\nusemtl paint\n" + test::objText(test::boxSoup()));
+    writeText(folder / "box.mtl", "newmtl paint\nKd 0.2 0.4 0.6\nmap_Kd " + image + "\n");
+    writeText(folder / "box.obj", "mtllib box.mtl\nusemtl paint\n" + objText(boxSoup()));
     return folder / "box.obj";
 }
 
@@ -145,7 +128,7 @@ TEST_F(LeftOutImage, IsNamedWhereItIsMissing) {
 TEST_F(LeftOutImage, IsNamedWhereItLiesOutsideTheFolder) {
     const fs::path below = folder / "models";
     fs::create_directories(below);
-    test::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
+    writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
     const ModelMesh model = readModel(writeBox(below, "../secret.png"), {});
     ASSERT_EQ(model.remarks.size(), 1U);
     EXPECT_THAT(model.remarks.front(), HasSubstr("in the model's folder or below"));
@@ -154,7 +137,7 @@ TEST_F(LeftOutImage, IsNamedWhereItLiesOutsideTheFolder) {
 TEST_F(LeftOutImage, IsNamedWhereALinkOrAWholePathLeadsOutside) {
     const fs::path below = folder / "models";
     fs::create_directories(below);
-    test::writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
+    writePng({1, 1, {0, 0, 0, 255}}, folder / "secret.png");
     fs::create_symlink(folder / "secret.png", below / "link.png");
     fs::create_directory_symlink(folder.path(), below / "up");
     fs::create_symlink("/dev/zero", below / "zero.png");
@@ -171,11 +154,11 @@ TEST_F(LeftOutImage, IsNamedWhereALinkOrAWholePathLeadsOutside) {
 TEST_F(LeftOutImage, MaterialsAreNotReadThroughALinkThatLeadsOutside) {
     const fs::path below = folder / "models";
     fs::create_directories(below);
-    test::writeText(folder / "out.mtl", "newmtl paint\nKd 1 0 0\n");
+    writeText(folder / "out.mtl", "newmtl paint\nKd 1 0 0\n");
     fs::create_symlink(folder / "out.mtl", below / "link.mtl");
     for (const char* name : {"link.mtl", "../out.mtl"}) {
-        test::writeText(below / "box.obj", "mtllib " + std::string(name) + "\nusemtl paint\n" +
-                                               test::objText(test::boxSoup()));
+        writeText(below / "box.obj",
+                  "mtllib " + std::string(name) + "\nusemtl paint\n" + objText(boxSoup()));
         const ModelMesh model = readModel(below / "box.obj", {});
         ASSERT_EQ(model.remarks.size(), 1U) << name;
         EXPECT_THAT(model.remarks.front(), HasSubstr("The materials of")) << name;
@@ -185,31 +168,30 @@ TEST_F(LeftOutImage, MaterialsAreNotReadThroughALinkThatLeadsOutside) {
 }
 
 TEST_F(LeftOutImage, IsNamedWhereItIsNoPictureOrDamaged) {
-    test::writeText(folder / "text.png", "no picture");
+    writeText(folder / "text.png", "no picture");
     EXPECT_EQ(
         remarkOf("text.png"),
         "The image \"text.png\" was left out: it is neither PNG nor JPEG; save it anew as PNG "
         "and open the model again.");
-    test::writePng({64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 7)}, folder / "half.png");
-    const std::string whole = test::readBytes(folder / "half.png");
-    test::writeText(folder / "half.png", whole.substr(0, whole.size() / 2));
+    writePng({64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 7)}, folder / "half.png");
+    const std::string whole = readBytes(folder / "half.png");
+    writeText(folder / "half.png", whole.substr(0, whole.size() / 2));
     EXPECT_THAT(remarkOf("half.png"), HasSubstr("it is damaged or cut off"));
 }
 
 TEST_F(LeftOutImage, IsNamedWhereItIsTooLargeOrLies) {
-    test::writeText(folder / "lie.png", test::pngHead(16000, 16000));
+    writeText(folder / "lie.png", pngHead(16000, 16000));
     EXPECT_THAT(remarkOf("lie.png"), HasSubstr("claims 16000 x 16000 pixels in 45 bytes"));
-    test::writeText(folder / "wide.png", test::pngHead(20000, 10));
+    writeText(folder / "wide.png", pngHead(20000, 10));
     EXPECT_THAT(remarkOf("wide.png"),
                 HasSubstr("it has 20000 x 10 pixels, of which at most 16384"));
-    test::writeText(folder / "vast.png", test::pngHead(40000, 40000));
+    writeText(folder / "vast.png", pngHead(40000, 40000));
     EXPECT_THAT(remarkOf("vast.png"), HasSubstr("more pixels than are read"));
 }
 
 TEST(OwnLooks, SayWhichFileOfMaterialsIsMissing) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "box.obj",
-                    "mtllib my paints.mtl\nusemtl paint\n" + test::objText(test::boxSoup()));
+    writeText(folder / "box.obj", "mtllib my paints.mtl\nusemtl paint\n" + objText(boxSoup()));
     const ModelMesh model = readModel(folder / "box.obj", {});
     ASSERT_EQ(model.remarks.size(), 1U);
     EXPECT_THAT(model.remarks.front(), HasSubstr("The materials of \"my paints.mtl\""));
@@ -217,7 +199,7 @@ TEST(OwnLooks, SayWhichFileOfMaterialsIsMissing) {
 
 TEST(OwnLooks, OfModelsWithoutAnyAreNone) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "plain.obj", test::objText(test::boxSoup()));
+    writeText(folder / "plain.obj", objText(boxSoup()));
     const ModelMesh model = readModel(folder / "plain.obj", {});
     EXPECT_FALSE(model.looks.colored());
     EXPECT_TRUE(model.looks.skin.empty());
@@ -242,7 +224,7 @@ class Beside : public ::testing::Test {
     void SetUp() override {
         fs::create_directories(folder / "in");
         fs::create_directories(folder / "out");
-        test::writePng({1, 1, {200, 100, 50, 255}}, folder / "in" / "tile.png");
+        writePng({1, 1, {200, 100, 50, 255}}, folder / "in" / "tile.png");
     }
 
     test::TemporaryFolder folder;
@@ -250,25 +232,24 @@ class Beside : public ::testing::Test {
 
 TEST_F(Beside, LieMaterialsAndImages) {
     EXPECT_THAT(namesAfterExport(), ElementsAre("slice.obj", "tile.png", "slice.mtl"));
-    EXPECT_EQ(test::readBytes(folder / "out" / "tile.png"),
-              test::readBytes(folder / "in" / "tile.png"));
+    EXPECT_EQ(readBytes(folder / "out" / "tile.png"), readBytes(folder / "in" / "tile.png"));
     EXPECT_THAT(namesAfterExport(), ElementsAre("slice.obj")) << "the others are there already";
 }
 
 TEST_F(Beside, NothingOfSomebodyElseIsReplaced) {
-    test::writeText(folder / "out" / "tile.png", "another picture");
-    test::writeText(folder / "out" / "slice.mtl", "newmtl of_somebody");
+    writeText(folder / "out" / "tile.png", "another picture");
+    writeText(folder / "out" / "slice.mtl", "newmtl of_somebody");
     EXPECT_THAT(namesAfterExport(), ElementsAre("slice.obj", "tile-2.png", "slice-2.mtl"));
-    EXPECT_EQ(test::readBytes(folder / "out" / "tile.png"), "another picture");
-    EXPECT_EQ(test::readBytes(folder / "out" / "slice.mtl"), "newmtl of_somebody");
-    EXPECT_THAT(test::readBytes(folder / "out" / "slice.obj"), HasSubstr("mtllib slice-2.mtl\n"));
-    EXPECT_THAT(test::readBytes(folder / "out" / "slice-2.mtl"), HasSubstr("map_Kd tile-2.png\n"));
+    EXPECT_EQ(readBytes(folder / "out" / "tile.png"), "another picture");
+    EXPECT_EQ(readBytes(folder / "out" / "slice.mtl"), "newmtl of_somebody");
+    EXPECT_THAT(readBytes(folder / "out" / "slice.obj"), HasSubstr("mtllib slice-2.mtl\n"));
+    EXPECT_THAT(readBytes(folder / "out" / "slice-2.mtl"), HasSubstr("map_Kd tile-2.png\n"));
 }
 
 TEST_F(Beside, AnEarlierOneOfKerfIsReplaced) {
-    test::writeText(folder / "out" / "slice.mtl", "# Kerf, materials\nnewmtl old\n");
+    writeText(folder / "out" / "slice.mtl", "# Kerf, materials\nnewmtl old\n");
     EXPECT_THAT(namesAfterExport(), ElementsAre("slice.obj", "tile.png", "slice.mtl"));
-    EXPECT_THAT(test::readBytes(folder / "out" / "slice.mtl"), HasSubstr("newmtl paint\n"));
+    EXPECT_THAT(readBytes(folder / "out" / "slice.mtl"), HasSubstr("newmtl paint\n"));
 }
 
 TEST_F(Beside, NamesNeedNoEscapeInAUri) {

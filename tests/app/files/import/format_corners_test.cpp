@@ -1,23 +1,10 @@
 // Files as other programs write them (format_corners/): each is read right, or refused by a
 // sentence that says what and where; none gives another shape, or loses something, in silence.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <iostream>
-#include <nlohmann/json.hpp>
-
-#include "app/files/import/import_process.h"
-#include "app/files/import/model_source.h"
-#include "app/files/io/file_io.h"
+#include "app/files/import/model_units.h"
 #include "app/files/jobs/child_process.h"
-#include "sim/base/text.h"
-#include "tests/paths.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-using Json = nlohmann::json;
 
 enum class Verdict { right, refused, silent, needless, unclear };
 const std::map<Verdict, std::string> kVerdicts{
@@ -35,7 +22,7 @@ struct Reading {
     std::optional<ModelMesh> model;
 };
 
-Reading readingOf(const std::filesystem::path& file) {
+Reading readingOf(const fs::path& file) {
     Reading reading;
     ReadOptions options;
     options.report = &reading.report;
@@ -98,16 +85,15 @@ bool areRemarked(const std::vector<std::string>& remarks, const Json& right) {
 }
 
 /// As it is for people who ask.
-Json guessOf(const std::filesystem::path& file) {
+Json guessOf(const fs::path& file) {
     const std::string call = "'" + importProgram().string() + "' inspect --json '" + file.string() +
                              "' > '" + file.string() + ".json' 2> /dev/null";
     const bool done = std::system(call.c_str()) == 0;
-    return done ? Json::parse(test::readBytes(file.string() + ".json"))["guess"] : Json::object();
+    return done ? Json::parse(readBytes(file.string() + ".json"))["guess"] : Json::object();
 }
 
 /// The facts of a row that are otherwise; "" for none.
-std::string differences(const Json& row, const Reading& reading,
-                        const std::filesystem::path& file) {
+std::string differences(const Json& row, const Reading& reading, const fs::path& file) {
     const ModelMesh& model = *reading.model;
     const render::Appearance none;
     const render::Appearance& looks = model.looks.appearance ? *model.looks.appearance : none;
@@ -142,7 +128,7 @@ struct Judgement {
     std::string why;
 };
 
-Judgement judgementOf(const Json& row, const std::filesystem::path& file) {
+Judgement judgementOf(const Json& row, const fs::path& file) {
     const Reading reading = readingOf(file);
     if (row.contains("refused")) {
         const bool named = std::ranges::all_of(row["refused"], [&](const Json& words) {
@@ -177,7 +163,7 @@ TEST(FormatCorners, EveryFileIsReadRightOrRefusedByName) {
                                "/tests/app/files/import/format_corners' '" +
                                folder.path().string() + "'";
     ASSERT_EQ(std::system(script.c_str()), 0);
-    const Json rows = Json::parse(test::readBytes(folder / "corners.json"));
+    const Json rows = Json::parse(readBytes(folder / "corners.json"));
     std::map<std::string, std::map<Verdict, int>> counts;
     for (const Json& row : rows) {
         const std::string name = row["file"];
@@ -189,6 +175,64 @@ TEST(FormatCorners, EveryFileIsReadRightOrRefusedByName) {
     std::cout << toText(counts);
     EXPECT_EQ(counts.size(), 9U);
     EXPECT_GE(rows.size(), 220U);
+}
+
+UnitGuess guessOf(const char* file, double length) {
+    Bounds bounds;
+    bounds.add(Vec3(5, 5, 5));
+    bounds.add(Vec3(5 + 0.5 * length, 5 + length, 5 + 0.2 * length));
+    return guessUnits(file, bounds, std::nullopt);
+}
+
+TEST(UnitGuess, FollowsTheFormat) {
+    EXPECT_EQ(guessOf("a.GLB", 9.66).unit, LengthUnit::metre);
+    EXPECT_TRUE(guessOf("a.gltf", 0.001).certain);
+    EXPECT_EQ(guessOf("a.stl", 60).unit, LengthUnit::millimetre);
+    EXPECT_EQ(guessOf("a.stl", 60).up, UpAxis::z);
+    EXPECT_EQ(guessOf("a.obj", 1.2).unit, LengthUnit::metre);
+    EXPECT_EQ(guessOf("a.obj", 1.2).up, UpAxis::y);
+    EXPECT_FALSE(guessOf("a.obj", 1.2).certain);
+}
+
+TEST(UnitGuess, TakesAnotherUnitWhereTheUsualOneMakesItTinyOrHuge) {
+    EXPECT_EQ(guessOf("a.obj", 9.66).unit, LengthUnit::centimetre);
+    EXPECT_EQ(guessOf("a.ply", 1200).unit, LengthUnit::millimetre);
+    EXPECT_EQ(guessOf("a.stl", 0.92).unit, LengthUnit::metre);
+    EXPECT_EQ(guessOf("a.obj", 1e-3).unit, LengthUnit::metre);  // There is no better one.
+}
+
+TEST(UnitGuess, SaysWhatWasTakenAndWhy) {
+    EXPECT_EQ(guessOf("a.glb", 2).sentence, "glTF is in metres with +y up: 2 m long.");
+    EXPECT_EQ(guessOf("a.stl", 60).sentence,
+              "STL has no unit: assumed millimetres with +z up, 6 cm long.");
+    EXPECT_EQ(guessOf("a.obj", 9.66).sentence,
+              "OBJ has no unit: assumed centimetres with +y up, 9.66 cm long, since 9.66 m would "
+              "be huge.");
+    Bounds bounds;
+    bounds.add(Vec3(0, 0, 0));
+    bounds.add(Vec3(1, 2, 1));
+    EXPECT_EQ(guessUnits("a.fbx", bounds, FileUnits{LengthUnit::metre, UpAxis::minusZ}).sentence,
+              "FBX is in metres with -z up: 2 m long.");
+    EXPECT_NE(guessOf("a.stl", 0.92).sentence.find("since 920 \u00b5m would be tiny."),
+              std::string::npos);
+}
+
+TEST(Standing, PutsAModelOverTheGroundWithoutScalingIt) {
+    const std::vector<Vec3> own{Vec3(100, -50, 30), Vec3(160, 30, 30)};
+    UnitGuess guess;
+    const Placement placement = standing(guess, own);
+    const Vec3 low = placement.apply(own[0]);
+    const Vec3 high = placement.apply(own[1]);
+    EXPECT_NEAR((high - low).norm(), 100, 1e-12);
+    EXPECT_NEAR(low.y(), 2, 1e-12);
+    EXPECT_NEAR((low + high).x(), 0, 1e-12);
+    EXPECT_NEAR((low + high).z(), 0, 1e-12);
+
+    Placement turned = placement;
+    turned.rotate = {0, 0, 90};
+    const Placement moved = standing(turned, own, Vec3(7, 1, 8));
+    EXPECT_NEAR(std::min(moved.apply(own[0]).y(), moved.apply(own[1]).y()), 3, 1e-12);
+    EXPECT_NEAR(0.5 * (moved.apply(own[0]) + moved.apply(own[1])).x(), 7, 1e-12);
 }
 
 }  // namespace

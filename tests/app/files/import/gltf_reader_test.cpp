@@ -1,20 +1,5 @@
-#include <gmock/gmock.h>
-
-#include <nlohmann/json.hpp>
-
-#include "app/files/import/face_soup.h"
-#include "app/files/io/encodings.h"
-#include "app/files/io/errors.h"
-#include "sim/base/math.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
-
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
-using Json = nlohmann::json;
 
 constexpr int kByte = 5121;
 constexpr int kShort = 5123;
@@ -35,7 +20,7 @@ class Gltf {
     /// A box of 1 x 2 x 3 with a corner at the origin.
     static Gltf box() {
         Gltf gltf;
-        TriangleSoup soup = test::boxSoup(Vec3(1, 2, 3));
+        TriangleSoup soup = boxSoup(Vec3(1, 2, 3));
         std::vector<float> places;
         for (const Vec3& p : soup.positions) {
             const Vec3f at = (p + Vec3(0.5, 1, 1.5)).cast<float>();
@@ -88,16 +73,11 @@ class GltfReader : public ::testing::Test {
   protected:
     ImportedModel read(Gltf gltf) { return readText(gltf.text()); }
     ImportedModel readText(const std::string& text) {
-        test::writeText(folder_ / "a.gltf", text);
+        writeText(folder_ / "a.gltf", text);
         return readGltf(folder_ / "a.gltf");
     }
     std::string sentence(Gltf gltf) {
-        try {
-            read(std::move(gltf));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return inputErrorOf([&] { read(std::move(gltf)); });
     }
     static double volumeOf(const ImportedModel& model) {
         const MeshReport report = inspectTriangles(weldExactly(model.soup));
@@ -127,7 +107,7 @@ TEST_F(GltfReader, NodesStandWhereTheirParentsPutThem) {
 TEST_F(GltfReader, NumbersMayBeQuantizedInterleavedOrSparse) {
     Gltf gltf = Gltf::box();
     std::vector<std::uint8_t> places;
-    const TriangleSoup soup = test::boxSoup();
+    const TriangleSoup soup = boxSoup();
     for (const Vec3& p : soup.positions) {
         for (const double x : p) places.push_back(x > 0 ? 255 : 0);
         places.push_back(77);  // up to a multiple of four bytes
@@ -180,7 +160,7 @@ TEST_F(GltfReader, SkinsFollowTheirJointsAndMorphTargetsTheirWeights) {
 
     Gltf morphed = Gltf::box();
     std::vector<float> up;
-    for (const Vec3& p : test::boxSoup().positions) {
+    for (const Vec3& p : boxSoup().positions) {
         up.insert(up.end(), {0, 0, p.z() > 0 ? 3.0F : 0.0F});
     }
     morphed.primitive()["targets"] = {{{"POSITION", morphed.add(up, kFloat, "VEC3")}}};
@@ -223,7 +203,7 @@ TEST_F(GltfReader, TextureCoordinatesAreTransformed) {
              {"texCoord", 1},
              {"extensions",
               {{"KHR_texture_transform", {{"scale", {2, 3}}, {"offset", {0.25, 0}}}}}}}}}}}};
-    test::writeText(folder_ / "my tile.png", "bytes");
+    writeText(folder_ / "my tile.png", "bytes");
     const ImportedModel model = read(gltf);
     EXPECT_EQ(model.soup.skin.uvs.front()[0], Eigen::Vector2f(1.25F, 0.25F));
     ASSERT_EQ(model.appearance.images.size(), 1U);
@@ -271,9 +251,9 @@ TEST_F(GltfReader, AGlbMayLackTheBytesBetweenItsChunks) {
         glb += "JSON" + json;
         append(static_cast<std::uint32_t>(gltf.bytes.size()));
         glb += std::string("BIN\0", 4) + gltf.bytes;
-        test::writeText(folder_ / "a.glb", glb);
+        writeText(folder_ / "a.glb", glb);
         EXPECT_NEAR(volumeOf(readGltf(folder_ / "a.glb")), 6, 1e-12) << blanks.size();
-        test::writeText(folder_ / "a.glb", glb.substr(0, glb.size() - 1));
+        writeText(folder_ / "a.glb", glb.substr(0, glb.size() - 1));
         EXPECT_THROW(readGltf(folder_ / "a.glb"), InputError);
     }
 }

@@ -1,43 +1,14 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <cstring>
-
-#include "app/files/import/builtin_models.h"
-#include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
-#include "app/files/import/model_source.h"
-#include "sim/mesh/invariants.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-namespace fs = std::filesystem;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
-
-/// The sentence that f throws as InputError, or "" where it throws nothing.
-template <class F>
-std::string sentenceOf(F&& f) {
-    try {
-        f();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 /// A folder of its own for each test.
 class Import : public ::testing::Test {
   protected:
     fs::path write(const std::string& name, const std::string& content) {
         fs::create_directories((folder_ / name).parent_path());
-        test::writeText(folder_ / name, content);
+        writeText(folder_ / name, content);
         return folder_ / name;
     }
     test::TemporaryFolder folder_;
@@ -129,16 +100,15 @@ TEST_F(Import, EveryBuiltinModelLoads) {
 }
 
 TEST_F(Import, UnknownBuiltinModelNamesTheKnownOnes) {
-    EXPECT_EQ(sentenceOf([] { builtinModelFile("apple"); }),
+    EXPECT_EQ(inputErrorOf([] { builtinModelFile("apple"); }),
               "there is no builtin model 'apple'; choose one of sphere20, sphere80, sphere768, "
               "banana, octopus");
 }
 
 TEST_F(Import, FormatsGiveTheSameBox) {
-    const TriangleSoup box = test::boxSoup(Vec3(1, 2, 3));
-    for (const fs::path& file :
-         {write("box.obj", test::objText(box)), write("box.OFF", offText(box)),
-          write("box.ply", plyText(box)), write("box.stl", stlBytes(box))}) {
+    const TriangleSoup box = boxSoup(Vec3(1, 2, 3));
+    for (const fs::path& file : {write("box.obj", objText(box)), write("box.OFF", offText(box)),
+                                 write("box.ply", plyText(box)), write("box.stl", stlBytes(box))}) {
         const SurfaceMesh mesh = loadModel(file);
         EXPECT_EQ(mesh.vertexCount(), 8) << file;
         EXPECT_NEAR(meshVolume(mesh), 6, 1e-6) << file;
@@ -146,19 +116,20 @@ TEST_F(Import, FormatsGiveTheSameBox) {
 }
 
 TEST_F(Import, NodeTransformsAreApplied) {
-    const TriangleSoup box = test::boxSoup();
+    const TriangleSoup box = boxSoup();
     write("box.bin", gltfBuffer(box));
     EXPECT_NEAR(meshVolume(loadModel(write("box.gltf", gltfText(box, "box.bin")))), 8, 1e-6);
 }
 
 TEST_F(Import, ReferencesOutsideTheFolderAreNotOpened) {
-    const TriangleSoup box = test::boxSoup();
+    const TriangleSoup box = boxSoup();
     write("secret.bin", gltfBuffer(box));
     write("inside/other.bin", gltfBuffer(box));
-    EXPECT_EQ(sentenceOf([&] { loadModel(write("inside/a.gltf", gltfText(box, "other.bin"))); }),
+    EXPECT_EQ(inputErrorOf([&] { loadModel(write("inside/a.gltf", gltfText(box, "other.bin"))); }),
               "");
     EXPECT_NE(
-        sentenceOf([&] { loadModel(write("inside/b.gltf", gltfText(box, "../secret.bin"))); }), "");
+        inputErrorOf([&] { loadModel(write("inside/b.gltf", gltfText(box, "../secret.bin"))); }),
+        "");
 }
 
 TEST_F(Import, PolygonsAreTriangulatedAndLinesLeftOut) {
@@ -232,29 +203,29 @@ TEST_F(Import, GltfThatNeedsAnUnknownExtensionIsRefusedByItsName) {
     glb += "JSON" + needs;
     for (const fs::path& file : {write("a.gltf", needs), write("a.glb", glb)}) {
         EXPECT_THAT(
-            sentenceOf([&] { loadModel(file); }),
+            inputErrorOf([&] { loadModel(file); }),
             HasSubstr(": it needs the glTF extension KHR_draco_mesh_compression, which Kerf does "
                       "not know; export it without"));
     }
 }
 
 TEST_F(Import, InsideOutModelIsTurnedAndSaysSo) {
-    TriangleSoup ball = test::icosphereSoup(1);
+    TriangleSoup ball = icosphereSoup(1);
     for (Triangle& t : ball.triangles) {
         std::swap(t[0], t[1]);
     }
     MeshReport report;
-    const SurfaceMesh mesh = loadModel(write("ball.obj", test::objText(ball)), &report);
+    const SurfaceMesh mesh = loadModel(write("ball.obj", objText(ball)), &report);
     EXPECT_GT(meshVolume(mesh), 0);
-    EXPECT_THAT(report.repairs, ::testing::ElementsAre("turned 1 inside-out piece"));
+    EXPECT_THAT(report.repairs, ElementsAre("turned 1 inside-out piece"));
 }
 
 TEST_F(Import, OpenModelIsRefusedWithItsReport) {
-    TriangleSoup ball = test::icosphereSoup(1);
+    TriangleSoup ball = icosphereSoup(1);
     ball.triangles.pop_back();
-    const fs::path file = write("ball.obj", test::objText(ball));
+    const fs::path file = write("ball.obj", objText(ball));
     MeshReport report;
-    EXPECT_EQ(sentenceOf([&] { loadModel(file, &report); }),
+    EXPECT_EQ(inputErrorOf([&] { loadModel(file, &report); }),
               file.string() +
                   ": 3 open edges: the surface is not closed, so cut faces can't be capped; fill "
                   "the holes in a modelling tool");
@@ -263,27 +234,27 @@ TEST_F(Import, OpenModelIsRefusedWithItsReport) {
 }
 
 TEST_F(Import, MissingFileFolderEmptyFile) {
-    EXPECT_EQ(sentenceOf([&] { loadModel("/nowhere/a.obj"); }),
+    EXPECT_EQ(inputErrorOf([&] { loadModel("/nowhere/a.obj"); }),
               "/nowhere/a.obj: no such file; check the path");
-    EXPECT_EQ(sentenceOf([&] { loadModel("http://example.com/a.obj"); }),
+    EXPECT_EQ(inputErrorOf([&] { loadModel("http://example.com/a.obj"); }),
               "http://example.com/a.obj: this is an address, not a file; download it first");
-    EXPECT_THAT(sentenceOf([&] { loadModel(folder_.path()); }), HasSubstr("this is a folder"));
-    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", "")); }), HasSubstr("is empty"));
-    EXPECT_THAT(sentenceOf([&] { loadModel("/dev/null"); }), HasSubstr("not a regular file"));
+    EXPECT_THAT(inputErrorOf([&] { loadModel(folder_.path()); }), HasSubstr("this is a folder"));
+    EXPECT_THAT(inputErrorOf([&] { loadModel(write("a.obj", "")); }), HasSubstr("is empty"));
+    EXPECT_THAT(inputErrorOf([&] { loadModel("/dev/null"); }), HasSubstr("not a regular file"));
 }
 
 TEST_F(Import, OtherFormatsAreRefusedWithTheList) {
-    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.3mf", "PK")); }),
+    EXPECT_THAT(inputErrorOf([&] { loadModel(write("a.3mf", "PK")); }),
                 HasSubstr(".3mf files are not read as a model; convert it to OBJ, PLY, STL, glTF, "
                           "GLB, OFF, 3DS, DAE or FBX"));
-    EXPECT_THAT(sentenceOf([&] { loadModel(write("a", "PK")); }),
+    EXPECT_THAT(inputErrorOf([&] { loadModel(write("a", "PK")); }),
                 HasSubstr("a file without extension is not read"));
 }
 
 TEST_F(Import, AFileWithoutASurfaceIsToldSo) {
     for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "v 0 0 0\nv 1 0 0\np 1 2\n",
                              "v 0 0 0\nv 1 0 0\nl 1 2\n"}) {
-        EXPECT_THAT(sentenceOf([&] { loadModel(write("none.obj", text)); }),
+        EXPECT_THAT(inputErrorOf([&] { loadModel(write("none.obj", text)); }),
                     HasSubstr("there is no surface in it"));
     }
 }
@@ -292,11 +263,11 @@ TEST_F(Import, TextIsNoModel) {
     for (const char* name :
          {"a.obj", "a.stl", "a.gltf", "a.glb", "a.off", "a.3ds", "a.dae", "a.fbx"}) {
         const std::string sentence =
-            sentenceOf([&] { loadModel(write(name, "Dear diary,\ntoday I cut a banana.\n")); });
+            inputErrorOf([&] { loadModel(write(name, "Dear diary,\ntoday I cut a banana.\n")); });
         EXPECT_THAT(sentence, StartsWith((folder_ / name).string() + ": "));
         EXPECT_THAT(sentence, Not(HasSubstr("\n")));
     }
-    EXPECT_EQ(sentenceOf([&] { loadModel(folder_ / "a.obj"); }),
+    EXPECT_EQ(inputErrorOf([&] { loadModel(folder_ / "a.obj"); }),
               (folder_ / "a.obj").string() +
                   ": it can't be read (there is no surface in it); check that it is what its "
                   "extension says, or export it again");
@@ -311,10 +282,10 @@ TEST_F(Import, ReaderThatNeverEndsIsStopped) {
 }
 
 TEST_F(Import, AFileThatTakesTooLongIsToldSo) {
-    const fs::path file = write("a.ply", plyText(test::boxSoup()));
+    const fs::path file = write("a.ply", plyText(boxSoup()));
     ImportLimits limits;
     limits.wallSeconds = 0;
-    EXPECT_EQ(sentenceOf([&] { importModel(file, limits); }),
+    EXPECT_EQ(inputErrorOf([&] { importModel(file, limits); }),
               file.string() +
                   ": reading it as PLY did not end within 0 s; the file may be cut off or damaged, "
                   "export it again");
@@ -339,13 +310,13 @@ TEST_F(Import, ReaderThatCrashesIsNamed) {
     EXPECT_EQ(outcome.log, "why\n");
 
     ::setenv("KERF_EXECUTABLE", program.c_str(), 1);
-    const std::string sentence = sentenceOf([&] { loadModel(write("a.obj", "v 0 0 0\n")); });
+    const std::string sentence = inputErrorOf([&] { loadModel(write("a.obj", "v 0 0 0\n")); });
     ::unsetenv("KERF_EXECUTABLE");
     EXPECT_THAT(sentence, HasSubstr("the OBJ reader failed on it (SEGV)"));
 }
 
 TEST_F(Import, ReaderThatIsMissingIsNamed) {
-    EXPECT_THAT(sentenceOf([&] { runImportProcess(folder_ / "gone", "a.obj", ImportLimits{}); }),
+    EXPECT_THAT(inputErrorOf([&] { runImportProcess(folder_ / "gone", "a.obj", ImportLimits{}); }),
                 HasSubstr("can't be started"));
 }
 
@@ -353,18 +324,18 @@ TEST_F(Import, HugeCountsInASmallFileEndInASentence) {
     const fs::path file = write("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n");
     ImportLimits limits;
     limits.cpuSeconds = 5;
-    EXPECT_THAT(sentenceOf([&] { importModel(file, limits); }), StartsWith(file.string() + ": "));
+    EXPECT_THAT(inputErrorOf([&] { importModel(file, limits); }), StartsWith(file.string() + ": "));
 }
 
 TEST_F(Import, NotANumber) {
-    std::string text = test::objText(test::boxSoup());
+    std::string text = objText(boxSoup());
     text.replace(text.find("v ") + 2, 9, "nan");
-    EXPECT_THAT(sentenceOf([&] { loadModel(write("a.obj", text)); }),
+    EXPECT_THAT(inputErrorOf([&] { loadModel(write("a.obj", text)); }),
                 HasSubstr("1 vertex has a coordinate that is not a finite number"));
 }
 
 TEST_F(Import, FileNameThatLooksLikeAnOption) {
-    write("--help.obj", test::objText(test::boxSoup()));
+    write("--help.obj", objText(boxSoup()));
     const fs::path before = fs::current_path();
     fs::current_path(folder_.path());
     EXPECT_EQ(importModel("--help.obj").triangles.size(), 12u);
@@ -372,53 +343,54 @@ TEST_F(Import, FileNameThatLooksLikeAnOption) {
 }
 
 std::string damaged(std::size_t offset, std::uint64_t value) {
-    std::string answer = encodeImport({test::boxSoup(), {}, {}});
+    std::string answer = encodeImport({boxSoup(), {}, {}});
     std::memcpy(answer.data() + offset, &value, sizeof(value));
     return answer;
 }
 
 TEST(ImportProtocol, RoundTrip) {
-    const TriangleSoup soup = test::icosphereSoup(2);
+    const TriangleSoup soup = icosphereSoup(2);
     const TriangleSoup back = decodeImport(encodeImport({soup, {}, {}})).soup;
     EXPECT_EQ(back.positions, soup.positions);
     EXPECT_EQ(back.triangles, soup.triangles);
 }
 
 TEST(ImportProtocol, FailureIsOneCleanLine) {
-    EXPECT_EQ(sentenceOf([] { decodeImport(encodeImportFailure("no\xFFgood.\nreally")); }),
+    EXPECT_EQ(inputErrorOf([] { decodeImport(encodeImportFailure("no\xFFgood.\nreally")); }),
               "it can't be read (no?good); check that it is what its extension says, or export it "
               "again");
 }
 
 TEST(ImportProtocol, NothingIsTrusted) {
-    const std::string answer = encodeImport({test::boxSoup(), {}, {}});
-    EXPECT_THAT(sentenceOf([&] { decodeImport(""); }), HasSubstr("before it answered"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, 63)); }),
+    const std::string answer = encodeImport({boxSoup(), {}, {}});
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(""); }), HasSubstr("before it answered"));
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer.substr(0, 63)); }),
                 HasSubstr("before it answered"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(0, 0)); }), HasSubstr("another kind"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(answer.substr(0, answer.size() - 1)); }),
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(0, 0)); }), HasSubstr("another kind"));
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer.substr(0, answer.size() - 1)); }),
                 HasSubstr("in the middle"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(answer + "x"); }), HasSubstr("in the middle"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(24, 1ull << 60)); }),
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer + "x"); }), HasSubstr("in the middle"));
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(24, 1ull << 60)); }),
                 HasSubstr("at most 20000000"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(16, 1ull << 60)); }),
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(16, 1ull << 60)); }),
                 HasSubstr("of which at most"));
-    EXPECT_THAT(sentenceOf([&] { decodeImport(damaged(24, 0)); }), HasSubstr("no triangle in it"));
-    EXPECT_THAT(sentenceOf([&] {
+    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(24, 0)); }),
+                HasSubstr("no triangle in it"));
+    EXPECT_THAT(inputErrorOf([&] {
                     decodeImport(damaged(sizeof(ImportHeader) + 8 * 24 + 12 * 12 - 8, ~0ull));
                 }),
                 HasSubstr("not there"));
 }
 
 TEST(ImportProtocol, PositionsMustBeSane) {
-    EXPECT_EQ(sentenceOf([] { checkImportedPositions(test::boxSoup()); }), "");
-    TriangleSoup soup = test::boxSoup(Vec3::Constant(1e-7));
-    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
-    soup = test::boxSoup();
+    EXPECT_EQ(inputErrorOf([] { checkImportedPositions(boxSoup()); }), "");
+    TriangleSoup soup = boxSoup(Vec3::Constant(1e-7));
+    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
+    soup = boxSoup();
     soup.positions[0].x() = 1e30;
-    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
+    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
     soup.positions[0].x() = std::numeric_limits<double>::infinity();
-    EXPECT_THAT(sentenceOf([&] { checkImportedPositions(soup); }),
+    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }),
                 HasSubstr("1 vertex has a coordinate that is not a finite number"));
 }
 

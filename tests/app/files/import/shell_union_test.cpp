@@ -1,26 +1,13 @@
 #include "app/files/import/shell_union.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "app/files/import/import_process.h"
-#include "app/files/import/model_source.h"
 #include "app/files/import/shell_protocol.h"
-#include "sim/mesh/invariants.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
-#include "sim/repair/soup_inspection.h"
-#include "tests/support/shapes.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
 
 using app::ShellMessage;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 MeshReport reportOf(const TriangleSoup& soup) {
     MeshReport report = inspectTriangles(soup);
@@ -41,9 +28,9 @@ std::vector<Corners> trianglesBeyond(const TriangleSoup& soup, double x) {
 }
 
 TEST(ShellUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
-    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
     const app::ShellUnion became = app::uniteCrossingPieces(soup);
-    EXPECT_THAT(became.done, testing::ElementsAre("united 2 pieces that crossed"));
+    EXPECT_THAT(became.done, ElementsAre("united 2 pieces that crossed"));
     EXPECT_THAT(became.left, IsEmpty());
     const MeshReport report = reportOf(soup);
     EXPECT_TRUE(report.cuttable) << report.problem;
@@ -54,7 +41,7 @@ TEST(ShellUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
 
 /// All pieces become one, of this volume.
 void expectUnited(TriangleSoup soup, const std::string& what, double volume) {
-    EXPECT_THAT(app::uniteCrossingPieces(soup).done, testing::ElementsAre(what));
+    EXPECT_THAT(app::uniteCrossingPieces(soup).done, ElementsAre(what));
     const MeshReport report = reportOf(soup);
     EXPECT_TRUE(report.cuttable) << report.problem;
     EXPECT_EQ(report.pieces, 1);
@@ -63,14 +50,14 @@ void expectUnited(TriangleSoup soup, const std::string& what, double volume) {
 }
 
 TEST(ShellUnion, OfBoxesThatMeetOnEdgesAndDiagonalsAlone) {
-    expectUnited(test::joined(test::boxSoup(), test::boxSoup(), Vec3::Constant(0.5)),
-                 "united 2 pieces that crossed", 2 - 0.125);
+    expectUnited(joined(boxSoup(), boxSoup(), Vec3::Constant(0.5)), "united 2 pieces that crossed",
+                 2 - 0.125);
 }
 
 TEST(ShellUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
-    TriangleSoup soup = test::boxSoup();
+    TriangleSoup soup = boxSoup();
     for (int i = 1; i < 8; ++i) {
-        soup = test::joined(soup, test::boxSoup(), Vec3(0.5 * i, 0, 0));
+        soup = joined(soup, boxSoup(), Vec3(0.5 * i, 0, 0));
     }
     expectUnited(soup, "united 8 pieces that crossed", 4.5);
 }
@@ -79,11 +66,11 @@ TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
     constexpr unsigned kSeed = 20261124;
     std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> anywhere(-0.4, 0.4);
-    TriangleSoup soup = test::icosphereSoup(2, 0.5);
+    TriangleSoup soup = icosphereSoup(2, 0.5);
     std::vector<Vec3> middles{Vec3::Zero()};
     for (int i = 0; i < 4; ++i) {
         middles.emplace_back(anywhere(random), anywhere(random), anywhere(random));
-        soup = test::joined(soup, test::icosphereSoup(2, 0.5), middles.back());
+        soup = joined(soup, icosphereSoup(2, 0.5), middles.back());
     }
     const app::ShellUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.left, IsEmpty()) << "seed " << kSeed;
@@ -104,8 +91,8 @@ TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
 }
 
 TEST(ShellUnion, LeavesWhatCrossesNothingBitForBit) {
-    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
-    soup = test::joined(soup, test::icosphereSoup(2), Vec3(5.1, 0.3, 0));
+    TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
+    soup = joined(soup, icosphereSoup(2), Vec3(5.1, 0.3, 0));
     const std::vector<Corners> ball = trianglesBeyond(soup, 3);
     ASSERT_EQ(ball.size(), 320u);
     app::uniteCrossingPieces(soup);
@@ -119,9 +106,8 @@ TEST(ShellUnion, LeavesWhatCrossesNothingBitForBit) {
 }
 
 TEST(ShellUnion, KeepsACavity) {
-    TriangleSoup soup = test::joined(
-        test::boxSoup(), test::turned(test::boxSoup(Vec3::Constant(0.25))), Vec3(-0.25, 0, 0));
-    soup = test::joined(soup, test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    TriangleSoup soup = joined(boxSoup(), turned(boxSoup(Vec3::Constant(0.25))), Vec3(-0.25, 0, 0));
+    soup = joined(soup, boxSoup(), Vec3(0.5, 0.25, 0.125));
     ASSERT_EQ(reportOf(soup).cavities, 1);
     EXPECT_THAT(app::uniteCrossingPieces(soup).left, IsEmpty());
     const MeshReport report = reportOf(soup);
@@ -132,16 +118,16 @@ TEST(ShellUnion, KeepsACavity) {
 
 TEST(ShellUnion, WhatLiesInTwoPiecesThatCrossIsFilled) {
     for (const bool outward : {true, false}) {
-        TriangleSoup both = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
-        const TriangleSoup small = test::boxSoup(Vec3::Constant(0.1));
-        both = test::joined(both, outward ? small : test::turned(small), Vec3(0.25, 0.12, 0.06));
+        TriangleSoup both = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
+        const TriangleSoup small = boxSoup(Vec3::Constant(0.1));
+        both = joined(both, outward ? small : turned(small), Vec3(0.25, 0.12, 0.06));
         turnOutward(both);
         expectUnited(both, "united 2 pieces that crossed", 2 - 0.5 * 0.75 * 0.875);
     }
 }
 
 TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
-    TriangleSoup soup = test::joined(test::boxSoup(), test::boxSoup(), Vec3(0.5, 0.25, 0.125));
+    TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
     const std::size_t half = soup.triangles.size() / 2;
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
         CornerUvs uvs;
@@ -170,9 +156,8 @@ TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
 
 TEST(ShellUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
     // Two bars through a box: they leave it side by side and share an edge there.
-    TriangleSoup soup =
-        test::joined(test::boxSoup(), test::boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
-    soup = test::joined(soup, test::boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
+    TriangleSoup soup = joined(boxSoup(), boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
+    soup = joined(soup, boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
     const TriangleSoup before = soup;
     const app::ShellUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.done, IsEmpty());
@@ -182,9 +167,9 @@ TEST(ShellUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
 }
 
 TEST(ShellUnion, APieceThatPassesThroughItselfIsLeft) {
-    TriangleSoup soup = test::icosphereSoup(2);
+    TriangleSoup soup = icosphereSoup(2);
     soup.positions[0] = -1.5 * soup.positions[0];
-    soup = test::joined(soup, test::boxSoup(), Vec3(0.4, 0, 0));
+    soup = joined(soup, boxSoup(), Vec3(0.4, 0, 0));
     ASSERT_GT(reportOf(soup).crossingTriangles, 0);
     const TriangleSoup before = soup;
     const app::ShellUnion became = app::uniteCrossingPieces(soup);
@@ -195,26 +180,25 @@ TEST(ShellUnion, APieceThatPassesThroughItselfIsLeft) {
 }
 
 TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
-    TriangleSoup soup = test::icosphereSoup(2);
+    TriangleSoup soup = icosphereSoup(2);
     soup.positions[0] = -1.5 * soup.positions[0];
-    const test::TemporaryFolder folder;
-    test::writeText(folder / "crossed.obj", test::objText(soup));
+    const TemporaryFolder folder;
+    writeText(folder / "crossed.obj", objText(soup));
     app::ReadOptions options;
     options.repair = true;
     const app::ModelMesh model = app::readModel(folder / "crossed.obj", options);
-    EXPECT_THAT(model.remarks, testing::ElementsAre(HasSubstr("1 piece passes through itself")));
+    EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("1 piece passes through itself")));
 }
 
 TEST(ShellUnion, DoesNotDependOnTheOrderOfPieces) {
     // The first two touch in a line that the third one covers.
-    const std::vector<TriangleSoup> boxes{test::boxSoup(), test::boxSoup(),
-                                          test::boxSoup(Vec3(1, 1, 2))};
+    const std::vector<TriangleSoup> boxes{boxSoup(), boxSoup(), boxSoup(Vec3(1, 1, 2))};
     const std::vector<Vec3> places{{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
     std::vector<int> order{0, 1, 2};
     do {
         TriangleSoup soup;
         for (const int i : order) {
-            soup = test::joined(soup, boxes[i], places[i]);
+            soup = joined(soup, boxes[i], places[i]);
         }
         expectUnited(soup, "united 3 pieces that crossed", 3.5);
     } while (std::next_permutation(order.begin(), order.end()));
@@ -227,8 +211,8 @@ struct GridBoxes {
     TriangleSoup soup() const {
         TriangleSoup all;
         for (const auto& [low, high] : boxes) {
-            TriangleSoup box = test::boxSoup((high - low).cast<double>());
-            all = test::joined(all, box, (low + high).cast<double>() / 2);
+            TriangleSoup box = boxSoup((high - low).cast<double>());
+            all = joined(all, box, (low + high).cast<double>() / 2);
         }
         return all;
     }
@@ -260,7 +244,7 @@ GridBoxes randomBoxes(std::mt19937& random) {
 TEST(ShellUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
     constexpr unsigned kGridSeed = 20261126;
     std::mt19937 random(kGridSeed);
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     int runs = 0;
     for (int run = 0; run < 40; ++run) {
         SCOPED_TRACE(testing::Message() << "seed " << kGridSeed << ", run " << run);
@@ -271,7 +255,7 @@ TEST(ShellUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
             continue;
         }
         ++runs;
-        test::writeText(folder / "boxes.obj", test::objText(soup));
+        writeText(folder / "boxes.obj", objText(soup));
         const app::MendedModel mended = app::mendModel(folder / "boxes.obj", {});
         EXPECT_NEAR(mended.report.volume, boxes.volume(), 2e-3 * boxes.volume());
         EXPECT_THAT(mended.report.left, IsEmpty());

@@ -2,19 +2,11 @@
 // made, written or removed.
 #include "app/files/io/output_folder.h"
 
-#include <gmock/gmock.h>
-#include <unistd.h>
-
 #include "app/files/io/file_io.h"
 #include "app/files/io/system_file.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-namespace fs = std::filesystem;
-using test::readBytes;
-using test::writeText;
 
 /// Results go to `out`; `elsewhere` has a file that is nobody's business.
 class OutputPaths : public ::testing::Test {

@@ -1,26 +1,11 @@
 // The system fails at each call by which a file is written, one after the other: what was there
 // stays whole, what is not done leaves nothing, and a sentence says what to do.
-#include <gmock/gmock.h>
-#include <sys/stat.h>
+#include <sys/resource.h>
 
-#include <cerrno>
-#include <cstring>
-
-#include "app/cli/replay/replay.h"
-#include "app/editor/storage/settings_file.h"
-#include "app/files/io/file_io.h"
-#include "app/scene/editor_scene.h"
-#include "sim/run/simulation.h"
-#include "tests/app/editor/editor_fixture.h"
-#include "tests/support/file_fault.h"
-#include "tests/support/small_sessions.h"
+#include "app/files/io/memory_means.h"
 
 namespace kerf::app {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-namespace fs = std::filesystem;
 
 /// Full disk, quota, read-only disk, no right, vanished folder, failing disk.
 constexpr int kErrors[] = {ENOSPC, EDQUOT, EROFS, EACCES, ENOENT, EIO};
@@ -32,7 +17,7 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
     std::error_code none;
     for (const auto& entry : fs::recursive_directory_iterator(folder, none)) {
         if (entry.is_regular_file()) {
-            files[entry.path().lexically_relative(folder)] = test::readBytes(entry.path());
+            files[entry.path().lexically_relative(folder)] = readBytes(entry.path());
         }
     }
     return files;
@@ -46,7 +31,7 @@ void failAtEachCall(const std::function<std::string()>& write,
     for (bool struck = true; struck && number < kMostCalls; ++number) {
         SCOPED_TRACE("call " + std::to_string(number));
         const int error = kErrors[number % std::size(kErrors)];
-        const test::FileFault fault(number, error);
+        const FileFault fault(number, error);
         const std::string sentence = write();
         struck = fault.struck();
         EXPECT_EQ(sentence.empty(), !struck) << sentence;
@@ -71,17 +56,17 @@ std::string writeSentence(const std::function<void()>& write) {
 
 TEST(WriteFaults, AFileIsTheOldOneOrTheNewOne) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "a.txt", "old");
+    writeText(folder / "a.txt", "old");
     const auto before = contents(folder.path());
     const std::string large(300'000, 'x');
     failAtEachCall([&] { return writeSentence([&] { writeOutputFile(folder / "a.txt", large); }); },
                    [&] { EXPECT_EQ(contents(folder.path()), before); });
-    EXPECT_EQ(test::readBytes(folder / "a.txt"), large);
+    EXPECT_EQ(readBytes(folder / "a.txt"), large);
 }
 
 TEST(WriteFaults, APictureIsTheOldOneOrTheNewOne) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "a.png", "old");
+    writeText(folder / "a.png", "old");
     const auto before = contents(folder.path());
     const render::Image picture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 99)};
     failAtEachCall([&] { return writeSentence([&] { writePicture(picture, folder / "a.png"); }); },
@@ -103,7 +88,7 @@ TEST(WriteFaults, SettingsStayAsTheyWere) {
     const test::TemporaryFolder folder;
     ui::Settings wide;
     wide.controlsWidth = 400;
-    test::writeText(folder / "settings.json", formatSettings(wide));
+    writeText(folder / "settings.json", formatSettings(wide));
     const auto before = contents(folder.path());
     failAtEachCall(
         [&] {
@@ -119,22 +104,22 @@ TEST(WriteFaults, SettingsStayAsTheyWere) {
 
 TEST(WriteFaults, TheListOfRecentFilesStaysWhole) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "model.obj", "");
+    writeText(folder / "model.obj", "");
     RecentFiles(folder / "recent").add(folder / "model.obj");
     const auto before = contents(folder.path());
     for (int number = 1; number <= 5; ++number) {
-        const test::FileFault fault(number, ENOSPC);
+        const FileFault fault(number, ENOSPC);
         RecentFiles(folder / "recent").add(folder / "other.obj");
         EXPECT_EQ(contents(folder.path()), before) << number;
     }
 }
 
-using WriteFaultsInReplays = test::GlTest;
+using WriteFaultsInReplays = GlTest;
 
 // A run that is not done has no summary, and nothing of it is cut off.
 TEST_F(WriteFaultsInReplays, EveryFileIsWholeOrNotThere) {
     const test::TemporaryFolder folder;
-    test::writeText(folder / "a.kerf.json", test::sessionThatDoes(R"(
+    writeText(folder / "a.kerf.json", sessionThatDoes(R"(
         {"step": 1, "type": "screenshot", "file": "a.png", "width": 32, "height": 32},
         {"step": 2, "type": "export", "file": "a.obj"},
         {"step": 3, "type": "export", "file": "pieces.ply", "per_piece": true})"));
@@ -164,11 +149,9 @@ class WriteFaultsInTheEditor : public EditorTest {
   protected:
     /// Saves by keys under a name that is there already, and answers with what is said of it.
     std::string writeByKeys(Key key, const std::string& name) {
-        tap(key, {.control = true});
-        frames(2);
+        tap(key, {.control = true}, 2);
         type(name);
-        tap(Key::enter);
-        frames(2);
+        tap(Key::enter, 2);
         if (panels().files.asksToOverwrite) {
             click("file.accept");
         }
@@ -176,8 +159,7 @@ class WriteFaultsInTheEditor : public EditorTest {
         return panels().toast.isError ? panels().toast.text : "";
     }
     void expectFailuresToLeaveAllAsItWas(Key key, const std::string& name) {
-        drag(kTop, kBottom, 10);
-        settle();
+        dragAndSettle(kTop, kBottom, 10);
         ASSERT_EQ(writeByKeys(key, name), "");
         auto before = contents(folder.path());
         ASSERT_FALSE(before.empty());
@@ -196,6 +178,71 @@ TEST_F(WriteFaultsInTheEditor, ASessionThatCannotBeSavedLeavesTheOldOneAndTheWor
 
 TEST_F(WriteFaultsInTheEditor, AnExportThatCannotBeWrittenLeavesTheOldOneAndTheWork) {
     expectFailuresToLeaveAllAsItWas(Key::e, "work.ply");
+}
+
+// What memory there is, and what is said where it does not do.
+
+constexpr const char* kBytes = "KERF_MEMORY_BYTES";
+
+std::string sentenceBy(const std::function<void()>& call) {
+    try {
+        call();
+    } catch (const MemoryShortage& shortage) {
+        return shortage.what();
+    }
+    return "";
+}
+
+TEST(MemoryMeans, AVariableStandsForTheMachine) {
+    const std::uint64_t free = freeMemory();
+    EXPECT_GT(free, 10'000'000U);
+    const Variable variable(kBytes, "1000000");
+    EXPECT_EQ(freeMemory(), 1'000'000U);
+    for (const char* wrong : {"1GB", "x", "", "-1"}) {
+        const Variable other(kBytes, wrong);
+        EXPECT_GT(freeMemory(), 10'000'000U) << wrong;
+    }
+}
+
+TEST(MemoryMeans, AnswersToTheLimitsOfTheProcess) {
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_DATA, &before), 0);
+    rlimit limit = before;
+    limit.rlim_cur = 64ULL << 30;
+    const std::uint64_t free = freeMemory();
+    if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
+        GTEST_SKIP() << "this process may not limit itself";
+    }
+    EXPECT_LE(freeMemory(), 64ULL << 30);
+    limit.rlim_cur = 1ULL << 30;
+    ASSERT_EQ(::setrlimit(RLIMIT_DATA, &limit), 0);
+    EXPECT_LE(freeMemory(), 1ULL << 30);
+    ASSERT_EQ(::setrlimit(RLIMIT_DATA, &before), 0);
+    EXPECT_NEAR(static_cast<double>(freeMemory()) / static_cast<double>(free), 1, 0.5);
+}
+
+TEST(MemoryMeans, NothingIsSaidWhereItDoes) {
+    const MemoryNeed need{.memory = 10, .program = 5, .graphics = 3, .largestBuffer = 2};
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {}); }), "");
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {.free = 15}); }), "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.free = 14}); }), "");
+    EXPECT_EQ(sentenceBy([&] { requireMemory("a", need, {.free = 14, .programRuns = true}); }), "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.free = 15, .holdsGraphics = true}); }),
+              "");
+    EXPECT_NE(sentenceBy([&] { requireMemory("a", need, {.largestBuffer = 1}); }), "");
+}
+
+TEST(MemoryMeans, OneSentenceSaysHowMuchAndWhatToDo) {
+    const MemoryNeed need{.memory = 3'400'000'000, .graphics = 1, .largestBuffer = 150'000'000};
+    const std::string memory =
+        sentenceBy([&] { requireMemory("bunny.ply", need, {.free = 210'000'000}); });
+    EXPECT_THAT(memory, HasSubstr("bunny.ply: cutting it needs about 3.4 GB of memory"));
+    EXPECT_THAT(memory, HasSubstr("210 MB are free"));
+    EXPECT_THAT(memory, HasSubstr("--remesh"));
+    const std::string buffer =
+        sentenceBy([&] { requireMemory("bunny.ply", need, {.largestBuffer = 134'217'728}); });
+    EXPECT_THAT(buffer, HasSubstr("a graphics buffer of 150 MB"));
+    EXPECT_THAT(buffer, HasSubstr("134 MB"));
 }
 
 }  // namespace

@@ -1,11 +1,5 @@
 #include "tests/support/reference/implicit/implicit_solver.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
-#include "tests/support/cut_ball.h"
-#include "tests/support/fuzz_seed.h"
 #include "tests/support/reference/implicit/surface_contacts.h"
 
 namespace kerf {
@@ -20,13 +14,13 @@ Params materialOf(double modulus) {
 }
 
 BodyModel ball() {
-    return test::cutBallModel(1);
+    return cutBallModel(1);
 }
 BodyModel slitBall() {
-    return test::cutBallModel(-0.03);
+    return cutBallModel(-0.03);
 }
 BodyModel halves() {
-    return test::cutBallModel(-0.12);
+    return cutBallModel(-0.12);
 }
 
 void run(ImplicitReference& solver, ReferenceState& state, double seconds, double step) {
@@ -102,7 +96,7 @@ Vectors swingOf(const BodyModel& model, double step, int iterations, int passes)
     settings.passes = passes;
     settings.tolerance = passes > 1 ? 1e-8 : 0;
     settings.gravity = {0, -4, 9};
-    ImplicitReference solver(model, settings, test::verticesBelow(model, -0.08));
+    ImplicitReference solver(model, settings, verticesBelow(model, -0.08));
     ReferenceState state = restState(model);
     run(solver, state, 0.1, step);
     return state.positions;
@@ -137,7 +131,7 @@ TEST(ImplicitReference, ABodyAtRestStaysAtRest) {
 }
 
 TEST(ImplicitReference, StormsCalmDown) {
-    std::mt19937 random(test::fuzzSeed(7));
+    std::mt19937 random(fuzzSeed(7));
     std::uniform_real_distribution<double> speed(-2, 2);
     for (const BodyModel& model : {slitBall(), halves()}) {
         for (const auto& [step, iterations] : {std::pair(1.0 / 240, 4), {1.0 / 120, 8}}) {
@@ -164,7 +158,7 @@ TEST(ImplicitReference, KeepsVolumes) {
     const BodyModel model = halves();
     ImplicitSettings settings = implicitSettings(materialOf(2e4));
     settings.gravity = {0, -9.81, 0};
-    ImplicitReference solver(model, settings, test::verticesBelow(model, -0.08));
+    ImplicitReference solver(model, settings, verticesBelow(model, -0.08));
     ReferenceState state = restState(model);
     run(solver, state, 0.2, settings.step);
     const std::vector<double> volumes = solver.volumes(state.positions);

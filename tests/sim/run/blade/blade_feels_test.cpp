@@ -1,11 +1,6 @@
 // A blade whose edge the material holds back until its force suffices (blade_feels).
 
-#include <gmock/gmock.h>
-
 #include "sim/run/blade/felt_edge.h"
-#include "sim/run/simulation.h"
-#include "tests/support/gl_fixture.h"
-#include "tests/support/shapes.h"
 
 namespace kerf {
 namespace {
@@ -14,7 +9,7 @@ constexpr double kSize = 0.1;  // of the block [m]
 
 /// A block of gel whose bottom is at y = 0, its top at kSize.
 SurfaceMesh block(int n = 5) {
-    SurfaceMesh mesh = test::box({kSize, kSize, kSize}, n);
+    SurfaceMesh mesh = box({kSize, kSize, kSize}, n);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         mesh.setPosition(v, mesh.position(v) + Vec3(0, 0.5 * kSize, 0));
         mesh.setRestPosition(v, mesh.position(v));
@@ -69,7 +64,7 @@ Course pressedDown(const Params& params, double depth, int steps, int n = 5) {
     }
     // Where the walls swing against the edge a step or two are refused.
     EXPECT_LE(course.refused, 2);
-    EXPECT_THAT(simulation.takeMessages(), testing::SizeIs(course.refused)) << "and nothing else";
+    EXPECT_THAT(simulation.takeMessages(), SizeIs(course.refused)) << "and nothing else";
     return course;
 }
 
@@ -104,7 +99,7 @@ TEST(FeltEdge, SetsFreeWhatTheNewSurfaceTakes) {
     EXPECT_NEAR(spring.mostLag(false) - before, 0.5 * spring.give, 1e-12);
 }
 
-class BladeFeelsTest : public test::GlTest {};
+class BladeFeelsTest : public GlTest {};
 
 void expectYieldsUntilTheForceSuffices(const Params& params) {
     const Course course = pressedDown(params, 0.07, 200);

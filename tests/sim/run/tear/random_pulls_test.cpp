@@ -1,22 +1,9 @@
 // Random pulls until something tears, and what is left once it has come to rest.
 
-#include <gtest/gtest.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <cstdlib>
-#include <iostream>
-#include <random>
-
 #include "sim/base/math.h"
-#include "sim/mesh/invariants.h"
-#include "sim/mesh/triangle.h"
-#include "sim/mesh/triangle_quality.h"
 #include "tests/support/folds.h"
-#include "tests/support/fuzz_seed.h"
-#include "tests/support/nightly.h"
-#include "tests/support/self_intersections.h"
-#include "tests/support/shapes.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -70,8 +57,7 @@ double meanEdge(const SurfaceMesh& mesh) {
 }
 
 int deepIntersections(const SurfaceMesh& mesh) {
-    return static_cast<int>(
-        test::selfIntersections(test::opened(mesh, kOpening * meanEdge(mesh))).size());
+    return static_cast<int>(selfIntersections(opened(mesh, kOpening * meanEdge(mesh))).size());
 }
 
 SurfaceMesh restShape(const SurfaceMesh& mesh) {
@@ -82,7 +68,7 @@ SurfaceMesh restShape(const SurfaceMesh& mesh) {
     return rest;
 }
 
-class RandomPulls : public test::SimulationTest {
+class RandomPulls : public SimulationFixture {
   protected:
     RandomPull draw(std::uint32_t seed);
     PullFigures pull(const RandomPull& drawn);
@@ -105,12 +91,12 @@ RandomPull RandomPulls::draw(std::uint32_t seed) {
     random_.seed(seed);
     RandomPull drawn;
     drawn.model = kModels[seed % kModels.size()];
-    const SurfaceMesh mesh = test::builtin(drawn.model);
+    const SurfaceMesh mesh = builtin(drawn.model);
     const Bounds bounds = boxOf(mesh.restPositions());
     const double size = bounds.diagonal();
     const Vec3 middle = bounds.center();
 
-    Params& params = drawn.params = test::weightless();
+    Params& params = drawn.params = weightless();
     params.iterations = 20;
     params.tearing = 1;
     params.youngsModulus = number(1e4, 1e5);
@@ -166,15 +152,14 @@ void RandomPulls::trace(const StepReport& report) {
         (report.tear->advanced || !report.tear->failure.empty())) {
         const SurfaceMesh& mesh = simulation->mesh();
         std::cout << "step " << report.step << ": opening " << report.tear->opening << ", stress "
-                  << report.tear->stress << ", intersecting "
-                  << test::selfIntersections(mesh).size() << ", at rest "
-                  << deepIntersections(restShape(mesh)) << ", folds " << test::foldedEdges(mesh)
-                  << " " << report.tear->failure << "\n";
+                  << report.tear->stress << ", intersecting " << selfIntersections(mesh).size()
+                  << ", at rest " << deepIntersections(restShape(mesh)) << ", folds "
+                  << foldedEdges(mesh) << " " << report.tear->failure << "\n";
     }
 }
 
 PullFigures RandomPulls::pull(const RandomPull& drawn) {
-    simulation.emplace(test::builtin(drawn.model), drawn.params);
+    simulation.emplace(builtin(drawn.model), drawn.params);
     PullFigures figures;
     if (drawn.incised) {
         for (int i = 0; i <= 10; ++i) {
@@ -202,18 +187,18 @@ PullFigures RandomPulls::pull(const RandomPull& drawn) {
     }
     const SurfaceMesh& mesh = simulation->mesh();
     figures.defect += checkClosedManifold(mesh);
-    figures.intersecting = static_cast<int>(test::selfIntersections(mesh).size());
+    figures.intersecting = static_cast<int>(selfIntersections(mesh).size());
     figures.deep = deepIntersections(mesh);
     figures.atRest = deepIntersections(restShape(mesh));
-    figures.folds = test::foldedEdges(mesh);
+    figures.folds = foldedEdges(mesh);
     figures.pieces = simulation->report().pieces;
     figures.volume = simulation->report().volumeRatio;
     return figures;
 }
 
 TEST_F(RandomPulls, LeaveBodiesClosedAndWhole) {
-    const std::uint32_t first = test::fuzzSeed(301);
-    const int count = test::runs("KERF_FUZZ_RUNS", 2, 500);
+    const std::uint32_t first = fuzzSeed(301);
+    const int count = runs("KERF_FUZZ_RUNS", 2, 500);
     int torn = 0;
     int folded = 0;
     for (int i = 0; i < count; ++i) {

@@ -1,11 +1,6 @@
 // Bodies that tear where they are pulled apart (tearing).
 
-#include <gmock/gmock.h>
-
-#include "sim/mesh/invariants.h"
 #include "sim/run/parts/step_report.h"
-#include "sim/run/undo/undo_history.h"
-#include "tests/support/simulation_fixture.h"
 
 namespace kerf {
 namespace {
@@ -65,7 +60,7 @@ SurfaceMesh strip() {
 }
 
 Params tearing(double toughness) {
-    Params params = test::weightless();
+    Params params = weightless();
     params.iterations = 20;
     params.timeStep = 0.002;
     params.youngsModulus = kModulus;
@@ -80,7 +75,7 @@ Blade at(double x) {
     return {{x, 0.0004, -kSize.z()}, {x, 0.0004, kSize.z()}};
 }
 
-class TearTest : public test::SimulationTest {
+class TearTest : public SimulationFixture {
   protected:
     void make(const Params& params, bool notched = true) {
         simulation.emplace(strip(), params);
@@ -163,7 +158,7 @@ TEST_F(TearTest, NewSurfaceTakesTheToughness) {
     EXPECT_EQ(simulation->report().pieces, 2);
     EXPECT_EQ(checkClosedManifold(simulation->mesh()), "");
     EXPECT_NEAR(simulation->report().volumeRatio, 1, 1e-3);
-    EXPECT_THAT(simulation->takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation->takeMessages(), IsEmpty());
 }
 
 TEST_F(TearTest, NothingTearsThatIsToughEnoughOrNotToTear) {
@@ -327,13 +322,13 @@ TEST_F(TearTest, ABladeInTheAirKeepsItsStroke) {
 TEST_F(TearTest, SaysOnceWhyNothingTears) {
     make(tearing(1), false);
     run(3);
-    EXPECT_THAT(simulation->takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation->takeMessages(), IsEmpty());
     simulation->execute(SetParam{"toughness", 0.0});
     run(3);
     simulation->execute(SetParam{"toughness", 1.0});
     run(3);
     EXPECT_THAT(simulation->takeMessages(),
-                testing::ElementsAre(testing::HasSubstr("step 3: Nothing tears with a toughness")));
+                ElementsAre(HasSubstr("step 3: Nothing tears with a toughness")));
 }
 
 TEST_F(TearTest, ABladeTakesOver) {
@@ -353,7 +348,7 @@ TEST_F(TearTest, ABladeTakesOver) {
     simulation->execute(LiftBlade{});
     tear(100);
     EXPECT_EQ(checkClosedManifold(simulation->mesh()), "");
-    EXPECT_THAT(simulation->takeMessages(), testing::IsEmpty());
+    EXPECT_THAT(simulation->takeMessages(), IsEmpty());
 }
 
 }  // namespace
