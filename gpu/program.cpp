@@ -118,6 +118,7 @@ LinkedProgram recordOf(const std::vector<Stage>& stages, const Defines& defines,
 std::shared_ptr<Linked> link(const std::vector<Stage>& stages, const Defines& defines,
                              const std::string& name) {
     std::vector<ShaderSource> sources;
+    sources.reserve(stages.size());
     for (const Stage& stage : stages) {
         sources.push_back(loadShaderSource(shaderRoot(), stage.path, defines));
     }
