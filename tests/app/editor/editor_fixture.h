@@ -55,7 +55,7 @@ class EditorTest : public test::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
-        start(options());
+        start(options(), document());
     }
     void TearDown() override {
         editor.reset();
@@ -68,6 +68,7 @@ class EditorTest : public test::GlTest {
         options.screenshotFolder = folder.path();
         return options;
     }
+    virtual Document document() { return sphereDocument(); }
     void start(const EditorOptions& options, Document document = sphereDocument()) {
         editor.reset();
         editor = std::make_unique<Editor>(options, std::move(document));

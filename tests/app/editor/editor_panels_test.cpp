@@ -8,9 +8,8 @@ namespace {
 
 class EditorPanelsTest : public EditorTest {
   protected:
-    void SetUp() override {
-        GlTest::SetUp();
-        start();
+    Document document() override {
+        return openDocument(gpu::dataPath("assets/sessions/sphere20.kerf.json"));
     }
     EditorOptions options() override {
         EditorOptions options = EditorTest::options();
@@ -20,10 +19,7 @@ class EditorPanelsTest : public EditorTest {
         options.settingsFile = settingsFile;
         return options;
     }
-    void start() {
-        EditorTest::start(options(),
-                          openDocument(gpu::dataPath("assets/sessions/sphere20.kerf.json")));
-    }
+    void start() { EditorTest::start(options(), document()); }
     /// Folds a section first, so that there is room.
     void chooseLight() {
         clickOn("section.simulation");

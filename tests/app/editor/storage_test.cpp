@@ -38,7 +38,8 @@ TEST(Settings, WhatIsWrongIsNamed) {
           std::pair{R"({"show_controls": 1})", "show_controls"},
           std::pair{R"({"folders": ["/tmp"]})", "folders"},
           std::pair{R"({"plots": "frames"})", "plots"}, std::pair{R"({"plots": [1]})", "plots"}}) {
-        EXPECT_THAT(inputErrorOf([&] { parseSettings(text); }), StartsWith(std::string(key) + ": "))
+        EXPECT_THAT(inputErrorOf([&text = text] { parseSettings(text); }),
+                    StartsWith(std::string(key) + ": "))
             << text;
     }
     EXPECT_THROW(parseSettings("[]"), InputError);
