@@ -1,6 +1,6 @@
 // What any test may use without a word, besides cmake/prelude.h: the rooms with more of it have a
 // prelude of their own, which names this one (CMakeLists.txt). A file names what is not here, and
-// what it is about.
+// what it is about. What a room has, too, keeps its qualifier, such as test::mirrorOf.
 #pragma once
 
 #include <glad/gl.h>
