@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "app/files/import/builtin_models.h"
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "app/files/import/joined_models.h"
 #include "app/files/import/model_units.h"
 #include "app/files/io/encodings.h"

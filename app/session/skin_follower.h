@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/import/import_appearance.h"
+#include "app/files/import/own_looks.h"
 #include "render/scene/skin_paint.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/import/import_appearance.h"
+#include "app/files/import/own_looks.h"
 #include "render/scene/appearance.h"
 #include "render/scene/body_look.h"
 #include "sim/mesh/invariants.h"

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <system_error>
 
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/system_file.h"
 #include "app/files/jobs/process_limits.h"

@@ -6,8 +6,8 @@
 #include <csignal>
 
 #include "app/files/import/import_process.h"
-#include "app/files/import/import_protocol.h"
-#include "app/files/import/shell_union.h"
+#include "app/files/import/import_answer.h"
+#include "app/import/piece_union.h"
 #include "app/files/io/file_io.h"
 #include "app/files/jobs/child_process.h"
 #include "sim/base/text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/import/import_appearance.h"
+#include "app/files/import/own_looks.h"
 #include "app/files/import/model_faults.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"

@@ -1,6 +1,6 @@
 #include "app/files/export/export.h"
 #include "app/files/import/import_process.h"
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/files/jobs/child_process.h"

@@ -1,7 +1,7 @@
 // Models that are opened and exported untouched have the coordinates of their files again, as
 // plain readers of the formats see them, without assimp and without what wrote them.
 
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 
 namespace kerf::app {
 namespace {

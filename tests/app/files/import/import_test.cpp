@@ -1,4 +1,4 @@
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 
 namespace kerf::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/files/import/shell_union.h"
+#include "app/import/piece_union.h"
 
 #include "app/files/import/shell_protocol.h"
 #include "sim/mesh/surface_mesh.h"

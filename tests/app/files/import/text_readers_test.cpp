@@ -1,6 +1,6 @@
 // Models that are texts, and STL: what other programs write.
-#include "app/files/import/import_protocol.h"
-#include "app/files/import/obj_reader.h"
+#include "app/files/import/import_answer.h"
+#include "app/import/obj_reader.h"
 #include "app/files/io/text_lines.h"
 
 namespace kerf::app {

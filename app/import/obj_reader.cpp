@@ -1,9 +1,9 @@
-#include "app/files/import/obj_reader.h"
+#include "app/import/obj_reader.h"
 
 #include <charconv>
 
-#include "app/files/import/face_soup.h"
-#include "app/files/import/import_appearance.h"
+#include "app/import/face_soup.h"
+#include "app/import/appearance_reader.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

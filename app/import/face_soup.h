@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "sim/mesh/triangle_soup.h"
 
 namespace kerf::app {

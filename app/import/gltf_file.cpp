@@ -1,9 +1,9 @@
-#include "app/files/import/gltf_file.h"
+#include "app/import/gltf_file.h"
 
 #include <cctype>
 #include <cstring>
 
-#include "app/files/import/import_appearance.h"
+#include "app/import/appearance_reader.h"
 #include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "render/scene/appearance.h"
 #include "sim/mesh/skin_attributes.h"
 
@@ -53,14 +53,5 @@ std::optional<std::filesystem::path> fileBeside(const std::filesystem::path& mod
 /// Whether `file` is in the folder or below, regular and within the size limit of models. `folder`
 /// must be canonical.
 bool isFileBelow(const std::filesystem::path& folder, const std::filesystem::path& file);
-
-/// The model's own looks.
-struct OwnLooks {
-    SkinAttributes skin;                                             ///< by triangle slot
-    std::shared_ptr<const render::Appearance> appearance = nullptr;  ///< none: no materials
-
-    /// Whether it has colours to show.
-    bool colored() const { return appearance != nullptr || !skin.colors.empty(); }
-};
 
 }  // namespace kerf::app

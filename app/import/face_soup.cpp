@@ -1,8 +1,8 @@
-#include "app/files/import/face_soup.h"
+#include "app/import/face_soup.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
 #include "render/scene/body_look.h"
 #include "sim/base/math.h"

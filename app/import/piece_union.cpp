@@ -1,4 +1,4 @@
-#include "app/files/import/shell_union.h"
+#include "app/import/piece_union.h"
 
 #include <spdlog/fmt/fmt.h>
 

@@ -11,10 +11,10 @@
 #include <charconv>
 #include <cstring>
 
-#include "app/files/import/face_soup.h"
-#include "app/files/import/import_appearance.h"
+#include "app/import/face_soup.h"
+#include "app/import/appearance_reader.h"
 #include "app/files/import/import_process.h"
-#include "app/files/import/import_protocol.h"
+#include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
 #include "app/files/jobs/process_limits.h"

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 
-#include "app/files/import/face_soup.h"
-#include "app/files/import/gltf_file.h"
-#include "app/files/import/import_appearance.h"
+#include "app/import/face_soup.h"
+#include "app/import/gltf_file.h"
+#include "app/import/appearance_reader.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"

@@ -1,4 +1,4 @@
-#include "app/files/import/import_appearance.h"
+#include "app/import/appearance_reader.h"
 
 #include <assimp/material.h>
 #include <assimp/scene.h>

@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "app/files/import/face_soup.h"
+#include "app/import/face_soup.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
