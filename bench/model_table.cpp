@@ -62,7 +62,7 @@ void cutThrice(const SurfaceMesh& whole, Outcome& outcome) {
 Outcome outcomeOf(const fs::path& file) {
     Outcome outcome;
     app::ReadOptions options;
-    options.tryFilling = options.tryRepair = true;
+    options.tryRepair = true;
     try {
         std::optional<app::ModelMesh> model;
         try {

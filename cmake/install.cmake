@@ -34,7 +34,7 @@ add_custom_target(kerf_package_files ALL
   DEPENDS ${made}/kerf.1.gz ${made}/kerf.bash ${made}/kerf.svg ${made}/changelog.gz)
 
 install(TARGETS kerf RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS kerf-unite RUNTIME DESTINATION libexec/kerf)  # Kerf alone starts it
+install(TARGETS kerf-import RUNTIME DESTINATION libexec/kerf)  # Kerf alone starts it
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders ${PROJECT_SOURCE_DIR}/assets
         DESTINATION ${CMAKE_INSTALL_DATADIR}/kerf
         PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "README.md" EXCLUDE)

@@ -93,6 +93,9 @@ function(kerf_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp
        ${PROJECT_SOURCE_DIR}/${folder}/*.h)
   list(FILTER sources EXCLUDE REGEX main.cpp$)  # of programs
+  if(folder STREQUAL app)
+    list(FILTER sources EXCLUDE REGEX "/app/(files|import)/")  # libraries of their own
+  endif()
   add_library(${name} STATIC ${sources})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   kerf_own_code(${name})

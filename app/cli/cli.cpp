@@ -5,7 +5,6 @@
 
 #include "app/cli/program.h"
 #include "app/cli/verb.h"
-#include "app/files/import/import_process.h"
 #include "app/files/io/errors.h"
 #include "app/files/jobs/child_process.h"
 #include "app/window/window.h"
@@ -14,20 +13,10 @@ namespace kerf::app {
 
 namespace {
 
-std::function<int()> describeImportWorker(CLI::App& verb) {
-    const auto file = std::make_shared<std::filesystem::path>();
-    verb.group("");  // hides it
-    verb.add_option("FILE", *file)->required();
-    return [file] { return runImportWorker(*file); };
-}
-
-/// Internal: model_source runs it to keep the file readers in a separate process.
-constexpr Verb kImportWorkerVerb{"import-worker", "", describeImportWorker};
-
 /// All verbs, in the order of `kerf --help`.
-const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb, &kInspectVerb,     &kCompareVerb,
-                              &kTestVerb,   &kScoreVerb,      &kMaterialsVerb,   &kSchemaVerb,
-                              &kSweepVerb,  &kDoctorVerb,     &kImportWorkerVerb};
+const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb, &kInspectVerb,   &kCompareVerb,
+                              &kTestVerb,   &kScoreVerb,      &kMaterialsVerb, &kSchemaVerb,
+                              &kSweepVerb,  &kDoctorVerb};
 
 /// A bare word that is no file was meant as a verb.
 bool looksLikeVerb(const std::filesystem::path& file) {
@@ -74,7 +63,7 @@ int runCommandLine(int argc, char** argv) {
             return verb->takeOver(argv + 1);
         }
     }
-    readModelsWithThisProgram();
+    runThisProgram();
     CLI::App parser{
         "Kerf cuts soft 3D models while they move. Without a verb it opens the editor."};
     std::filesystem::path file;

@@ -15,7 +15,6 @@
 #include "app/files/import/model_faults.h"
 #include "app/files/import/model_source.h"
 #include "app/files/import/model_units.h"
-#include "app/import/piece_union.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/document/editor_document.h"
@@ -50,12 +49,16 @@ struct InspectArguments {
     bool json = false;
     bool pieces = false;            ///< a table of the pieces as CSV instead
     std::filesystem::path mended;   ///< where a mended model is written; empty for nowhere
-    Mending mending;                ///< what is done for it beside a repair, as mendModel() does it
+    Mending mending;                ///< what is done for it beside a repair, for a file
+    bool tryRepair = false;         ///< finds out what would help
     std::filesystem::path picture;  ///< where a picture with its faults goes; empty for nowhere
     PictureSize pictureSize;
 };
 
-std::string helpOf(const ModelHelp& help) {
+std::string helpOf(const ModelHelp& help, bool tried) {
+    if (!tried) {
+        return ". A repair may help: kerf inspect MODEL --try-repair tells.";
+    }
     std::string text =
         help.repairs.empty() ? "" : ". Or have it repaired: kerf inspect MODEL --repair OUT.ply";
     text +=
@@ -68,7 +71,8 @@ struct Inspection {
     MeshReport report;
     FileFacts facts;
     std::string refusal;
-    ModelHelp help;  ///< what `--repair` and `--thicken` would do about it
+    ModelHelp help;  ///< what `--repair` and `--thicken` would do about it, if that was tried
+    bool triedRepair = false;
     std::shared_ptr<const FoundFaults> found;  ///< what is wrong where, as far as that was asked
     std::string mended;                        ///< the file that is to be written, if any
     TriangleFigures triangles;                 ///< none of a model that is refused
@@ -78,6 +82,7 @@ struct Inspection {
     ThinWalls thinWalls;                       ///< of a model that can be cut [m]
     std::optional<RealTimeForecast> speed;     ///< of such a model
     std::string noSpeed;                       ///< why there is none
+    bool wantsRepair() const { return !report.cuttable || report.crossingTriangles > 0; }
     bool isCoarse() const { return kerf::isCoarse(triangles, report.bounds.diagonal()); }
     double proposedEdge() const { return kerf::proposedEdge(triangles, report.bounds.diagonal()); }
 };
@@ -194,45 +199,39 @@ Inspection mend(const std::filesystem::path& file, const InspectArguments& argum
                          ".glb, .gltf or .vtp");
     }
     requireNewFile(file, out);
-    const MendedModel mended = mendModel(file, arguments.mending);
-    const SurfaceMesh& mesh = mended.model.mesh;
-    ExportLooks looks;
-    looks.own = mended.model.looks;
+    ReadOptions options{{arguments.mending}};
+    options.repair = options.toFile = true;
+    options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
     Inspection inspection;
-    inspection.report = mended.report;
-    inspection.facts = mended.model.facts;
-    inspection.mended = encodeMesh(mesh, findPieces(mesh), *format, looks);
-    describe(file, mended.model, arguments, inspection);
+    options.report = &inspection.report;
+    const ModelMesh mended = readModel(file, options);
+    ExportLooks looks;
+    looks.own = mended.looks;
+    inspection.facts = mended.facts;
+    inspection.mended = encodeMesh(mended.mesh, findPieces(mended.mesh), *format, looks);
+    describe(file, mended, arguments, inspection);
     return inspection;
 }
 
 /// A file that can't be read at all has no report and throws.
 Inspection inspect(const std::filesystem::path& file, const InspectArguments& arguments) {
+    ImportOrder order;
+    order.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
+    order.tryRepair = arguments.tryRepair;
+    order.findFaults = !arguments.picture.empty();
+    ImportAnswer answer = importModel(file, order);
     Inspection inspection;
+    inspection.report = answer.report;
+    inspection.facts = answer.model.facts;
+    inspection.help = answer.help;
+    inspection.triedRepair = order.tryRepair;
+    inspection.looks = looksJson(&answer.model.appearance, answer.model.soup.skin);
+    inspection.remarks = answer.model.remarks;
     try {
-        ReadOptions options;
-        options.report = &inspection.report;
-        options.facts = &inspection.facts;
-        options.findCrossingsUpTo = std::numeric_limits<std::size_t>::max();
-        options.tryRepair = true;
-        options.findFaults = !arguments.picture.empty();
-        ImportedModel imported = importWithLooks(file, options);
-        inspection.looks = looksJson(&imported.appearance, imported.soup.skin);
-        inspection.remarks = imported.remarks;
-        const ModelMesh model = surfaceOf(file, std::move(imported), options);
-        describe(file, model, arguments, inspection);
-        if (inspection.report.crossingTriangles > 0) {
-            inspection.help.repairs = unionsToMake(soupOf(model.mesh));
-        }
+        describe(file, cuttableModel(file, std::move(answer)), arguments, inspection);
     } catch (const ModelFault& fault) {
         inspection.refusal = fault.what();
-        inspection.help = fault.help();
         inspection.found = fault.found();
-    } catch (const InputError& error) {
-        if (inspection.report.triangles == 0) {
-            throw;
-        }
-        inspection.refusal = error.what();
     }
     return inspection;
 }
@@ -285,6 +284,7 @@ Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
     const MeshReport& report = inspection.report;
     const UnitGuess guess = guessUnits(file, report.bounds, inspection.facts.units);
     const double thickness = inspection.help.thickness;
+    const bool known = inspection.triedRepair || !inspection.wantsRepair();
     return {{"file", file.string()},
             {"format", lowerCase(file.extension().string()).substr(1)},
             {"vertices", report.vertices},
@@ -317,8 +317,8 @@ Json toJson(const Inspection& inspection, const std::filesystem::path& file) {
             {"largest_pieces", inspection.volumes},
             {"looks", inspection.looks},
             {"remarks", inspection.remarks},
-            {"repairable", !inspection.help.repairs.empty()},
-            {"thickenable", thickness > 0},
+            {"repairable", known ? Json(!inspection.help.repairs.empty()) : Json()},
+            {"thickenable", known ? Json(thickness > 0) : Json()},
             {"proposed_thickness", thickness > 0 ? Json(thickness) : Json()},
             {"proposed_edge", inspection.isCoarse() ? Json(inspection.proposedEdge()) : Json()}};
 }
@@ -389,8 +389,8 @@ void printHelp(const Inspection& inspection, std::ostream& text) {
             inspection.proposedEdge());
     }
     if (!inspection.help.repairs.empty()) {
-        labelled(text, "--repair") << (inspection.refusal.empty() ? "would try: " : "would help: ")
-                                   << joined(inspection.help.repairs, "; ") << "\n";
+        labelled(text, "--repair") << "would help: " << joined(inspection.help.repairs, "; ")
+                                   << "\n";
     }
     if (inspection.help.thickness > 0) {
         labelled(text, "--thicken")
@@ -527,7 +527,7 @@ int runInspect(const InspectArguments& arguments, std::ostream& out) {
         printForPeople(inspection, file, out);
     }
     if (!inspection.refusal.empty()) {
-        throw InputError(inspection.refusal + helpOf(inspection.help));
+        throw InputError(inspection.refusal + helpOf(inspection.help, inspection.triedRepair));
     }
     return kExitDone;
 }
@@ -601,6 +601,8 @@ std::function<int()> describeInspect(CLI::App& verb) {
         ->required()
         ->check(refuseEmpty);
     CLI::Option* const json = verb.add_flag("--json", arguments->json, "Print one JSON object");
+    verb.add_flag("--try-repair", arguments->tryRepair,
+                  "Find out what --repair and --thicken would do, which may take minutes");
     CLI::Option* const pieces =
         verb.add_flag("--pieces", arguments->pieces,
                       "Print a table of the pieces as CSV: volume, areas, centre, box")

@@ -342,8 +342,8 @@ double Editor::idleSeconds() const {
     if (const DocumentLoading* opening = s.work.opening()) {
         return opening->preparing() ? kWorkPause : 0;
     }
-    if (s.work.saves() || s.work.placing() != nullptr || s.chooser.previews() ||
-        (scene && scene.workingOut())) {
+    if (s.work.saves() || s.work.search() != nullptr || s.work.placing() != nullptr ||
+        s.chooser.previews() || (scene && scene.workingOut())) {
         return kWorkPause;
     }
     const bool soon = s.offers.looking() || s.driverCheck.looking() || !s.keeping.settled();
@@ -354,7 +354,8 @@ double Editor::idleSeconds() const {
 
 bool Editor::working() const {
     const FileWork& work = state_->work;
-    return work.opening() != nullptr || work.placing() != nullptr || work.saves();
+    return work.opening() != nullptr || work.search() != nullptr || work.placing() != nullptr ||
+           work.saves();
 }
 
 void Editor::askToLeave() {

@@ -157,6 +157,7 @@ void exchangeModel(State& s, const Session& start, const ModelReference& model,
 // --- A model that can't be cut -----------------------------------------------------------------
 
 void Editor::State::hideFaulty() {
+    work.stopSearch();
     if (view.hideFaulty()) {
         redraw.scene();
     }
@@ -164,11 +165,8 @@ void Editor::State::hideFaulty() {
 
 /// Only what would really help is offered.
 void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
-    view.showFaulty(fault, order);
-    redraw.scene();
     const std::vector<Help> helps = helpFor(fault, order);
     if (helps.empty()) {
-        toast.show(fault.what(), true);
         return;
     }
     std::vector<std::string> choices;

@@ -16,12 +16,21 @@ using State = Editor::State;
 /// The choices of askAboutTest().
 enum PictureChoice { kAddPicture, kNoPicture, kCancel };
 
+/// Why a model can't be cut.
+void showFaults(State& s, const ModelFault& fault, const OpeningOrder& order) {
+    spdlog::error("{}", fault.what());
+    s.view.showFaulty(fault, order);
+    s.toast.show(fault.what(), true);
+    s.redraw.scene();
+}
+
 /// The scene stays as it is until the new one stands and the hand is free.
 void followOpening(State& s) {
     if (s.work.opening() == nullptr) {
         return;
     }
     const OpeningOrder order = s.work.opening()->order();
+    const bool asItIs = s.work.opening()->mending() == Mending{};
     s.redraw.panels();
     try {
         const bool rests = order.change.empty() || (!s.scene.underWay() && s.scene.waiting.empty());
@@ -48,10 +57,31 @@ void followOpening(State& s) {
             }
         }
     } catch (const ModelFault& fault) {
-        spdlog::error("{}", fault.what());
-        s.askAboutMending(fault, order);
+        showFaults(s, fault, order);
+        if (asItIs) {
+            s.work.lookForRepair(order);
+        }
     } catch (const std::bad_alloc&) {
         s.complain(outOfMemory(order.title));
+    } catch (const std::exception& error) {
+        s.complain(error.what());
+    }
+}
+
+/// The faults are shown meanwhile.
+void followSearch(State& s) {
+    if (s.work.search() == nullptr) {
+        return;
+    }
+    s.redraw.panels();
+    const std::unique_ptr<RepairSearch> search = s.work.takeSearch();
+    if (search == nullptr) {
+        return;
+    }
+    try {
+        s.askAboutMending(search->take(), search->order());
+    } catch (const std::bad_alloc&) {
+        s.complain(outOfMemory("Looking for a repair"));
     } catch (const std::exception& error) {
         s.complain(error.what());
     }
@@ -356,6 +386,7 @@ int Editor::State::savePicture(render::Image image, const std::string& name) {
 
 void Editor::State::followFiles() {
     followOpening(*this);
+    followSearch(*this);
     followPlacing(*this);
     while (const auto outcome = work.takeOutcome()) {
         spdlog::log(outcome->failed ? spdlog::level::err : spdlog::level::info, "{}",

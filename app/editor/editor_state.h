@@ -105,6 +105,7 @@ struct Editor::State {
     void followFiles();
     /// Places a model: a large one is prepared in the background first.
     void place(const Place& command);
+    /// Offers the repairs that help.
     void askAboutMending(const ModelFault& fault, const OpeningOrder& order);
 
     // Other models below what was done so far: editor_models.cpp.

@@ -3,10 +3,10 @@
 #include <cctype>
 #include <cstring>
 
-#include "app/import/appearance_reader.h"
 #include "app/files/io/encodings.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/appearance_reader.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

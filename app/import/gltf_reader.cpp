@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 
-#include "app/import/face_soup.h"
-#include "app/import/gltf_file.h"
-#include "app/import/appearance_reader.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/import/appearance_reader.h"
+#include "app/import/face_soup.h"
+#include "app/import/gltf_file.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -2,11 +2,11 @@
 
 #include <charconv>
 
-#include "app/import/face_soup.h"
-#include "app/import/appearance_reader.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/appearance_reader.h"
+#include "app/import/face_soup.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -16,7 +16,8 @@ namespace {
 constexpr std::array<std::string_view, 13> kSaysNothing{
     "vn",       "l",        "p",          "s",         "mg",     "lod",   "bevel",
     "c_interp", "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib"};
-constexpr std::size_t kMostNamed = 3;  // unknown words in a remark
+constexpr std::size_t kMostNamed = 3;                     // unknown words in a remark
+constexpr std::uint64_t kMostMaterialBytes = 16'000'000;  // of an .mtl file
 
 /// A number of a list that has `count` so far, which counts from 1, or backwards from its end.
 int indexOf(std::string_view text, std::size_t count, std::string_view corner) {
@@ -175,7 +176,7 @@ class Libraries {
         const std::optional<std::filesystem::path> file = fileBeside(model_, name);
         try {
             for (ObjMaterial& material :
-                 file ? readObjMaterials(readInputFile(*file, kMaxImportLooks))
+                 file ? readObjMaterials(readInputFile(*file, kMostMaterialBytes))
                       : std::vector<ObjMaterial>{}) {
                 materials_.try_emplace(material.material.name, std::move(material));
             }

@@ -1,12 +1,21 @@
 #include "app/import/piece_union.h"
 
+// What CGAL's union is linked into is under the GPL: so is kerf-import, a program of its own.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
 #include <spdlog/fmt/fmt.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include "app/files/import/import_process.h"
-#include "app/files/import/shell_protocol.h"
-#include "app/files/io/file_io.h"
-#include "app/files/io/output_folder.h"
-#include "app/files/jobs/child_process.h"
+#include <csignal>
+#include <list>
+
+#include "app/files/io/system_file.h"
+#include "app/files/jobs/process_limits.h"
+#include "app/import/mending.h"
+#include "sim/base/byte_archive.h"
 #include "sim/base/containers.h"
 #include "sim/base/text.h"
 #include "sim/mesh/skin_attributes.h"
@@ -25,7 +34,7 @@ namespace {
 const std::string kFallsTogether =
     "rounded to the 32-bit numbers of a file, their union is no closed surface";
 constexpr std::size_t kMostCrossings = 2'000'000;
-constexpr ImportLimits kLimits{.cpuSeconds = 120, .wallSeconds = 240, .addressSpace = 8ull << 30};
+constexpr int kUnionSeconds = 120;
 
 /// The pieces of a soup, by the numbers of their outer shells, and which of them cross.
 class CrossingPieces {
@@ -85,42 +94,142 @@ std::vector<std::vector<int>> CrossingPieces::groups() const {
     return groups;
 }
 
-ShellMessage messageOf(const TriangleSoup& soup, const CrossingPieces& pieces,
-                       const std::vector<int>& group) {
-    ShellMessage message;
-    message.positions.reserve(soup.positions.size());
-    for (const Vec3& p : soup.positions) {
-        message.positions.push_back({p.x(), p.y(), p.z()});
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using ExactMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// A surface that may not exist.
+struct UnionAnswer {
+    std::string failure = {};  ///< why there is none, a clause
+    std::vector<Vec3> positions = {};
+    std::vector<Triangle> triangles = {};
+
+    template <class Io>
+    void archive(Io& io) {
+        io(failure, positions, triangles);
     }
+};
+
+ExactMesh meshOf(const TriangleSoup& soup, const CrossingPieces& pieces, int piece) {
+    ExactMesh mesh;
+    std::map<int, ExactMesh::Vertex_index> vertices;
+    const auto vertexFor = [&](int v) {
+        const auto found = vertices.find(v);
+        if (found != vertices.end()) {
+            return found->second;
+        }
+        const Vec3& p = soup.positions[v];
+        return vertices.emplace(v, mesh.add_vertex({p.x(), p.y(), p.z()})).first->second;
+    };
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
-        const auto found = std::ranges::lower_bound(group, pieces.pieceOf(t));
-        if (found != group.end() && *found == pieces.pieceOf(t)) {
-            message.triangles.push_back(soup.triangles[t]);
-            message.pieces.push_back(static_cast<int>(found - group.begin()));
+        if (pieces.pieceOf(t) != piece) {
+            continue;
+        }
+        const auto& [a, b, c] = soup.triangles[t];
+        if (mesh.add_face(vertexFor(a), vertexFor(b), vertexFor(c)) == ExactMesh::null_face()) {
+            throw std::runtime_error("a piece is not manifold");
         }
     }
-    return message;
+    if (!pmp::does_bound_a_volume(mesh)) {
+        throw std::runtime_error("a piece encloses no volume");
+    }
+    return mesh;
 }
 
-/// The answer of kerf-unite, or one with the reason why there is none.
-ShellMessage askForUnion(const ShellMessage& pieces, WorkProgress* progress) {
-    const std::filesystem::path program = programBeside("kerf-unite");
-    if (!std::filesystem::exists(program)) {
-        return {.failure = "the program kerf-unite is not installed"};
+/// Whether `whole` became one surface with the piece; else it stays as it was.
+bool unite(ExactMesh& whole, ExactMesh piece) {
+    ExactMesh before = whole;
+    if (pmp::corefine_and_compute_union(whole, piece, whole,
+                                        CGAL::parameters::throw_on_self_intersection(true))) {
+        return true;
     }
-    const TemporaryFolder folder("kerf-unite");
-    const std::filesystem::path file = folder.path() / "pieces";
-    writeOutputFile(file, encodeShells(pieces));
-    const ImportOutcome outcome =
-        runLimitedProcess({program.string(), file.string()}, kLimits, progress);
-    if (outcome.tooSlow) {
+    whole = std::move(before);
+    return false;
+}
+
+/// Kernel numbers are exact, so that the result of one union can go into the next. What would touch
+/// in a line or a point alone waits for the others, which may fill the place.
+ExactMesh united(const TriangleSoup& soup, const CrossingPieces& pieces,
+                 const std::vector<int>& group) {
+    ExactMesh whole = meshOf(soup, pieces, group.front());
+    std::list<ExactMesh> waiting;
+    for (const int piece : std::span(group).subspan(1)) {
+        waiting.push_back(meshOf(soup, pieces, piece));
+    }
+    while (!waiting.empty()) {
+        if (waiting.remove_if([&](const ExactMesh& piece) { return unite(whole, piece); }) == 0) {
+            throw std::runtime_error(
+                "the pieces touch in a line or a point, so their union is no "
+                "surface that can be cut");
+        }
+    }
+    whole.collect_garbage();
+    return whole;
+}
+
+UnionAnswer answerOf(const ExactMesh& mesh) {
+    UnionAnswer answer;
+    for (const auto v : mesh.vertices()) {
+        const Kernel::Point_3& p = mesh.point(v);
+        answer.positions.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                      CGAL::to_double(p.z()));
+    }
+    for (const auto face : mesh.faces()) {
+        Triangle corners{};
+        std::size_t i = 0;
+        for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) {
+            corners.at(i++) = static_cast<int>(v.idx());
+        }
+        answer.triangles.push_back(corners);
+    }
+    return answer;
+}
+
+UnionAnswer tryToUnite(const TriangleSoup& soup, const CrossingPieces& pieces,
+                       const std::vector<int>& group) {
+    try {
+        return answerOf(united(soup, pieces, group));
+    } catch (const pmp::Corefinement::Self_intersection_exception&) {
+        return {.failure = "a piece passes through itself"};
+    } catch (const std::bad_alloc&) {
+        return {.failure = "it needs more memory than there is"};
+    } catch (const std::exception& error) {
+        return {.failure = error.what()};
+    }
+}
+
+/// In a copy of this process, which ends when its time is over: the rest of the repair does not
+/// depend on it.
+UnionAnswer uniteWithinLimits(const TriangleSoup& soup, const CrossingPieces& pieces,
+                              const std::vector<int>& group) {
+    Pipe pipe;
+    const pid_t copy = ::fork();
+    if (copy == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        limitProcessorTime(kUnionSeconds);
+        ByteWriter out;
+        const UnionAnswer answer = tryToUnite(soup, pieces, group);
+        out(answer);
+        const std::string_view bytes(reinterpret_cast<const char*>(out.bytes.data()),
+                                     out.bytes.size());
+        ::_exit(writeAll(pipe.write.get(), bytes) ? 0 : 1);
+    }
+    pipe.write.close();
+    const std::string bytes = readToEnd(pipe.read.get());
+    int status = 0;
+    if (copy < 0 || ::waitpid(copy, &status, 0) != copy) {
+        return {.failure = "another process can't be started"};
+    }
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
         return {.failure = "it takes more than two minutes"};
     }
-    std::optional<ShellMessage> answer = decodeShells(outcome.answer);
-    if (outcome.exitCode != 0 || !answer) {
-        return {.failure = "kerf-unite failed"};
+    UnionAnswer answer;
+    try {
+        ByteReader(std::as_bytes(std::span(bytes)))(answer);
+    } catch (const std::out_of_range&) {
+        return {.failure = "the exact union failed"};
     }
-    return std::move(*answer);
+    return answer;
 }
 
 /// A group of pieces as one surface.
@@ -131,13 +240,11 @@ struct United {
 
 /// A surface as a file of floats holds it, mended where it falls together; nothing where that
 /// leaves none of its volume that can be cut.
-std::optional<TriangleSoup> soundSurface(const ShellMessage& exact) {
+std::optional<TriangleSoup> soundSurface(const UnionAnswer& exact) {
     constexpr double kMostLost = 1e-3;  // of the volume
     TriangleSoup surface;
-    for (const auto& [x, y, z] : exact.positions) {
-        surface.positions.emplace_back(x, y, z);
-    }
-    surface.triangles.assign(exact.triangles.begin(), exact.triangles.end());
+    surface.positions = exact.positions;
+    surface.triangles = exact.triangles;
     const double volume = inspectTriangles(surface).volume;
     roundToFloats(surface);
     if (!inspectTriangles(surface).cuttable) {
@@ -203,9 +310,9 @@ std::string notUnited(std::string_view which, std::string_view why) {
 
 }  // namespace
 
-ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
-    enter(progress, "Looking for pieces that cross");
-    ShellUnion outcome;
+PieceUnion uniteCrossingPieces(TriangleSoup& welded) {
+    tellStage("Looking for pieces that cross");
+    PieceUnion outcome;
     const CrossingPieces pieces(welded);
     if (const int count = pieces.crossingThemselves(); count > 0) {
         outcome.left.push_back(
@@ -214,8 +321,8 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
     }
     std::vector<United> all;
     for (const std::vector<int>& group : pieces.groups()) {
-        enter(progress, "Uniting pieces that cross");
-        const ShellMessage answer = askForUnion(messageOf(welded, pieces, group), progress);
+        tellStage("Uniting pieces that cross");
+        const UnionAnswer answer = uniteWithinLimits(welded, pieces, group);
         std::optional<TriangleSoup> surface =
             answer.failure.empty() ? soundSurface(answer) : std::nullopt;
         if (surface) {
@@ -238,12 +345,6 @@ ShellUnion uniteCrossingPieces(TriangleSoup& welded, WorkProgress* progress) {
     }
     welded = std::move(now);
     return outcome;
-}
-
-std::vector<std::string> unionsToMake(const TriangleSoup& welded) {
-    return mapped(CrossingPieces(welded).groups(), [](const std::vector<int>& group) {
-        return "unite " + textOf(group) + " that cross";
-    });
 }
 
 }  // namespace kerf::app

@@ -5,11 +5,11 @@
 #include <sstream>
 #include <type_traits>
 
-#include "app/import/face_soup.h"
-#include "app/import/appearance_reader.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/appearance_reader.h"
+#include "app/import/face_soup.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -1,23 +1,22 @@
+#include "app/import/scene_reader.h"
+
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <unistd.h>
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
-#include <cerrno>
 #include <charconv>
 #include <cstring>
 
-#include "app/import/face_soup.h"
-#include "app/import/appearance_reader.h"
-#include "app/files/import/import_process.h"
 #include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
+#include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
-#include "app/files/jobs/process_limits.h"
+#include "app/import/appearance_reader.h"
+#include "app/import/face_soup.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -157,7 +156,7 @@ FileUnits fbxUnits(const aiScene& scene, double centimetres, std::vector<Vec3>& 
 }
 
 /// Says in words of ours what assimp puts into its own.
-std::string plainReason(const std::string& message) {
+std::string plainWords(const std::string& message) {
     const auto says = [&](std::string_view part) {
         return message.find(part) != std::string::npos;
     };
@@ -221,7 +220,7 @@ ImportedModel readByAssimp(const std::filesystem::path& file) {
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
     if (scene == nullptr) {
-        throw InputError(plainReason(importer.GetErrorString()));
+        throw InputError(plainWords(importer.GetErrorString()));
     }
     tellLeftOut(*scene, model.remarks);
     // Some versions of assimp turn an FBX at its root, which is not in the file.
@@ -289,7 +288,9 @@ ImportedModel readFbx(const std::filesystem::path& file) {
     return readByAssimp(file);
 }
 
-ImportedModel readScene(const std::filesystem::path& file) {
+}  // namespace
+
+ImportedModel readModelFile(const std::filesystem::path& file) {
     using Reader = ImportedModel (*)(const std::filesystem::path&);
     static const std::map<std::string, Reader> kReaders{
         {".ply", readPly},   {".obj", readObj},  {".stl", readStl}, {".off", readOff},
@@ -298,38 +299,8 @@ ImportedModel readScene(const std::filesystem::path& file) {
     return own == kReaders.end() ? readByAssimp(file) : own->second(file);
 }
 
-/// The answer's stream, set aside so that nothing that a library prints gets into it.
-int takeStandardOutput() {
-    const int answer = ::dup(STDOUT_FILENO);
-    ::dup2(STDERR_FILENO, STDOUT_FILENO);
-    return answer;
-}
-
-bool writeAll(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) {
-            return false;
-        }
-        bytes.remove_prefix(std::max<ssize_t>(count, 0));
-    }
-    return true;
-}
-
-}  // namespace
-
-std::string answerFor(const std::filesystem::path& file) {
-    try {
-        return encodeImport(readScene(file));
-    } catch (const std::exception& error) {
-        return encodeImportFailure(plainReason(error.what()));
-    }
-}
-
-int runImportWorker(const std::filesystem::path& file) {
-    applyImportLimits();
-    const int answer = takeStandardOutput();
-    return writeAll(answer, answerFor(file)) ? 0 : 1;
+std::string plainReason(const std::exception& error) {
+    return plainWords(error.what());
 }
 
 }  // namespace kerf::app

@@ -1,9 +1,9 @@
 #include <cstring>
 
-#include "app/import/face_soup.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/face_soup.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {

@@ -54,7 +54,7 @@ std::string ModelReference::name() const {
 
 namespace {
 
-/// The models of a session, in the numbers of their files, each of which is read once.
+/// The models of a session, in the numbers of their files. Equal ones are read once.
 class ModelLoading {
   public:
     explicit ModelLoading(const Session& session) {
@@ -70,21 +70,21 @@ class ModelLoading {
         }
         options.object = reference.object.value_or(0);
         options.add(reference);
-        return surfaceOf(file, take(file, options), options);
+        if (wanted_[file] == 1) {
+            return readModel(file, options);
+        }
+        const auto [place, isNew] = read_.try_emplace({file, encodeOrder(options)}, std::nullopt);
+        if (isNew) {
+            place->second = readModel(file, options);
+        }
+        return *place->second;
     }
 
   private:
-    ImportedModel take(const std::filesystem::path& file, const ReadOptions& options) {
-        auto found = read_.find(file);
-        if (found == read_.end()) {
-            found = read_.emplace(file, importWithLooks(file, options)).first;
-        }
-        return --wanted_[file] == 0 ? std::move(found->second) : found->second;
-    }
-
     std::set<std::pair<std::filesystem::path, std::string>> checked_;  ///< files with their digest
     std::map<std::filesystem::path, int> wanted_;
-    std::map<std::filesystem::path, ImportedModel> read_;
+    /// Models of files that are wanted several times, with what was ordered.
+    std::map<std::pair<std::filesystem::path, std::string>, std::optional<ModelMesh>> read_;
 };
 
 /// What people should know of models that floats can't hold where they lie.

@@ -14,6 +14,11 @@ struct SurfaceMaterial {
     float metallic = 0;                                   ///< 0 to 1
     int image = -1;                                       ///< of the base colour; -1 for none
     bool operator==(const SurfaceMaterial&) const = default;
+
+    template <class Io>
+    void archive(Io& io) {
+        io(name, baseColor, roughness, metallic, image);
+    }
 };
 
 /// An image of a model: the bytes of its file, PNG or JPEG, and its pixels.
@@ -21,6 +26,11 @@ struct ModelImage {
     std::string name;   ///< of its file, without folders
     std::string bytes;  ///< as they were read
     Image pixels;       ///< empty until they are decoded
+
+    template <class Io>
+    void archive(Io& io) {
+        io(name, bytes, pixels);
+    }
 };
 
 /// The model's own looks, besides those of its triangles (SkinAttributes).
@@ -28,6 +38,11 @@ struct Appearance {
     std::vector<SurfaceMaterial> materials;
     std::vector<ModelImage> images;
     bool empty() const { return materials.empty() && images.empty(); }
+
+    template <class Io>
+    void archive(Io& io) {
+        io(materials, images);
+    }
 };
 
 /// The kinds of images of models, by their first bytes.

@@ -16,6 +16,11 @@ struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> pixels;
+
+    template <class Io>
+    void archive(Io& io) {
+        io(width, height, pixels);
+    }
 };
 
 /// Divides the colours of a picture on a transparent background by their alpha, as PNG needs.

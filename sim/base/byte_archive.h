@@ -65,6 +65,12 @@ class ByteArchive : public Medium {
     void visit(std::array<T, size>& list) {
         visitEach(list);
     }
+    /// Of whatever bytes come, it is true or false.
+    void visit(bool& value) {
+        auto byte = static_cast<std::uint8_t>(value ? 1 : 0);
+        Medium::plain(&byte, 1);
+        value = byte != 0;
+    }
     void visit(std::string& text) {
         resize(text);
         Medium::raw(text.data(), text.size());
@@ -155,7 +161,7 @@ class FromBytes {
   public:
     static constexpr bool kReads = true;
 
-    explicit FromBytes(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
+    explicit FromBytes(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
     bool isAtEnd() const { return at_ == bytes_.size(); }
     void raw(void* data, std::size_t size) {
@@ -182,7 +188,7 @@ class FromBytes {
     }
 
   private:
-    const std::vector<std::byte>& bytes_;
+    std::span<const std::byte> bytes_;
     std::size_t at_ = 0;
 };
 

@@ -20,6 +20,11 @@ struct SkinAttributes {
 
     bool empty() const { return uvs.empty() && colors.empty() && materials.empty(); }
     bool operator==(const SkinAttributes&) const = default;
+
+    template <class Io>
+    void archive(Io& io) {
+        io(uvs, colors, materials);
+    }
 };
 
 /// Attributes of one triangle; zero, white or -1 where the mesh has none.

@@ -11,6 +11,11 @@ struct TriangleSoup {
     std::vector<Triangle> triangles;
     SkinAttributes skin{};       ///< by triangle
     std::vector<int> objects{};  ///< by triangle: number of the file's object; empty for one
+
+    template <class Io>
+    void archive(Io& io) {
+        io(positions, triangles, skin, objects);
+    }
 };
 
 /// Joins vertices with bit-equal coordinates (-0 equals 0) and drops unused ones. The order of

@@ -27,6 +27,10 @@ struct FaultLocations {
     int count() const {
         return static_cast<int>(edges.size() + vertices.size() + triangles.size());
     }
+    template <class Io>
+    void archive(Io& io) {
+        io(edges, vertices, triangles);
+    }
 };
 
 /// The faults of a model by kind.
@@ -38,6 +42,10 @@ struct Faults {
         return places[static_cast<std::size_t>(kind)];
     }
     bool any() const;
+    template <class Io>
+    void archive(Io& io) {
+        io(places);
+    }
 };
 
 /// Finds all faults of a welded soup; those that a MeshReport counts are the same. Triangles with

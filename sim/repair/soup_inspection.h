@@ -32,6 +32,14 @@ struct MeshReport {
     bool cuttable = false;
     /// Empty if cuttable; else what is wrong, how often, and what to do.
     std::string problem;
+
+    template <class Io>
+    void archive(Io& io) {
+        io(vertices, triangles, bounds, pieces, volume, openEdges, nonManifoldEdges,
+           misorientedEdges, nonManifoldVertices, degenerateTriangles, nonFiniteVertices,
+           outOfRangeIndices, insideOutPieces, flatPieces, cavities, outwardCavities,
+           crossingTriangles, closed, manifold, oriented, repairs, left, cuttable, problem);
+    }
 };
 
 /// Where a surface is broken.

@@ -13,6 +13,7 @@
 #include "app/files/export/export.h"
 #include "app/files/import/builtin_models.h"
 #include "app/import/face_soup.h"
+#include "app/import/model_answer.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/csv.h"

@@ -91,9 +91,7 @@ void describeModel(const fs::path& file, WorkProgress& progress, std::vector<std
         lines.push_back(faces ? counted(*faces, "face", "faces") : "Too large for a preview");
         return;
     }
-    const TriangleSoup soup = importModel(file, &progress);
-    progress.enter("Checking for faults");
-    const MeshReport report = inspectTriangles(soup);
+    const MeshReport report = importModel(file, {}, &progress).report;
     lines.push_back(counted(report.triangles, "triangle", "triangles") + ", " +
                     counted(report.vertices, "vertex", "vertices"));
     if (report.cuttable) {

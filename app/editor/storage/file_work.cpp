@@ -68,6 +68,10 @@ std::unique_ptr<BodyPlacing> FileWork::takePlacing() {
     return placing() != nullptr && placing()->done() ? placing_.take() : nullptr;
 }
 
+std::unique_ptr<RepairSearch> FileWork::takeSearch() {
+    return search() != nullptr && search()->done() ? search_.take() : nullptr;
+}
+
 int FileWork::saveBehind(const std::string& name, const std::string& ending,
                          std::function<void(const std::filesystem::path& file)> write) {
     return behind_.add([folder = folder_, name, ending, write = std::move(write)] {
@@ -83,6 +87,7 @@ void FileWork::openManual() {
 
 std::optional<SavingQueue::Outcome> FileWork::takeOutcome() {
     opening_.forgetEnded();
+    search_.forgetEnded();
     placing_.forgetEnded();
     saving_.forgetEnded();
     const bool ended = saving() != nullptr && saving()->done();
@@ -94,6 +99,9 @@ ui::WorkState FileWork::state() const {
     if (const DocumentLoading* const loading = opening()) {
         work = {loading->order().title, loading->stage()};
         work.seconds = loading->seconds();
+    } else if (const RepairSearch* const repair = search()) {
+        work = {"Looking for a repair", repair->stage()};
+        work.seconds = repair->seconds();
     } else if (const BodyPlacing* const placed = placing()) {
         work = {"Placing model", placed->stage()};
         work.seconds = placed->seconds();

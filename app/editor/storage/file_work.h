@@ -70,6 +70,16 @@ class FileWork {
     /// Cancels what is being placed.
     void stopPlacing() { placing_.cancel(); }
 
+    /// Begins to look for a repair of a model, cancelling the previous search.
+    void lookForRepair(OpeningOrder order) {
+        search_.start(std::make_unique<RepairSearch>(std::move(order)));
+    }
+    /// The search for a repair; null for none.
+    const RepairSearch* search() const { return search_.now(); }
+    /// Takes the search once it is done; null before.
+    std::unique_ptr<RepairSearch> takeSearch();
+    void stopSearch() { search_.cancel(); }
+
     /// Takes a save in progress; only one at a time.
     void save(std::unique_ptr<FileSaving> saving) { saving_.start(std::move(saving)); }
     /// The save in progress; null for none.
@@ -83,8 +93,11 @@ class FileWork {
     /// The end of a save, each once; only those of saveBehind() have numbers.
     std::optional<SavingQueue::Outcome> takeOutcome();
 
-    /// Cancels what is being opened, or else placed, or saved. Returns false if there is nothing.
-    bool cancel() { return opening_.cancel() || placing_.cancel() || saving_.cancel(); }
+    /// Cancels what is being opened, or else looked for, placed, or saved. Returns false if there
+    /// is nothing.
+    bool cancel() {
+        return opening_.cancel() || search_.cancel() || placing_.cancel() || saving_.cancel();
+    }
     /// Whether anything is not saved yet.
     bool saves() const { return saving() != nullptr || behind_.busy(); }
     /// What the user may wait for, once it takes long.
@@ -93,6 +106,7 @@ class FileWork {
   private:
     std::filesystem::path folder_;
     CurrentJob<DocumentLoading> opening_;
+    CurrentJob<RepairSearch> search_;
     CurrentJob<BodyPlacing> placing_;
     CurrentJob<FileSaving> saving_;
     SavingQueue behind_;

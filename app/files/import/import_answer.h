@@ -1,8 +1,11 @@
 #pragma once
 
+#include "app/files/import/model_faults.h"
 #include "app/files/import/model_units.h"
+#include "app/files/io/memory_means.h"
 #include "render/scene/appearance.h"
 #include "sim/mesh/triangle_soup.h"
+#include "sim/repair/soup_inspection.h"
 
 namespace kerf::app {
 
@@ -14,59 +17,86 @@ inline constexpr std::uint64_t kMaxImportTriangles = 20'000'000;
 /// Least and largest extent of a model, in the unit of its numbers.
 inline constexpr double kMinImportExtent = 1e-6;
 inline constexpr double kMaxImportExtent = 1e10;
-
 /// Most bytes of the images of a model together.
 inline constexpr std::uint64_t kMaxImportImages = 500'000'000;
-/// Most bytes of the description of materials and images in an answer.
-inline constexpr std::uint64_t kMaxImportLooks = 16'000'000;
 
 /// A model as read from its file.
 struct ImportedModel {
     TriangleSoup soup;
-    FileFacts facts{};                   ///< objects by their numbers in the soup
-    render::Appearance appearance{};     ///< pictures are not decoded
+    FileFacts facts{};  ///< objects by their numbers in the soup
+    render::Appearance appearance{};
     std::vector<std::string> remarks{};  ///< sentences about what was skipped
+
+    template <class Io>
+    void archive(Io& io) {
+        io(soup, facts, appearance, remarks);
+    }
 };
 
-/// Head of the answer of a reader process, which is an ImportHeader in the machine's own byte
-/// order. Where `failed` is 1, `messageLength` bytes follow that say why. Else there follow
-/// `vertices` positions of three doubles, `triangles` of three 32-bit indices, then for each
-/// triangle six floats where `textured` is 1, twelve where `colored` is 1, and a 32-bit index each
-/// where `materials` and `objects` are 1, then `messageLength` bytes of JSON (materials, images,
-/// names of objects, units, remarks), and the bytes of the images one after the other.
-struct ImportHeader {
-    char magic[8];
-    std::uint64_t failed;
-    std::uint64_t vertices;
-    std::uint64_t triangles;
-    std::uint64_t messageLength;
-    std::uint64_t textured;
-    std::uint64_t colored;
-    std::uint64_t materials;
-    std::uint64_t objects;
+/// The repairs that would fix a model.
+struct ModelHelp {
+    int holes = 0;                     ///< number to fill; 0 if that does not help
+    std::vector<std::string> repairs;  ///< what a repair would do; empty if it does not help
+    double thickness = 0;              ///< of its sheets, in the file's unit; 0 if it does not help
+    bool isSheet = false;  ///< see repair::isSheet(); else filling or a repair is better
+
+    template <class Io>
+    void archive(Io& io) {
+        io(holes, repairs, thickness, isSheet);
+    }
 };
-static_assert(sizeof(ImportHeader) == 72);
 
-/// Where an answer tells its counts [bytes].
-inline constexpr std::size_t kImportHeadBytes = sizeof(ImportHeader);
-/// The number of triangles by the beginning of an answer, which is not trusted; 0 for none.
-std::uint64_t trianglesByHead(std::string_view head);
+/// What is wanted of a model file.
+struct ImportOrder : Mending {
+    int object = 0;           ///< the number of the only object to read, from 1; 0: all
+    bool toFile = false;      ///< rounds to the floats of a file, and refuses what fails then
+    bool findFaults = false;  ///< each with its place
+    bool tryRepair = false;   ///< finds out what would help a model that can't be cut: takes long
+    /// Intersecting triangles are counted in models of at most this many triangles.
+    std::size_t findCrossingsUpTo = 0;
+    /// The memory for cutting the model: one that exceeds it is not read.
+    std::optional<MemoryMeans> means = std::nullopt;
 
-/// Most bytes that an answer within the limits can have.
-inline constexpr std::uint64_t kMaxImportAnswer = sizeof(ImportHeader) + kMaxImportVertices * 24 +
-                                                  kMaxImportTriangles * (12 + 24 + 48 + 4 + 4) +
-                                                  kMaxImportLooks + kMaxImportImages;
+    template <class Io>
+    void archive(Io& io) {
+        Mending::archive(io);
+        io(object, toFile, findFaults, tryRepair, findCrossingsUpTo, means);
+    }
+};
 
-/// Encodes an answer of the reader process: the model, or why there is none.
-std::string encodeImport(const ImportedModel& model);
-std::string encodeImportFailure(std::string_view message);
+/// How a model file was received.
+enum class ImportOutcome {
+    cuttable,
+    faulty,      ///< read, and can't be cut
+    refused,     ///< not read
+    outOfMemory  ///< there is too little memory to cut it
+};
+inline constexpr int kImportOutcomes = 4;
 
-/// Decodes an answer and trusts nothing in it: lengths, counts and indices are checked; texture
-/// coordinates and colours that are not finite become 0. Throws InputError with what is wrong,
-/// without the file's name.
-ImportedModel decodeImport(std::string_view answer);
+/// The answer of kerf-import.
+struct ImportAnswer {
+    ImportOutcome outcome = ImportOutcome::refused;
+    /// Why it is not cuttable: a clause, or a sentence that names the file if it is out of memory.
+    std::string reason;
+    ImportedModel model{};  ///< images are decoded; empty if it was not read
+    MeshReport report{};
+    repair::Faults faults{};  ///< if they were asked for
+    ModelHelp help{};         ///< if it was asked for
 
-/// Throws InputError if a coordinate is not finite or the extent is out of bounds.
-void checkImportedPositions(const TriangleSoup& soup);
+    template <class Io>
+    void archive(Io& io) {
+        io(outcome, reason, model, report, faults, help);
+    }
+};
+
+/// An order as letters, for a command line.
+std::string encodeOrder(const ImportOrder& order);
+/// Throws InputError if the letters are no order.
+ImportOrder decodeOrder(std::string_view letters);
+
+std::string encodeAnswer(const ImportAnswer& answer);
+/// Decodes an answer and trusts nothing in it: lengths, counts, kinds and indices are checked;
+/// texture coordinates and colours that are not finite become 0. Throws InputError with a clause.
+ImportAnswer decodeAnswer(std::string_view bytes);
 
 }  // namespace kerf::app

@@ -4,10 +4,10 @@
 #include <csignal>
 #include <system_error>
 
-#include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/system_file.h"
 #include "app/files/jobs/process_limits.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
@@ -45,62 +45,83 @@ bool isCancelled(const WorkProgress* progress) {
     return progress != nullptr && progress->cancelled();
 }
 
-/// Who follows a reading.
-struct Followers {
-    const WorkProgress* progress;
-    const ImportHeadListener& onHead;
-};
+/// Follows a program that reads a file, while it runs.
+class Reading {
+  public:
+    Reading(const ImportLimits& limits, WorkProgress* progress)
+        : progress_(progress), deadline_(Clock::now() + std::chrono::seconds(limits.wallSeconds)) {}
 
-/// Collects both streams until they end. False where the deadline passes, the answer grows past
-/// its limit, or nobody wants it any more.
-bool collect(Pipe& answer, Pipe& log, Clock::time_point deadline, const Followers& followers,
-             ImportOutcome& outcome) {
-    const WorkProgress* const progress = followers.progress;
-    bool headIsTold = followers.onHead == nullptr;
-    const auto patience = [&] {
-        if (!headIsTold && outcome.answer.size() >= kImportHeadBytes) {
-            headIsTold = true;
-            followers.onHead(std::string_view(outcome.answer).substr(0, kImportHeadBytes));
-        }
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-        outcome.tooSlow = left.count() <= 0;
-        outcome.tooLong = outcome.answer.size() > kMaxImportAnswer;
-        const auto pause = progress != nullptr ? std::min(left, kCancelPoll) : left;
-        return outcome.tooSlow || outcome.tooLong || isCancelled(progress)
+    /// Collects both streams until they end. False where the deadline passes, the answer grows past
+    /// its limit, or nobody wants it any more.
+    bool collect(Pipe& answer, Pipe& log) {
+        return readStreams(
+            answer, keepBeginning(end.answer, kMaxImportAnswer + 1), log,
+            [this](std::string_view block) { follow(block); }, [this] { return patience(); });
+    }
+
+    ImportEnd end;
+
+  private:
+    int patience() {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
+        end.tooSlow = left.count() <= 0;
+        end.tooLong = end.answer.size() > kMaxImportAnswer;
+        const auto pause = progress_ != nullptr ? std::min(left, kCancelPoll) : left;
+        return end.tooSlow || end.tooLong || isCancelled(progress_)
                    ? -1
                    : static_cast<int>(pause.count());
-    };
-    return readStreams(answer, keepBeginning(outcome.answer, kMaxImportAnswer + 1), log,
-                       keepBeginning(outcome.log, kMaxLog), patience);
-}
+    }
+
+    /// Takes lines apart into stages and the log.
+    void follow(std::string_view block) {
+        for (const char c : block) {
+            line_ += c;
+            if (c == '\n' || line_.size() > kMaxLog) {
+                takeLine();
+            }
+        }
+    }
+
+    void takeLine() {
+        const std::string line = std::exchange(line_, "");
+        if (line.front() != kStageMark) {
+            end.log.append(line, 0, kMaxLog - std::min(kMaxLog, end.log.size()));
+            return;
+        }
+        if (end.stage.empty()) {
+            deadline_ = Clock::now() + std::chrono::seconds(kMendingWallSeconds);
+        }
+        end.stage = printable(line.substr(1, line.size() - 2));
+        if (progress_ != nullptr && !progress_->cancelled()) {
+            progress_->enter(end.stage);
+        }
+    }
+
+    WorkProgress* progress_;
+    Clock::time_point deadline_;
+    std::string line_;  ///< of the log, as far as it has arrived
+};
 
 }  // namespace
 
-ImportOutcome runImportProcess(const std::filesystem::path& program,
-                               const std::filesystem::path& file, const ImportLimits& limits,
-                               const WorkProgress* progress, const ImportHeadListener& onHead) {
-    return runLimitedProcess({program.string(), "import-worker", "--", file.string()}, limits,
-                             progress, onHead);
-}
-
-ImportOutcome runLimitedProcess(const std::vector<std::string>& command, const ImportLimits& limits,
-                                const WorkProgress* progress, const ImportHeadListener& onHead) {
-    const auto deadline = Clock::now() + std::chrono::seconds(limits.wallSeconds);
+ImportEnd runImportProcess(const std::vector<std::string>& command, const ImportLimits& limits,
+                           WorkProgress* progress) {
     Pipe answer;
     Pipe log;
+    Reading reading(limits, progress);
     ChildProcess child = startReader(command, limits, answer, log);
     answer.write.close();
     log.write.close();
-    ImportOutcome outcome;
-    if (!collect(answer, log, deadline, {progress, onHead}, outcome)) {
+    if (!reading.collect(answer, log)) {
         child.kill();
     }
-    static_cast<ChildEnd&>(outcome) = child.wait();
-    outcome.tooSlow = outcome.tooSlow || outcome.signal == SIGXCPU;
+    ImportEnd end = std::move(reading.end);
+    static_cast<ChildEnd&>(end) = child.wait();
+    end.tooSlow = end.tooSlow || end.signal == SIGXCPU;
     if (isCancelled(progress)) {
         throw WorkCancelled();
     }
-    return outcome;
+    return end;
 }
 
 }  // namespace kerf::app

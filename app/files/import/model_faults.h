@@ -43,6 +43,11 @@ struct Mending {
         edge = more.edge ? more.edge : edge;
     }
     bool operator==(const Mending&) const = default;
+
+    template <class Io>
+    void archive(Io& io) {
+        io(repair, thicken, fillHoles, remesh, edge);
+    }
 };
 
 }  // namespace kerf::app

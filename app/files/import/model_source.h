@@ -1,7 +1,9 @@
 #pragma once
 
-#include "app/files/import/own_looks.h"
+#include "app/files/import/import_answer.h"
+#include "app/files/import/import_process.h"
 #include "app/files/import/model_faults.h"
+#include "app/files/import/own_looks.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/memory_means.h"
 #include "app/files/jobs/background_job.h"
@@ -12,21 +14,13 @@
 
 namespace kerf::app {
 
-/// The repairs that would fix a model.
-struct ModelHelp {
-    int holes = 0;                     ///< number to fill; 0 if that does not help
-    std::vector<std::string> repairs;  ///< what a repair would do; empty if it does not help
-    double thickness = 0;              ///< of its sheets, in the file's unit; 0 if it does not help
-    bool isSheet = false;  ///< see repair::isSheet(); else filling or a repair is better
-};
-
 /// A model that could be read but can't be cut.
 class ModelFault : public InputError {
   public:
     explicit ModelFault(const std::string& sentence, ModelHelp help = {})
         : InputError(sentence), help_(std::move(help)) {}
     const ModelHelp& help() const { return help_; }
-    /// The model and its faults; null unless ReadOptions::findFaults.
+    /// The model, and its faults with ImportOrder::findFaults.
     const std::shared_ptr<const FoundFaults>& found() const { return found_; }
     void setFound(std::shared_ptr<const FoundFaults> found) { found_ = std::move(found); }
 
@@ -48,67 +42,35 @@ struct ModelMesh {
     FileFacts facts{};
     Vec3 origin = Vec3::Zero();  ///< the origin of positions in the scene [m]
     /// Faults of its triangles, by slot, though it can be cut; empty unless
-    /// ReadOptions::findFaults.
+    /// ImportOrder::findFaults.
     repair::Faults faults;
 };
-
-struct ImportLimits;
-struct ImportedModel;
-struct ReadOptions;
 
 /// Whether importModel() reads files with this extension.
 bool isModelFile(const std::filesystem::path& file);
 
-/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE,
-/// FBX) in a child process with limits, and welds each of its objects: see weldObjects(). Throws
-/// InputError, and WorkCancelled if `progress` was cancelled, like all functions that take one.
-TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
-TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
-                         WorkProgress* progress = nullptr);
-/// Reads a model with its materials and the bytes of their images.
-ImportedModel importWithLooks(const std::filesystem::path& file, const ImportLimits& limits,
-                              WorkProgress* progress = nullptr);
-ImportedModel importWithLooks(const std::filesystem::path& file, const ReadOptions& options);
-/// The model in an answer of the child process, welded. Throws InputError with what is wrong,
-/// without the file's name.
-ImportedModel modelOfAnswer(std::string_view answer);
-/// importModel(), then refuses a model that can't be cut, with the sentence of the report. An
-/// inside-out model is reversed, which is listed in report->repairs. The report is set for a
-/// refused model, too.
-SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
+/// The program that reads models: $KERF_IMPORT if set, else kerf-import beside this one.
+std::filesystem::path importProgram();
+
+/// Reads a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE, FBX) and does
+/// what is ordered, in a child process with limits; see answerTo(). Throws InputError if it can't
+/// be read, MemoryShortage if it can't be cut here, and WorkCancelled if `progress` was cancelled,
+/// like all functions that take one.
+ImportAnswer importModel(const std::filesystem::path& file, const ImportOrder& order = {},
+                         WorkProgress* progress = nullptr, const ImportLimits& limits = {});
 
 /// Options for reading a model.
-struct ReadOptions : Mending {
-    int object = 0;           ///< the number of the only object to read, from 1; 0: all
-    bool findFaults = false;  ///< sets ModelMesh::faults, ModelFault::found
-    bool tryFilling = false;  ///< a ModelFault says whether filling holes would help
-    /// A ModelFault says what a repair would do if filling is not tried or does not help, and which
-    /// thickness helps, up to findCrossingsUpTo. It is tried for that, as in mendModel().
-    bool tryRepair = false;
-    /// Intersecting triangles are counted in models of at most this many triangles.
-    std::size_t findCrossingsUpTo = 0;
-    /// The memory for cutting the model: one that exceeds it is not read.
-    std::optional<MemoryMeans> means = std::nullopt;
-    MeshReport* report = nullptr;  ///< set for a refused model, too
-    FileFacts* facts = nullptr;    ///< the same
+struct ReadOptions : ImportOrder {
+    MeshReport* report = nullptr;  ///< set for a model that can't be cut, too
     WorkProgress* progress = nullptr;
 };
-/// loadModel() with the model's looks, images decoded. An image that can't be shown is skipped,
-/// with a remark. Throws ModelFault if a model can't be cut, MemoryShortage.
+/// Reads a model to cut, with its looks. One that is inside out is reversed, which is listed in
+/// report->repairs. An image that can't be shown is skipped, with a remark. Throws ModelFault with
+/// the sentence of the report if it can't be cut, and what importModel() throws.
 ModelMesh readModel(const std::filesystem::path& file, const ReadOptions& options);
-
-/// readModel() from the result of importWithLooks() for `file`.
-ModelMesh surfaceOf(const std::filesystem::path& file, ImportedModel model,
-                    const ReadOptions& options);
-
-/// A repaired model file.
-struct MendedModel {
-    ModelMesh model;
-    MeshReport report;  ///< of the repaired model, with the repairs
-};
-/// Reads a model, repairs it, optionally thickens it (0: as proposed) and remeshes it (no edge:
-/// proposedEdge()), and rounds it to floats, as in files. Throws ModelFault if it can't be cut even
-/// then.
-MendedModel mendModel(const std::filesystem::path& file, const Mending& mending);
+/// The same of an answer for `file`.
+ModelMesh cuttableModel(const std::filesystem::path& file, ImportAnswer answer);
+/// The surface of a model without its looks.
+SurfaceMesh loadModel(const std::filesystem::path& file, MeshReport* report = nullptr);
 
 }  // namespace kerf::app

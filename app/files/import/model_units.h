@@ -14,6 +14,11 @@ struct FileUnits {
 struct FileFacts {
     std::vector<std::string> objects{};  ///< names of the disconnected ones, in its order
     std::optional<FileUnits> units{};    ///< none if not stated
+
+    template <class Io>
+    void archive(Io& io) {
+        io(objects, units);
+    }
 };
 
 /// The likely meaning of the numbers of a model file.

@@ -155,4 +155,27 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
     }
 }
 
+bool writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) {
+            return false;
+        }
+        bytes.remove_prefix(std::max<ssize_t>(count, 0));
+    }
+    return true;
+}
+
+std::string readToEnd(int descriptor) {
+    std::string bytes;
+    std::array<char, 65536> block;
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0 || (count < 0 && errno != EINTR)) {
+            return bytes;
+        }
+        bytes.append(block.data(), std::max<ssize_t>(count, 0));
+    }
+}
+
 }  // namespace kerf::app

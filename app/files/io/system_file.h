@@ -33,6 +33,11 @@ struct Pipe {
     Descriptor write;
 };
 
+/// Writes all bytes to a pipe or stream; false if that fails.
+bool writeAll(int descriptor, std::string_view bytes);
+/// Reads a pipe to its end, or as far as it can be read.
+std::string readToEnd(int descriptor);
+
 /// For tests: before each system call for writing a file, on any thread, `fault` returns the errno
 /// with which it fails; 0 for none. An empty function restores all calls.
 void setFileFault(std::function<int()> fault);

@@ -68,7 +68,7 @@ void noteSignal(int /*signal*/) {
     interrupted = 1;
 }
 
-bool thisProgramReads = false;  // see readModelsWithThisProgram
+bool thisProgramRuns = false;  // see runThisProgram
 
 }  // namespace
 
@@ -150,15 +150,15 @@ bool Interruption::requested() {
     return interrupted != 0;
 }
 
-void readModelsWithThisProgram() {
-    thisProgramReads = true;
+void runThisProgram() {
+    thisProgramRuns = true;
 }
 
-std::filesystem::path importProgram() {
+std::filesystem::path kerfProgram() {
     if (const char* chosen = std::getenv("KERF_EXECUTABLE"); chosen != nullptr) {
         return chosen;
     }
-    return thisProgramReads ? "/proc/self/exe" : programBeside("kerf");
+    return thisProgramRuns ? "/proc/self/exe" : programBeside("kerf");
 }
 
 std::filesystem::path programBeside(const std::string& name) {

@@ -68,11 +68,11 @@ class Interruption {
     struct sigaction earlierTerminate_ {};
 };
 
-/// Declares that this program has the verb `import-worker`; tests don't.
-void readModelsWithThisProgram();
-/// The program with the verb `import-worker`: $KERF_EXECUTABLE if set, else this program if
-/// declared so, else kerf in gpu::programFolder().
-std::filesystem::path importProgram();
+/// Declares that this program is kerf; tests are not.
+void runThisProgram();
+/// The program kerf, to start as a child: $KERF_EXECUTABLE if set, else this program if declared so,
+/// else kerf in gpu::programFolder().
+std::filesystem::path kerfProgram();
 
 /// A helper program of Kerf: in libexec/kerf of an installation, else in gpu::programFolder().
 std::filesystem::path programBeside(const std::string& name);

@@ -26,7 +26,7 @@ BlockReader keepEnd(std::string& log) {
 
 /// Starts this program.
 ChildProcess startChild(const std::vector<std::string>& arguments, int output, int log) {
-    std::vector<std::string> words{importProgram().string()};
+    std::vector<std::string> words{kerfProgram().string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     try {
         return ChildProcess(

@@ -28,7 +28,21 @@ void setLimitFrom(const char* variable, __rlimit_resource resource) {
     }
 }
 
+constexpr rlim_t kMendingSeconds = kMendingWallSeconds;
+constexpr rlim_t kMendingBytes = rlim_t{16} << 30;
+
 }  // namespace
+
+void limitProcessorTime(unsigned seconds) {
+    setLimit(RLIMIT_CPU, seconds);
+}
+
+void allowMending() {
+    limitProcessorTime(kMendingSeconds);
+    if (kLimitAddressSpace) {
+        setLimit(RLIMIT_AS, kMendingBytes);
+    }
+}
 
 void applyImportLimits() {
     setLimit(RLIMIT_CORE, 0);

@@ -11,4 +11,12 @@ inline constexpr char kMemoryVariable[] = "KERF_IMPORT_ADDRESS_SPACE";
 /// by the child.
 void applyImportLimits();
 
+/// Most seconds that a model may take once it is read, of processor time as of any.
+inline constexpr int kMendingWallSeconds = 600;
+/// Exchanges the limits for those of inspecting and mending a model, which was read: ten minutes,
+/// 16 GiB.
+void allowMending();
+/// Ends this process once it has taken so much processor time (SIGXCPU).
+void limitProcessorTime(unsigned seconds);
+
 }  // namespace kerf::app

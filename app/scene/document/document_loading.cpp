@@ -53,12 +53,26 @@ OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends) 
     return order;
 }
 
+RepairSearch::RepairSearch(OpeningOrder order)
+    : order_(std::move(order)),
+      job_([open = order_.open, means = meansNow()](WorkProgress& progress) {
+          ReadOptions options = editorReading(means);
+          options.tryRepair = true;
+          options.progress = &progress;
+          try {
+              open(options);
+          } catch (const ModelFault& fault) {
+              return fault;
+          }
+          throw InputError("The model has changed on disk, and can be cut now; open it again.");
+      }) {}
+
 DocumentLoading::DocumentLoading(OpeningOrder order, const Mending& mending)
     : order_(std::move(order)),
+      mending_(mending),
       job_([open = order_.open, mending, means = meansNow()](WorkProgress& progress) {
           ReadOptions options = editorReading(means);
           options.add(mending);
-          options.tryFilling = options.tryRepair = mending == Mending{};
           options.progress = &progress;
           return prepareDocument(open(options), &progress, means);
       }) {}

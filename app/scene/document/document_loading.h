@@ -49,6 +49,24 @@ ReadOptions editorReading(const MemoryMeans& means);
 /// The order to open a model, or a session at its end.
 OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends);
 
+/// Finds out, on a separate thread, which repair would help a model that can't be cut.
+class RepairSearch {
+  public:
+    explicit RepairSearch(OpeningOrder order);
+
+    const OpeningOrder& order() const { return order_; }
+    /// The fault with its help, once it is done, only once. Throws InputError.
+    ModelFault take() { return job_.take(); }
+    bool done() const { return job_.done(); }
+    std::string stage() const { return job_.stage(); }
+    double seconds() const { return job_.seconds(); }
+    void cancel() { job_.cancel(); }
+
+  private:
+    OpeningOrder order_;
+    BackgroundJob<ModelFault> job_;
+};
+
 /// Loads a document into the editor: reads and prepares it on a separate thread, then uploads it a
 /// portion each frame. The open scene continues meanwhile.
 class DocumentLoading {
@@ -65,6 +83,7 @@ class DocumentLoading {
     bool preparing() const { return uploaded_ == nullptr; }
 
     const OpeningOrder& order() const { return order_; }
+    const Mending& mending() const { return mending_; }
     std::string stage() const { return job_.stage(); }
     double seconds() const { return job_.seconds(); }
     /// Makes the thread end soon; its result is lost.
@@ -74,6 +93,7 @@ class DocumentLoading {
 
   private:
     OpeningOrder order_;
+    Mending mending_;
     BackgroundJob<PreparedDocument> job_;
     std::unique_ptr<UploadedDocument> uploaded_;
 };

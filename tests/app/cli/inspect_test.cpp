@@ -13,7 +13,7 @@ class Inspect : public ::testing::Test {
         writeText(folder / name, objText(soup));
     }
     static Json reportOf(const std::string& model) {
-        return Json::parse(runKerf({"inspect", model, "--json"}).out);
+        return Json::parse(runKerf({"inspect", model, "--json", "--try-repair"}).out);
     }
 
     TemporaryFolder folder;
@@ -35,7 +35,7 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
     modelDefects().at("large hole")(soup);
     modelDefects().at("doubles")(soup);
     write("broken.obj", soup);
-    const ProgramRun refused = runKerf({"inspect", file("broken.obj")});
+    const ProgramRun refused = runKerf({"inspect", file("broken.obj"), "--try-repair"});
     EXPECT_EQ(refused.exitCode, 3);
     EXPECT_NE(refused.errors.find("inspect MODEL --repair OUT.ply"), std::string::npos);
     EXPECT_TRUE(reportOf(file("broken.obj"))["repairable"]);
@@ -43,6 +43,19 @@ TEST_F(Inspect, RepairsWhatIsBroken) {
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     EXPECT_NE(run.out.find("filled 1 hole"), std::string::npos) << run.out;
     EXPECT_EQ(runKerf({"inspect", file("mended.ply")}).exitCode, 0);
+}
+
+TEST_F(Inspect, LooksForARepairOnlyWhenAsked) {
+    write("two.obj", joined(boxSoup(), boxSoup(), Vec3(0.5, 0.4, 0.3)));
+    TriangleSoup open = boxSoup();
+    open.triangles.pop_back();
+    write("open.obj", open);
+    for (const char* name : {"two.obj", "open.obj"}) {
+        const Json report = Json::parse(runKerf({"inspect", file(name), "--json"}).out);
+        EXPECT_TRUE(report["repairable"].is_null()) << name;
+        EXPECT_TRUE(report["thickenable"].is_null()) << name;
+    }
+    EXPECT_THAT(runKerf({"inspect", file("open.obj")}).errors, HasSubstr("--try-repair"));
 }
 
 TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
@@ -72,9 +85,10 @@ TEST_F(Inspect, WhatARepairIsSaidToDoItDoes) {
 
 TEST_F(Inspect, SaysThatARepairWouldUniteWhatCrosses) {
     write("two.obj", joined(boxSoup(), boxSoup(), Vec3(0.5, 0.4, 0.3)));
-    const ProgramRun run = runKerf({"inspect", file("two.obj")});
+    const ProgramRun run = runKerf({"inspect", file("two.obj"), "--try-repair"});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
-    EXPECT_NE(run.out.find("would try: unite 2 pieces that cross"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("would help: united 2 pieces that crossed"), std::string::npos)
+        << run.out;
     EXPECT_TRUE(reportOf(file("two.obj"))["repairable"]);
     EXPECT_FALSE(reportOf("sphere80")["repairable"]);
 }
@@ -252,7 +266,7 @@ TEST_F(Inspect, ProposesEdgesWhereTheSkinIsCoarse) {
 TEST_F(Inspect, GivesASheetAThickness) {
     write("sheet.obj", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
                         {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
-    const ProgramRun refused = runKerf({"inspect", file("sheet.obj")});
+    const ProgramRun refused = runKerf({"inspect", file("sheet.obj"), "--try-repair"});
     EXPECT_EQ(refused.exitCode, 3);
     EXPECT_NE(refused.out.find("would help, with --thickness 0.028"), std::string::npos);
     EXPECT_NE(refused.errors.find("inspect MODEL --thicken OUT.ply"), std::string::npos);

@@ -15,7 +15,7 @@ class SlowReader {
     /// Writes the program into `folder`.
     explicit SlowReader(const fs::path& folder)
         : pidFile_(folder / "slow-reader.pid"),
-          program_("KERF_EXECUTABLE", (folder / "slow-reader.sh").string()) {
+          program_("KERF_IMPORT", (folder / "slow-reader.sh").string()) {
         const fs::path program = folder / "slow-reader.sh";
         writeText(program, "#!/bin/sh\necho $$ > '" + pidFile_.string() + "'\nexec sleep 100\n");
         fs::permissions(program, fs::perms::owner_all);

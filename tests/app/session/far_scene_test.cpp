@@ -115,8 +115,8 @@ TEST_F(FarScene, AtMapCoordinatesVerticesKeepTheNumbersOfTheFile) {
     EXPECT_EQ(run(scene, offset).pieces.size(), 2U);
     ASSERT_EQ(remarks.size(), 1U);
     EXPECT_TRUE(remarks.front().starts_with("The scene lies 50254")) << remarks.front();
-    const std::vector<Vec3> before = importModel(folder / "model.ply").positions;
-    const std::vector<Vec3> after = importModel(folder / "out/cut.ply").positions;
+    const std::vector<Vec3> before = importModel(folder / "model.ply").model.soup.positions;
+    const std::vector<Vec3> after = importModel(folder / "out/cut.ply").model.soup.positions;
     const auto kept = std::ranges::count_if(
         before, [&](const Vec3& place) { return std::ranges::find(after, place) != after.end(); });
     EXPECT_GT(kept, 0.9 * double(before.size())) << "of " << before.size();

@@ -10,8 +10,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/window_driver.sh"
 # Reads every model as kerf does, but slow.obj never.
 cat >reader.sh <<EOF
 #!/bin/sh
-case "\$*" in *slow.obj) echo \$\$ >reader.pid; exec sleep 100 ;; esac
-exec "$kerf" "\$@"
+case "\$*" in *slow.obj\ *) echo \$\$ >reader.pid; exec sleep 100 ;; esac
+exec "$(dirname "$kerf")/kerf-import" "\$@"
 EOF
 chmod +x reader.sh
 
@@ -27,7 +27,7 @@ typeName() {
     xdotool key Return
 }
 
-export KERF_EXECUTABLE="$folder/reader.sh"
+export KERF_IMPORT="$folder/reader.sh"
 openEditor
 xdotool key ctrl+o
 typeName ball.obj

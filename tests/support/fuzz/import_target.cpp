@@ -1,9 +1,8 @@
 #include "app/files/export/export.h"
-#include "app/files/import/import_process.h"
-#include "app/files/import/import_answer.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
-#include "app/files/jobs/child_process.h"
+#include "app/import/model_answer.h"
+#include "app/import/scene_reader.h"
 #include "sim/base/text.h"
 #include "tests/paths.h"
 #include "tests/support/fuzz/counted_file.h"
@@ -52,51 +51,49 @@ std::string brokenSurface(const app::ModelMesh& model) {
     return broken;
 }
 
-/// What becomes of a model that was read.
-FuzzOutcome buildSurface(const app::ImportedModel& model) {
-    app::ReadOptions options;
-    const bool small = model.soup.triangles.size() <= kMostMended;
-    options.findCrossingsUpTo = kMostMended;
-    options.tryFilling = options.tryRepair = small;
-    try {
-        return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
-    } catch (const app::InputError& error) {
-        if (FuzzOutcome refused = refusedWithClause(error.what()); !refused.broken.empty()) {
-            return refused;
-        }
+/// What becomes of an answer.
+FuzzOutcome judge(const app::ImportAnswer& answer) {
+    if (answer.outcome != app::ImportOutcome::cuttable) {
+        return refusedWithClause(answer.reason);
     }
-    options.repair = small;
-    options.fillHoles = small;
-    if (small && model.soup.triangles.size() % 2 == 1) {
-        options.thicken = 0;  // as proposed
-    }
-    try {
-        return {true, brokenSurface(app::surfaceOf("a.obj", model, options))};
-    } catch (const app::InputError& error) {
-        return refusedWithClause(error.what());
-    }
+    return {true, brokenSurface(app::cuttableModel("a.obj", answer))};
 }
 
-std::string brokenByEncoding(const app::ImportedModel& model) {
-    const std::string answer = app::encodeImport(model);
-    return app::encodeImport(app::decodeImport(answer)) == answer
-               ? ""
-               : "It is another one in an answer.";
+/// What becomes of a model that was read.
+FuzzOutcome buildSurface(const app::ImportedModel& model) {
+    app::ImportOrder order;
+    const bool small = model.soup.triangles.size() <= kMostMended;
+    order.findCrossingsUpTo = kMostMended;
+    order.tryRepair = small;
+    const app::ImportAnswer asItIs = app::answerFor("a.obj", model, order);
+    FuzzOutcome outcome = judge(asItIs);
+    if (!outcome.broken.empty() || asItIs.outcome != app::ImportOutcome::faulty) {
+        return outcome;
+    }
+    order.repair = small;
+    order.fillHoles = small;
+    if (small && model.soup.triangles.size() % 2 == 1) {
+        order.thicken = 0;  // as proposed
+    }
+    return judge(app::answerFor("a.obj", model, order));
+}
+
+std::string brokenByEncoding(const app::ImportAnswer& answer) {
+    const std::string bytes = app::encodeAnswer(answer);
+    return app::encodeAnswer(app::decodeAnswer(bytes)) == bytes ? ""
+                                                                : "It comes back as another one.";
 }
 
 constexpr std::array<std::string_view, 9> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
                                                    ".off", ".3ds", ".dae", ".fbx"};
 
-app::ImportedModel modelIn(const fs::path& file) {
-    return inThisProcess ? app::modelOfAnswer(app::answerFor(file))
-                         : app::importWithLooks(file, app::ImportLimits{});
+app::ImportAnswer answerOf(const fs::path& file) {
+    return inThisProcess ? app::answerTo(file, {}) : app::importModel(file);
 }
 
 /// As the file has it: before corners in one place become one.
 app::ImportedModel arrivedFrom(const fs::path& file) {
-    return app::decodeImport(inThisProcess
-                                 ? app::answerFor(file)
-                                 : app::runImportProcess(app::importProgram(), file, {}).answer);
+    return app::readModelFile(file);
 }
 
 bool haveSameBounds(const TriangleSoup& soup, const Bounds& right) {
@@ -156,27 +153,27 @@ app::ImportedModel paintedBox() {
 }  // namespace
 
 FuzzOutcome readAnswerBytes(const std::string& bytes) {
-    app::ImportedModel model;
     try {
-        const app::ImportedModel decoded = app::decodeImport(bytes);
-        if (std::string broken = brokenByEncoding(decoded); !broken.empty()) {
-            return {true, std::move(broken)};
-        }
-        model = app::modelOfAnswer(bytes);
+        const app::ImportAnswer answer = app::decodeAnswer(bytes);
+        return {true, brokenByEncoding(answer)};
     } catch (const app::InputError& error) {
         return refusedWithClause(error.what());
     }
-    return buildSurface(model);
 }
 
 std::vector<std::string> answerTexts() {
-    app::ImportedModel open{icosphereSoup(0)};
-    open.soup.triangles.pop_back();
-    app::ImportedModel turned{test::turned(boxSoup())};
-    std::swap(turned.soup.triangles[3][0], turned.soup.triangles[3][1]);
-    return {app::encodeImport(paintedBox()), app::encodeImport({boxSoup()}),
-            app::encodeImport(open), app::encodeImport(turned),
-            app::encodeImportFailure("it is broken")};
+    TriangleSoup open = icosphereSoup(0);
+    open.triangles.pop_back();
+    TriangleSoup turned = test::turned(boxSoup());
+    std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+    app::ImportOrder order;
+    order.findFaults = order.tryRepair = true;
+    std::vector<std::string> texts{app::encodeAnswer({.reason = "it is broken"})};
+    for (const app::ImportedModel& model : {paintedBox(), app::ImportedModel{boxSoup()},
+                                            app::ImportedModel{open}, app::ImportedModel{turned}}) {
+        texts.push_back(app::encodeAnswer(app::answerFor("a.obj", model, order)));
+    }
+    return texts;
 }
 
 std::vector<std::string> answerWords() {
@@ -205,15 +202,18 @@ FuzzOutcome readModelBytes(const std::string& bytes) {
     const fs::path file = folder() / ("model" + std::string(kEndings[kind]));
     const std::string_view content = std::string_view(bytes).substr(1);
     writeText(file, content);
-    app::ImportedModel model;
+    app::ImportAnswer answer;
     try {
-        model = modelIn(file);
+        answer = answerOf(file);
     } catch (const app::InputError& error) {
         return refusedWithClause(error.what());
     }
+    if (answer.outcome == app::ImportOutcome::refused) {
+        return refusedWithClause(answer.reason);
+    }
     const std::optional<FileCount> said = countOf(kEndings[kind], content);
     const std::string broken = said ? brokenInSilence(arrivedFrom(file), *said) : "";
-    FuzzOutcome outcome = broken.empty() ? buildSurface(model) : FuzzOutcome{true, broken};
+    FuzzOutcome outcome = broken.empty() ? buildSurface(answer.model) : FuzzOutcome{true, broken};
     outcome.read = true;
     outcome.judged = said.has_value();
     return outcome;

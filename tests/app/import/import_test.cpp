@@ -273,58 +273,87 @@ TEST_F(Import, TextIsNoModel) {
                   "extension says, or export it again");
 }
 
-TEST_F(Import, ReaderThatNeverEndsIsStopped) {
-    const fs::path program = write("spinner", "#!/bin/sh\nulimit -St 1\nwhile :; do :; done\n");
-    fs::permissions(program, fs::perms::owner_all);
-    const ImportOutcome outcome = runImportProcess(program, "a.obj", ImportLimits{});
-    EXPECT_TRUE(outcome.tooSlow);
-    EXPECT_EQ(outcome.signal, SIGXCPU);
+class Reader : public Import {
+  protected:
+    /// The end of a program that reads in place of kerf-import.
+    ImportEnd endOf(const std::string& script, const ImportLimits& limits = {},
+                    WorkProgress* progress = nullptr) {
+        return runImportProcess({program(script).string()}, limits, progress);
+    }
+    /// What is said of a model that such a program reads.
+    std::string sentenceOf(const std::string& script) {
+        const Variable chosen("KERF_IMPORT", program(script).string());
+        return inputErrorOf([&] { loadModel(write("a.obj", "v 0 0 0\n")); });
+    }
+
+  private:
+    fs::path program(const std::string& script) {
+        fs::path file = write("reader", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(file, fs::perms::owner_all);
+        return file;
+    }
+};
+
+TEST_F(Reader, ThatNeverEndsIsStopped) {
+    const ImportEnd end = endOf("ulimit -St 1\nwhile :; do :; done");
+    EXPECT_TRUE(end.tooSlow);
+    EXPECT_EQ(end.signal, SIGXCPU);
+    EXPECT_THAT(sentenceOf("ulimit -St 1\nwhile :; do :; done"),
+                HasSubstr("reading it as OBJ did not end within 20 s"));
+}
+
+TEST_F(Reader, ThatWaitsIsStopped) {
+    ImportLimits limits;
+    limits.wallSeconds = 1;
+    const ImportEnd end = endOf("sleep 60", limits);
+    EXPECT_TRUE(end.tooSlow);
+    EXPECT_EQ(end.signal, SIGKILL);
+}
+
+TEST_F(Reader, ThatCrashesIsNamed) {
+    const std::string crash = "echo why >&2\nkill -SEGV $$";
+    const ImportEnd end = endOf(crash);
+    EXPECT_EQ(end.signal, SIGSEGV);
+    EXPECT_FALSE(end.tooSlow);
+    EXPECT_EQ(end.log, "why\n");
+    EXPECT_THAT(sentenceOf(crash), HasSubstr("the OBJ reader failed on it (SEGV)"));
+}
+
+TEST_F(Reader, TellsItsStagesWhichAreNoLog) {
+    WorkProgress progress;
+    const ImportEnd end =
+        endOf("printf '\\036Looking for faults\\nodd\\n\\036Uniting\\n' >&2", {}, &progress);
+    EXPECT_EQ(end.stage, "Uniting");
+    EXPECT_EQ(progress.stage(), "Uniting");
+    EXPECT_EQ(end.log, "odd\n");
+}
+
+TEST_F(Reader, ThatMendsTooLongIsToldWithItsStage) {
+    EXPECT_THAT(sentenceOf("printf '\\036Uniting\\n' >&2\nkill -XCPU $$"),
+                HasSubstr("\"Uniting\" did not end within 600 s"));
+}
+
+TEST_F(Reader, ThatIsMissingIsNamed) {
+    EXPECT_THAT(inputErrorOf([&] { runImportProcess({folder_ / "gone"}, {}); }),
+                HasSubstr("can't be started"));
 }
 
 TEST_F(Import, AFileThatTakesTooLongIsToldSo) {
     const fs::path file = write("a.ply", plyText(boxSoup()));
     ImportLimits limits;
     limits.wallSeconds = 0;
-    EXPECT_EQ(inputErrorOf([&] { importModel(file, limits); }),
+    EXPECT_EQ(inputErrorOf([&] { importModel(file, {}, nullptr, limits); }),
               file.string() +
                   ": reading it as PLY did not end within 0 s; the file may be cut off or damaged, "
                   "export it again");
-}
-
-TEST_F(Import, ReaderThatWaitsIsStopped) {
-    const fs::path program = write("sleeper", "#!/bin/sh\nsleep 60\n");
-    fs::permissions(program, fs::perms::owner_all);
-    ImportLimits limits;
-    limits.wallSeconds = 1;
-    const ImportOutcome outcome = runImportProcess(program, "a.obj", limits);
-    EXPECT_TRUE(outcome.tooSlow);
-    EXPECT_EQ(outcome.signal, SIGKILL);
-}
-
-TEST_F(Import, ReaderThatCrashesIsNamed) {
-    const fs::path program = write("crasher", "#!/bin/sh\necho why >&2\nkill -SEGV $$\n");
-    fs::permissions(program, fs::perms::owner_all);
-    const ImportOutcome outcome = runImportProcess(program, "a.obj", ImportLimits{});
-    EXPECT_EQ(outcome.signal, SIGSEGV);
-    EXPECT_FALSE(outcome.tooSlow);
-    EXPECT_EQ(outcome.log, "why\n");
-
-    ::setenv("KERF_EXECUTABLE", program.c_str(), 1);
-    const std::string sentence = inputErrorOf([&] { loadModel(write("a.obj", "v 0 0 0\n")); });
-    ::unsetenv("KERF_EXECUTABLE");
-    EXPECT_THAT(sentence, HasSubstr("the OBJ reader failed on it (SEGV)"));
-}
-
-TEST_F(Import, ReaderThatIsMissingIsNamed) {
-    EXPECT_THAT(inputErrorOf([&] { runImportProcess(folder_ / "gone", "a.obj", ImportLimits{}); }),
-                HasSubstr("can't be started"));
 }
 
 TEST_F(Import, HugeCountsInASmallFileEndInASentence) {
     const fs::path file = write("a.off", "OFF\n4000000000 4000000000 0\n0 0 0\n");
     ImportLimits limits;
     limits.cpuSeconds = 5;
-    EXPECT_THAT(inputErrorOf([&] { importModel(file, limits); }), StartsWith(file.string() + ": "));
+    EXPECT_THAT(inputErrorOf([&] { importModel(file, {}, nullptr, limits); }),
+                StartsWith(file.string() + ": "));
 }
 
 TEST_F(Import, NotANumber) {
@@ -338,60 +367,74 @@ TEST_F(Import, FileNameThatLooksLikeAnOption) {
     write("--help.obj", objText(boxSoup()));
     const fs::path before = fs::current_path();
     fs::current_path(folder_.path());
-    EXPECT_EQ(importModel("--help.obj").triangles.size(), 12u);
+    EXPECT_EQ(importModel("--help.obj").model.soup.triangles.size(), 12u);
     fs::current_path(before);
 }
 
-std::string damaged(std::size_t offset, std::uint64_t value) {
-    std::string answer = encodeImport({boxSoup(), {}, {}});
-    std::memcpy(answer.data() + offset, &value, sizeof(value));
-    return answer;
+// --- The answer of kerf-import -------------------------------------------------------------------
+
+ImportAnswer answerOf(TriangleSoup soup) {
+    return answerFor("a.obj", {std::move(soup)}, {});
 }
 
-TEST(ImportProtocol, RoundTrip) {
-    const TriangleSoup soup = icosphereSoup(2);
-    const TriangleSoup back = decodeImport(encodeImport({soup, {}, {}})).soup;
-    EXPECT_EQ(back.positions, soup.positions);
-    EXPECT_EQ(back.triangles, soup.triangles);
+TEST(ImportAnswer, ComesBackAsItWas) {
+    ImportAnswer answer = answerOf(joined(boxSoup(), icosphereSoup(2), Vec3(3, 0, 0)));
+    answer.report.left = {"one"};
+    answer.help.thickness = 0.5;
+    answer.model.facts.units = FileUnits{LengthUnit::millimetre, UpAxis::z};
+    const ImportAnswer back = decodeAnswer(encodeAnswer(answer));
+    EXPECT_EQ(back.outcome, ImportOutcome::cuttable);
+    EXPECT_EQ(back.model.soup.positions, answer.model.soup.positions);
+    EXPECT_EQ(encodeAnswer(back), encodeAnswer(answer));
 }
 
-TEST(ImportProtocol, FailureIsOneCleanLine) {
-    EXPECT_EQ(inputErrorOf([] { decodeImport(encodeImportFailure("no\xFFgood.\nreally")); }),
-              "it can't be read (no?good); check that it is what its extension says, or export it "
-              "again");
+TEST(ImportAnswer, AnOrderComesBackAsItWas) {
+    ImportOrder order{{.repair = true, .edge = 0.25}};
+    order.object = 3;
+    order.means = MemoryMeans{.free = 12};
+    EXPECT_EQ(encodeOrder(decodeOrder(encodeOrder(order))), encodeOrder(order));
+    EXPECT_EQ(decodeOrder(encodeOrder(order)).edge, 0.25);
 }
 
-TEST(ImportProtocol, NothingIsTrusted) {
-    const std::string answer = encodeImport({boxSoup(), {}, {}});
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(""); }), HasSubstr("before it answered"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer.substr(0, 63)); }),
-                HasSubstr("before it answered"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(0, 0)); }), HasSubstr("another kind"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer.substr(0, answer.size() - 1)); }),
-                HasSubstr("in the middle"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(answer + "x"); }), HasSubstr("in the middle"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(24, 1ull << 60)); }),
-                HasSubstr("at most 20000000"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(16, 1ull << 60)); }),
-                HasSubstr("of which at most"));
-    EXPECT_THAT(inputErrorOf([&] { decodeImport(damaged(24, 0)); }),
-                HasSubstr("no triangle in it"));
-    EXPECT_THAT(inputErrorOf([&] {
-                    decodeImport(damaged(sizeof(ImportHeader) + 8 * 24 + 12 * 12 - 8, ~0ull));
-                }),
-                HasSubstr("not there"));
+TEST(ImportAnswer, AnyOtherLengthIsRefused) {
+    const std::string answer = encodeAnswer(answerOf(boxSoup()));
+    for (std::size_t length = 0; length < answer.size(); length += 7) {
+        EXPECT_THAT(inputErrorOf([&] { decodeAnswer(answer.substr(0, length)); }),
+                    HasSubstr("stopped in the middle"))
+            << length;
+    }
+    EXPECT_THAT(inputErrorOf([&] { decodeAnswer(answer + "x"); }), HasSubstr("in the middle"));
 }
 
-TEST(ImportProtocol, PositionsMustBeSane) {
-    EXPECT_EQ(inputErrorOf([] { checkImportedPositions(boxSoup()); }), "");
-    TriangleSoup soup = boxSoup(Vec3::Constant(1e-7));
-    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
-    soup = boxSoup();
+TEST(ImportAnswer, NoNumberIsTrusted) {
+    ImportAnswer answer = answerOf(boxSoup());
+    answer.outcome = static_cast<ImportOutcome>(77);
+    answer.model.facts.units = FileUnits{static_cast<LengthUnit>(-1), static_cast<UpAxis>(99)};
+    answer.model.soup.skin.materials.assign(12, 5);
+    answer.model.soup.skin.uvs.resize(12);
+    answer.model.soup.skin.uvs[0][0].x() = std::numeric_limits<float>::quiet_NaN();
+    answer.model.facts.objects = {"two\nlines"};
+    const ImportAnswer back = decodeAnswer(encodeAnswer(answer));
+    EXPECT_EQ(back.outcome, ImportOutcome::cuttable);
+    EXPECT_EQ(back.model.facts.units->unit, LengthUnit::metre);
+    EXPECT_EQ(back.model.soup.skin.materials, std::vector<int>(12, -1));
+    EXPECT_EQ(back.model.soup.skin.uvs[0][0].x(), 0);
+    EXPECT_EQ(back.model.facts.objects.front(), "two_lines");
+
+    answer.model.soup.triangles[3][1] = 8;
+    EXPECT_THAT(inputErrorOf([&] { decodeAnswer(encodeAnswer(answer)); }), HasSubstr("not there"));
+}
+
+TEST(ImportAnswer, PositionsMustBeSane) {
+    EXPECT_EQ(answerOf(boxSoup()).reason, "");
+    EXPECT_THAT(answerOf(boxSoup(Vec3::Constant(1e-7))).reason, HasSubstr("scale or move"));
+    TriangleSoup soup = boxSoup();
     soup.positions[0].x() = 1e30;
-    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }), HasSubstr("scale or move"));
+    EXPECT_THAT(answerOf(soup).reason, HasSubstr("scale or move"));
     soup.positions[0].x() = std::numeric_limits<double>::infinity();
-    EXPECT_THAT(inputErrorOf([&] { checkImportedPositions(soup); }),
+    EXPECT_THAT(answerOf(soup).reason,
                 HasSubstr("1 vertex has a coordinate that is not a finite number"));
+    EXPECT_THAT(answerOf({}).reason, HasSubstr("no triangle in it"));
 }
 
 }  // namespace

@@ -1,13 +1,11 @@
 #include "app/import/piece_union.h"
 
-#include "app/files/import/shell_protocol.h"
+#include "app/import/model_answer.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
 
 namespace kerf {
 namespace {
-
-using app::ShellMessage;
 
 MeshReport reportOf(const TriangleSoup& soup) {
     MeshReport report = inspectTriangles(soup);
@@ -27,9 +25,9 @@ std::vector<Corners> trianglesBeyond(const TriangleSoup& soup, double x) {
     return found;
 }
 
-TEST(ShellUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
+TEST(PieceUnion, OfTwoBoxesIsTheBoundaryOfBoth) {
     TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
-    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    const app::PieceUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.done, ElementsAre("united 2 pieces that crossed"));
     EXPECT_THAT(became.left, IsEmpty());
     const MeshReport report = reportOf(soup);
@@ -49,12 +47,12 @@ void expectUnited(TriangleSoup soup, const std::string& what, double volume) {
     EXPECT_NEAR(report.volume, volume, 1e-12);
 }
 
-TEST(ShellUnion, OfBoxesThatMeetOnEdgesAndDiagonalsAlone) {
+TEST(PieceUnion, OfBoxesThatMeetOnEdgesAndDiagonalsAlone) {
     expectUnited(joined(boxSoup(), boxSoup(), Vec3::Constant(0.5)), "united 2 pieces that crossed",
                  2 - 0.125);
 }
 
-TEST(ShellUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
+TEST(PieceUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
     TriangleSoup soup = boxSoup();
     for (int i = 1; i < 8; ++i) {
         soup = joined(soup, boxSoup(), Vec3(0.5 * i, 0, 0));
@@ -62,7 +60,7 @@ TEST(ShellUnion, OfARowOfBoxesWithSidesInCommonPlanes) {
     expectUnited(soup, "united 8 pieces that crossed", 4.5);
 }
 
-TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
+TEST(PieceUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
     constexpr unsigned kSeed = 20261124;
     std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> anywhere(-0.4, 0.4);
@@ -72,7 +70,7 @@ TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
         middles.emplace_back(anywhere(random), anywhere(random), anywhere(random));
         soup = joined(soup, icosphereSoup(2, 0.5), middles.back());
     }
-    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    const app::PieceUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.left, IsEmpty()) << "seed " << kSeed;
     const MeshReport report = reportOf(soup);
     EXPECT_TRUE(report.cuttable) << report.problem << ", seed " << kSeed;
@@ -90,7 +88,7 @@ TEST(ShellUnion, OfRandomSpheresInAChainHasTheVolumeThatSamplesShow) {
     EXPECT_NEAR(report.volume, 8.0 * inside / kSamples, 0.06);
 }
 
-TEST(ShellUnion, LeavesWhatCrossesNothingBitForBit) {
+TEST(PieceUnion, LeavesWhatCrossesNothingBitForBit) {
     TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
     soup = joined(soup, icosphereSoup(2), Vec3(5.1, 0.3, 0));
     const std::vector<Corners> ball = trianglesBeyond(soup, 3);
@@ -105,7 +103,7 @@ TEST(ShellUnion, LeavesWhatCrossesNothingBitForBit) {
     EXPECT_EQ(soup.triangles, before.triangles);
 }
 
-TEST(ShellUnion, KeepsACavity) {
+TEST(PieceUnion, KeepsACavity) {
     TriangleSoup soup = joined(boxSoup(), turned(boxSoup(Vec3::Constant(0.25))), Vec3(-0.25, 0, 0));
     soup = joined(soup, boxSoup(), Vec3(0.5, 0.25, 0.125));
     ASSERT_EQ(reportOf(soup).cavities, 1);
@@ -116,7 +114,7 @@ TEST(ShellUnion, KeepsACavity) {
     EXPECT_NEAR(report.volume, 2 - 0.5 * 0.75 * 0.875 - 0.015625, 1e-12);
 }
 
-TEST(ShellUnion, WhatLiesInTwoPiecesThatCrossIsFilled) {
+TEST(PieceUnion, WhatLiesInTwoPiecesThatCrossIsFilled) {
     for (const bool outward : {true, false}) {
         TriangleSoup both = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
         const TriangleSoup small = boxSoup(Vec3::Constant(0.1));
@@ -126,7 +124,7 @@ TEST(ShellUnion, WhatLiesInTwoPiecesThatCrossIsFilled) {
     }
 }
 
-TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
+TEST(PieceUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
     TriangleSoup soup = joined(boxSoup(), boxSoup(), Vec3(0.5, 0.25, 0.125));
     const std::size_t half = soup.triangles.size() / 2;
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
@@ -154,32 +152,32 @@ TEST(ShellUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
     }
 }
 
-TEST(ShellUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
+TEST(PieceUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
     // Two bars through a box: they leave it side by side and share an edge there.
     TriangleSoup soup = joined(boxSoup(), boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
     soup = joined(soup, boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
     const TriangleSoup before = soup;
-    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    const app::PieceUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.done, IsEmpty());
     ASSERT_EQ(became.left.size(), 1u);
     EXPECT_THAT(became.left[0], HasSubstr("touch in a line or a point"));
     EXPECT_EQ(soup.positions, before.positions);
 }
 
-TEST(ShellUnion, APieceThatPassesThroughItselfIsLeft) {
+TEST(PieceUnion, APieceThatPassesThroughItselfIsLeft) {
     TriangleSoup soup = icosphereSoup(2);
     soup.positions[0] = -1.5 * soup.positions[0];
     soup = joined(soup, boxSoup(), Vec3(0.4, 0, 0));
     ASSERT_GT(reportOf(soup).crossingTriangles, 0);
     const TriangleSoup before = soup;
-    const app::ShellUnion became = app::uniteCrossingPieces(soup);
+    const app::PieceUnion became = app::uniteCrossingPieces(soup);
     EXPECT_THAT(became.done, IsEmpty());
     ASSERT_EQ(became.left.size(), 1u);
     EXPECT_THAT(became.left[0], HasSubstr("1 piece passes through itself"));
     EXPECT_EQ(soup.triangles, before.triangles);
 }
 
-TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
+TEST(PieceUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
     TriangleSoup soup = icosphereSoup(2);
     soup.positions[0] = -1.5 * soup.positions[0];
     const TemporaryFolder folder;
@@ -190,7 +188,7 @@ TEST(ShellUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {
     EXPECT_THAT(model.remarks, ElementsAre(HasSubstr("1 piece passes through itself")));
 }
 
-TEST(ShellUnion, DoesNotDependOnTheOrderOfPieces) {
+TEST(PieceUnion, DoesNotDependOnTheOrderOfPieces) {
     // The first two touch in a line that the third one covers.
     const std::vector<TriangleSoup> boxes{boxSoup(), boxSoup(), boxSoup(Vec3(1, 1, 2))};
     const std::vector<Vec3> places{{0, 0, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
@@ -241,10 +239,9 @@ GridBoxes randomBoxes(std::mt19937& random) {
 }
 
 /// Solids with faces, edges and corners in common, and one within another as if that were none.
-TEST(ShellUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
+TEST(PieceUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
     constexpr unsigned kGridSeed = 20261126;
     std::mt19937 random(kGridSeed);
-    const TemporaryFolder folder;
     int runs = 0;
     for (int run = 0; run < 40; ++run) {
         SCOPED_TRACE(testing::Message() << "seed " << kGridSeed << ", run " << run);
@@ -255,46 +252,16 @@ TEST(ShellUnion, ARepairOfBoxesOnAGridHasTheVolumeOfTheirCells) {
             continue;
         }
         ++runs;
-        writeText(folder / "boxes.obj", objText(soup));
-        const app::MendedModel mended = app::mendModel(folder / "boxes.obj", {});
+        app::ImportOrder order{{.repair = true}};
+        order.toFile = true;
+        order.findCrossingsUpTo = 1'000'000;
+        const app::ImportAnswer mended = app::answerFor("boxes.obj", {soup}, order);
         EXPECT_NEAR(mended.report.volume, boxes.volume(), 2e-3 * boxes.volume());
         EXPECT_THAT(mended.report.left, IsEmpty());
         EXPECT_EQ(mended.report.crossingTriangles, 0);
-        EXPECT_EQ(checkClosedManifold(mended.model.mesh), "");
+        EXPECT_TRUE(mended.report.cuttable) << mended.reason;
     }
     EXPECT_GT(runs, 30);
-}
-
-// --- What both programs send each other --------------------------------------------------------
-
-ShellMessage sample() {
-    return {"", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, {0, 1}};
-}
-
-TEST(ShellProtocol, ComesBackAsItWas) {
-    const auto back = app::decodeShells(app::encodeShells(sample()));
-    ASSERT_TRUE(back.has_value());
-    EXPECT_EQ(back->positions, sample().positions);
-    EXPECT_EQ(back->triangles, sample().triangles);
-    EXPECT_EQ(back->pieces, sample().pieces);
-    EXPECT_EQ(app::decodeShells(app::encodeShells({.failure = "why"}))->failure, "why");
-}
-
-TEST(ShellProtocol, AnythingElseIsRefused) {
-    const std::string sound = app::encodeShells(sample());
-    for (std::size_t length = 0; length < sound.size(); ++length) {
-        EXPECT_FALSE(app::decodeShells(sound.substr(0, length)).has_value()) << length;
-    }
-    EXPECT_FALSE(app::decodeShells(sound + " ").has_value());
-    ShellMessage wrong = sample();
-    wrong.triangles[1][2] = 3;
-    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
-    wrong = sample();
-    wrong.pieces[0] = -1;
-    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
-    wrong = sample();
-    wrong.positions[0][0] = std::numeric_limits<double>::infinity();
-    EXPECT_FALSE(app::decodeShells(app::encodeShells(wrong)).has_value());
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ bool areRemarked(const std::vector<std::string>& remarks, const Json& right) {
 
 /// As it is for people who ask.
 Json guessOf(const fs::path& file) {
-    const std::string call = "'" + importProgram().string() + "' inspect --json '" + file.string() +
+    const std::string call = "'" + kerfProgram().string() + "' inspect --json '" + file.string() +
                              "' > '" + file.string() + ".json' 2> /dev/null";
     const bool done = std::system(call.c_str()) == 0;
     return done ? Json::parse(readBytes(file.string() + ".json"))["guess"] : Json::object();
@@ -160,7 +160,7 @@ std::string toText(const std::map<std::string, std::map<Verdict, int>>& counts) 
 TEST(FormatCorners, EveryFileIsReadRightOrRefusedByName) {
     const test::TemporaryFolder folder;
     const std::string script = "/usr/bin/python3 -B '" KERF_SOURCE_DIR
-                               "/tests/app/files/import/format_corners' '" +
+                               "/tests/app/import/format_corners' '" +
                                folder.path().string() + "'";
     ASSERT_EQ(std::system(script.c_str()), 0);
     const Json rows = Json::parse(readBytes(folder / "corners.json"));
