@@ -76,11 +76,11 @@ class PatchCommit {
     }
 
     void addVertices() {
-        for (std::size_t i = plan_.rim.size(); i < plan_.nodes.size(); ++i) {
+        for (const std::vector<int>& nodes : plan_.inner) {
             for (OneSide* side : {&plus_, &minus_}) {
-                side->vertices.push_back(addMean(plan_.nodes[i].from, side->vertices));
+                side->vertices.push_back(addMean(nodes, side->vertices));
             }
-            mesh_.joinCopies(plus_.vertices[i], minus_.vertices[i]);
+            mesh_.joinCopies(plus_.vertices.back(), minus_.vertices.back());
         }
     }
 

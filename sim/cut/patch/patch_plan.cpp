@@ -1,17 +1,22 @@
 #include "sim/cut/patch/patch_plan.h"
 
-#include "sim/cut/plan/wall/ears.h"
+#include "sim/cut/plan/wall/sheet_border.h"
 
 namespace kerf::cut {
 
 namespace {
 
-// Liepa's alpha: higher is finer.
-constexpr double kNoEdge = 0.01;  // share of h
-constexpr double kDensity = 1.4142135623730951;
+constexpr double kNoEdge = 0.01;                 // share of h
+constexpr double kDensity = 1.4142135623730951;  // Liepa's alpha: higher is finer
 constexpr int kRefinements = 40;
-// Of the squared edge length: what folds over less than this is rounding.
-constexpr double kFolded = 1e-9;
+constexpr double kNoArea = 1e-9;  // share of h^2
+
+/// A point of a patch: on the rim of the wound, or at the mean of others.
+struct PatchNode {
+    Vec3 rest = Vec3::Zero();    ///< [m]
+    Vec2 layout = Vec2::Zero();  ///< place in the plane of the wound [m]
+    double size = 0;             ///< edge length wanted there [m]
+};
 
 class PatchPlanner {
   public:
@@ -22,13 +27,12 @@ class PatchPlanner {
         requireLoops();
         takeRim();
         layOut();
-        PatchSurface patch(nodes_, cutEars(sheet(), layout_, h_));
-        patch.relax();
+        BorderedSheet patch = unrefined();
         refine(patch);
         divideKnownEdges(patch);
-        requireUnfolded(patch);
-        requireNewEdges(patch);
-        return {std::move(rim_), patch.nodes(), patch.triangles()};
+        std::vector<Triangle> triangles = patch.triangles();
+        requireNewEdges(triangles);
+        return {std::move(rim_), std::move(inner_), std::move(triangles)};
     }
 
   private:
@@ -49,7 +53,7 @@ class PatchPlanner {
         firstOfLoop_.push_back(sizeOf(rim_));
         for (const WoundEdge& edge : rim_) {
             const int v = mesh_.origin(edge.plus);
-            nodes_.push_back({{}, mesh_.restPosition(v), Vec2::Zero(), edgeLengthAround(v)});
+            nodes_.push_back({mesh_.restPosition(v), Vec2::Zero(), edgeLengthAround(v)});
         }
     }
 
@@ -90,7 +94,7 @@ class PatchPlanner {
         for (int loop = 0; loop < loopCount(); ++loop) {
             normal += areaOf(loop);
         }
-        if (!(normal.norm() > kFolded * h_ * h_)) {
+        if (!(normal.norm() > kNoArea * h_ * h_)) {
             throw StepFailure{"the wound has no area"};
         }
         normal.normalize();
@@ -127,35 +131,59 @@ class PatchPlanner {
         return edges;
     }
 
-    static void refine(PatchSurface& patch) {
+    BorderedSheet unrefined() const {
+        try {
+            return {sheet(), layout_, sizeOf(rim_), h_};
+        } catch (const StepFailure&) {  // its border crosses itself
+            throw StepFailure{"a flat patch would fold over"};
+        }
+    }
+
+    void refine(BorderedSheet& patch) {
         bool divided = true;
         for (int round = 0; round < kRefinements && divided; ++round) {
             divided = false;
-            const int count = sizeOf(patch.triangles());
+            const int count = patch.plane().size();
             for (int t = 0; t < count; ++t) {
-                if (isCoarse(patch, t)) {
-                    patch.splitTriangle(t);
+                if (!patch.plane().marked(t)) {
+                    continue;
+                }
+                const Triangle corners = patch.nodesOf(t);
+                if (isCoarse(corners)) {
+                    insertMean({corners.begin(), corners.end()},
+                               {Triangulation::Where::inside, t, -1}, patch);
                     divided = true;
                 }
             }
-            patch.relax();
         }
     }
 
     /// Its middle is far from all of its corners, against the edges that are wanted here.
-    static bool isCoarse(const PatchSurface& patch, int t) {
-        const Triangle& corners = patch.triangles()[t];
-        Vec3 middle = Vec3::Zero();
-        double size = 0;
-        for (const int i : corners) {
-            middle += patch.nodes()[i].rest / 3;
-            size += patch.nodes()[i].size / 3;
-        }
+    bool isCoarse(const Triangle& corners) const {
+        const PatchNode middle = meanOf(corners);
         return std::ranges::all_of(corners, [&](int i) {
-            const PatchNode& node = patch.nodes()[i];
-            const double distance = kDensity * (middle - node.rest).norm();
-            return distance > size && distance > node.size;
+            const double distance = kDensity * (middle.rest - nodes_[i].rest).norm();
+            return distance > middle.size && distance > nodes_[i].size;
         });
+    }
+
+    template <class Nodes>
+    PatchNode meanOf(const Nodes& nodes) const {
+        const double share = 1.0 / static_cast<double>(nodes.size());
+        PatchNode mean;
+        for (const int i : nodes) {
+            mean.rest += share * nodes_[i].rest;
+            mean.layout += share * nodes_[i].layout;
+            mean.size += share * nodes_[i].size;
+        }
+        return mean;
+    }
+
+    void insertMean(std::vector<int> nodes, const Triangulation::Location& at,
+                    BorderedSheet& patch) {
+        const PatchNode& mean = nodes_.emplace_back(meanOf(nodes));
+        patch.addInner(mean.layout, mean.rest, at);
+        inner_.push_back(std::move(nodes));
     }
 
     int plusVertex(int node) const { return mesh_.origin(rim_[node].plus); }
@@ -172,43 +200,40 @@ class PatchPlanner {
                std::ranges::find(wound_.minus, t) != wound_.minus.end();
     }
 
-    bool isKnown(const PatchSurface& patch, int h) const {
-        const int a = patch.origin(h);
-        const int b = patch.target(h);
-        return patch.twin(h) >= 0 && patch.onRim(a) && patch.onRim(b) &&
+    bool isOnRim(int node) const { return node < sizeOf(rim_); }
+
+    bool isKnown(int a, int b) const {
+        return isOnRim(a) && isOnRim(b) &&
                (hasEdge(plusVertex(a), plusVertex(b)) || hasEdge(minusVertex(a), minusVertex(b)));
     }
 
-    void divideKnownEdges(PatchSurface& patch) const {
-        const int count = 3 * sizeOf(patch.triangles());
-        for (int h = 0; h < count; ++h) {
-            if (isKnown(patch, h)) {
-                patch.splitEdge(h);
-            }
-        }
-    }
-
-    void requireUnfolded(const PatchSurface& patch) const {
-        for (const auto& [a, b, c] : patch.triangles()) {
-            if (patch.doubleArea(a, b, c) < -kFolded * h_ * h_) {
-                throw StepFailure{"a flat patch would fold over"};
+    void divideKnownEdges(BorderedSheet& patch) {
+        const int count = patch.plane().size();
+        for (int t = 0; t < count; ++t) {
+            for (int e = 0; e < 3 && patch.plane().marked(t); ++e) {
+                const Triangle corners = patch.nodesOf(t);
+                const int a = corners[e], b = corners[(e + 1) % 3];
+                if (!patch.plane().constrained(t, e) && isKnown(a, b)) {
+                    insertMean({a, b}, {Triangulation::Where::onEdge, t, e}, patch);
+                }
             }
         }
     }
 
     /// No two edges of a patch between the same vertices: a vertex may be on the rim twice.
-    void requireNewEdges(const PatchSurface& patch) const {
+    void requireNewEdges(const std::vector<Triangle>& triangles) const {
+        std::set<Edge> edges;
+        for (const Triangle& t : triangles) {
+            edges.insert({edgeOf(t[0], t[1]), edgeOf(t[1], t[2]), edgeOf(t[2], t[0])});
+        }
         for (const auto vertexOf : {&PatchPlanner::plusVertex, &PatchPlanner::minusVertex}) {
-            std::map<Edge, int> uses;
-            for (int h = 0; h < 3 * sizeOf(patch.triangles()); ++h) {
-                if (h < patch.twin(h) || patch.twin(h) < 0) {
-                    const auto key = [&](int node) {
-                        return patch.onRim(node) ? (this->*vertexOf)(node) : -1 - node;
-                    };
-                    const Edge edge = edgeOf(key(patch.origin(h)), key(patch.target(h)));
-                    if (edge.first == edge.second || ++uses[edge] > 1) {
-                        throw StepFailure{"the wound touches itself"};
-                    }
+            const auto key = [&](int node) {
+                return isOnRim(node) ? (this->*vertexOf)(node) : -1 - node;
+            };
+            std::set<Edge> used;
+            for (const auto& [a, b] : edges) {
+                if (key(a) == key(b) || !used.insert(edgeOf(key(a), key(b))).second) {
+                    throw StepFailure{"the wound touches itself"};
                 }
             }
         }
@@ -219,8 +244,9 @@ class PatchPlanner {
     double h_;
     std::vector<WoundEdge> rim_;
     std::vector<int> firstOfLoop_;
-    std::vector<PatchNode> nodes_;
-    std::vector<CutNode> layout_;
+    std::vector<PatchNode> nodes_;         ///< the rim's first
+    std::vector<std::vector<int>> inner_;  ///< what the others are means of
+    std::vector<CutNode> layout_;          ///< of the rim
     Vec3 normal_ = Vec3::Zero();
 };
 

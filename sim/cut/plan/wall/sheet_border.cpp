@@ -178,7 +178,7 @@ std::vector<Triangle> BorderedSheet::triangles() const {
     result.reserve(plane_.size());
     for (int t = 0; t < plane_.size(); ++t) {
         if (plane_.marked(t)) {
-            result.push_back({nodeOfCorner(t, 0), nodeOfCorner(t, 1), nodeOfCorner(t, 2)});
+            result.push_back(nodesOf(t));
         }
     }
     return result;

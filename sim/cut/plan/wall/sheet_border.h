@@ -36,6 +36,10 @@ class BorderedSheet {
     void addInner(const Vec2& layout, const Vec3& position, const Triangulation::Location& at);
     /// The inner nodes.
     const std::vector<CutNode>& inner() const { return inner_; }
+    /// The nodes of a triangle inside.
+    Triangle nodesOf(int t) const {
+        return {nodeOfCorner(t, 0), nodeOfCorner(t, 1), nodeOfCorner(t, 2)};
+    }
     /// The triangles inside, by nodes.
     std::vector<Triangle> triangles() const;
 
