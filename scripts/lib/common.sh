@@ -24,6 +24,7 @@ libglfw3-dev        opens the window
 libimgui-dev        draws the panels
 libeigen3-dev       does linear algebra
 libassimp-dev       reads model files
+libpugixml-dev      reads XML
 zlib1g-dev          is linked by assimp
 libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
