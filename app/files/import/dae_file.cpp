@@ -22,7 +22,7 @@ struct BlankWalker : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node& node) override {
         constexpr int kDeepest = 500;
         if (depth() > kDeepest) {
-            throw InputError("its elements are nested more than 500 deep; export it again");
+            throw InputError("its elements are nested more than 500 deep");
         }
         if (node.type() == pugi::node_pcdata && node.parent().name() != std::string("init_from")) {
             node.set_value(joined(wordsIn(node.value()), " ").c_str());

@@ -16,6 +16,7 @@
 #include "app/files/import/import_appearance.h"
 #include "app/files/import/import_process.h"
 #include "app/files/import/import_protocol.h"
+#include "app/files/import/vtk_mesh.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
@@ -304,7 +305,8 @@ ImportedModel readScene(const std::filesystem::path& file) {
     using Reader = ImportedModel (*)(const std::filesystem::path&);
     static const std::map<std::string, Reader> kReaders{
         {".ply", readPly},   {".obj", readObj},    {".stl", readStl},    {".off", readOff},
-        {".gltf", readGltf}, {".glb", readGltf},   {".fbx", readFbx},    {".dae", readDae}};
+        {".gltf", readGltf}, {".glb", readGltf},   {".fbx", readFbx},    {".dae", readDae},
+        {".vtk", readVtk},   {".vtp", readVtkXml}, {".vtu", readVtkXml}, {".msh", readGmsh}};
     const auto own = kReaders.find(lowerCase(file.extension().string()));
     return own == kReaders.end() ? readByAssimp(file, "") : own->second(file);
 }

@@ -59,9 +59,10 @@ struct ReadOptions;
 /// Whether importModel() reads files with this extension.
 bool isModelFile(const std::filesystem::path& file);
 
-/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE,
-/// FBX) in a child process with limits, and welds each of its objects: see weldObjects(). Throws
-/// InputError, and WorkCancelled if `progress` was cancelled, like all functions that take one.
+/// Reads the triangles of a model file (OBJ, PLY, STL, glTF, GLB, OFF, VTK, VTP, VTU, Gmsh, and
+/// through assimp 3DS, DAE, FBX) in a child process with limits, and welds each of its objects: see
+/// weldObjects(). Throws InputError, and WorkCancelled if `progress` was cancelled, like all
+/// functions that take one.
 TriangleSoup importModel(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 TriangleSoup importModel(const std::filesystem::path& file, const ImportLimits& limits,
                          WorkProgress* progress = nullptr);

@@ -13,7 +13,7 @@ void loadXml(std::string_view bytes, pugi::xml_document& document) {
         // In others the place counts characters, not bytes.
         const bool inBytes = result.encoding == pugi::encoding_utf8;
         throw InputError((inBytes ? "line " + line + ": " : "") + "its XML is broken (" +
-                         result.description() + "); export it again");
+                         result.description() + ")");
     }
 }
 
