@@ -50,6 +50,22 @@ void FaceSoup::endFace(int material) {
     objects_.push_back(object_);
 }
 
+/// Every other triangle is turned over.
+void FaceSoup::addStrips(const std::vector<double>& corners) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] < 0) {
+            begin = i + 1;
+        } else if (i >= begin + 2) {
+            const std::size_t turned = (i - begin) % 2;
+            for (const std::size_t k : {i - 2 + turned, i - 1 - turned, i}) {
+                addCorner(cornerOf(corners[k]));
+            }
+            endFace();
+        }
+    }
+}
+
 TriangleSoup FaceSoup::triangles() {
     requireCorners();
     std::size_t first = 0;

@@ -29,6 +29,8 @@ class FaceSoup {
     void addCorner(int vertex, int uv = kNone);
     /// Ends the face; drops one with fewer than three corners. `material`: its index, or kNone.
     void endFace(int material = kNone);
+    /// Adds the triangles of a strip. A negative number begins another one.
+    void addStrips(const std::vector<double>& corners);
     std::size_t faceCount() const { return ends_.size(); }
 
     /// Divides the faces into triangles. One that crosses itself, or encloses no area, becomes a

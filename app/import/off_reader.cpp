@@ -73,7 +73,8 @@ class OffWords {
     std::string_view line_;
 };
 
-/// What the vertices of a file have, by its first word: [ST][C][N][4][n]OFF.
+/// What the vertices of a file have, by its first word: [ST][C][N][4][n]OFF. Some files have none,
+/// and begin with their counts.
 struct OffHead {
     bool uvs = false;
     bool colors = false;
@@ -82,6 +83,9 @@ struct OffHead {
 
     /// Takes itself off the word: a number may be glued to it.
     explicit OffHead(std::string_view& word) {
+        if (word.find_first_not_of("0123456789") == std::string_view::npos) {
+            return;
+        }
         const auto has = [&](std::string_view letters) {
             const bool found = word.starts_with(letters);
             word.remove_prefix(found ? letters.size() : 0);
@@ -95,7 +99,7 @@ struct OffHead {
             throw InputError("it has other than three dimensions");
         }
         if (!has("OFF")) {
-            throw InputError("it does not begin with OFF");
+            throw InputError("it begins with neither OFF nor its counts");
         }
     }
 };

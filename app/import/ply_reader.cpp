@@ -1,48 +1,18 @@
-// From top to bottom: the header; numbers; elements; what becomes of them.
+// From top to bottom: the header; elements; what becomes of them.
 
-#include <bit>
-#include <cstring>
 #include <sstream>
-#include <type_traits>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
 #include "app/import/appearance_reader.h"
 #include "app/import/face_soup.h"
+#include "app/import/file_numbers.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
 
 namespace {
-
-template <class T>
-double numberIn(const char* bytes) {
-    T number{};
-    std::memcpy(&number, bytes, sizeof(number));
-    return static_cast<double>(number);
-}
-
-/// A type of numbers by both of its names.
-struct Scalar {
-    std::string_view name;
-    std::string_view other;
-    std::size_t bytes;
-    double most;                    ///< that of a colour; 1 where it says not which
-    double (*number)(const char*);  ///< in so many bytes of this machine's order
-};
-template <class T>
-constexpr Scalar scalar(std::string_view name, std::string_view other) {
-    const double most = std::is_integral_v<T> && sizeof(T) < 4
-                            ? static_cast<double>(std::numeric_limits<T>::max())
-                            : 1;
-    return {name, other, sizeof(T), most, numberIn<T>};
-}
-constexpr std::array<Scalar, 8> kScalars{
-    scalar<std::int8_t>("char", "int8"),    scalar<std::uint8_t>("uchar", "uint8"),
-    scalar<std::int16_t>("short", "int16"), scalar<std::uint16_t>("ushort", "uint16"),
-    scalar<std::int32_t>("int", "int32"),   scalar<std::uint32_t>("uint", "uint32"),
-    scalar<float>("float", "float32"),      scalar<double>("double", "float64")};
 
 struct Property {
     std::string name;
@@ -64,8 +34,6 @@ struct Element {
     }
 };
 
-enum class Encoding { text, littleEndian, bigEndian };
-
 struct Header {
     Encoding encoding = Encoding::text;
     std::vector<Element> elements;
@@ -78,12 +46,11 @@ struct Header {
 }
 
 const Scalar* scalarOf(const std::string& name) {
-    const auto found = std::ranges::find_if(
-        kScalars, [&](const Scalar& s) { return name == s.name || name == s.other; });
-    if (found == kScalars.end()) {
+    const Scalar* const type = findScalar(name);
+    if (type == nullptr) {
         fail("its header names \"" + name + "\", which is no type of PLY");
     }
-    return &*found;
+    return type;
 }
 
 Encoding encodingOf(const std::string& name) {
@@ -176,54 +143,10 @@ Header headerOf(std::string_view bytes) {
     return header;
 }
 
-/// The numbers behind the header, one after the other.
-class Numbers {
-  public:
-    Numbers(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
-
-    /// Throws InputError at the end.
-    double next(const Scalar& type) { return encoding_ == Encoding::text ? word() : number(type); }
-    bool isAtEnd() const {
-        return rest_.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos;
-    }
-
-  private:
-    static void requireThere(bool there) {
-        if (!there) {
-            throw InputError("it ends");
-        }
-    }
-
-    double word() {
-        constexpr std::string_view kSpace = " \t\r\n";
-        rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
-        const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
-        rest_.remove_prefix(word.size());
-        requireThere(!word.empty());
-        return numberOf(word);
-    }
-
-    double number(const Scalar& type) {
-        requireThere(rest_.size() >= type.bytes);
-        std::array<char, 8> bytes{};
-        std::memcpy(bytes.data(), rest_.data(), type.bytes);
-        rest_.remove_prefix(type.bytes);
-        const bool swapped =
-            (encoding_ == Encoding::bigEndian) == (std::endian::native == std::endian::little);
-        if (swapped) {
-            std::reverse(bytes.begin(), bytes.begin() + std::ptrdiff_t(type.bytes));
-        }
-        return type.number(bytes.data());
-    }
-
-    std::string_view rest_;
-    Encoding encoding_;
-};
-
 /// What one item of an element holds, by property; one number for each that is no list.
 using Row = std::vector<std::vector<double>>;
 
-void readRow(const Element& element, Numbers& numbers, Row& row) {
+void readRow(const Element& element, FileNumbers& numbers, Row& row) {
     row.resize(element.properties.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
         const Property& property = element.properties[i];
@@ -289,7 +212,7 @@ Eigen::Vector4f colorOf(const Element& element, const Group& color, const Row& r
 class PlyModel {
   public:
     /// Leaves out elements that say nothing about the surface. False for one of these.
-    bool read(const Element& element, Numbers& numbers) {
+    bool read(const Element& element, FileNumbers& numbers) {
         const ReadProperties places(element);
         const bool isVertex = element.name == "vertex";
         const bool isFace = element.name == "face";
@@ -312,7 +235,7 @@ class PlyModel {
             } else if (isFace && places.corners >= 0) {
                 addFace(element, places, row);
             } else if (isStrip && places.corners >= 0) {
-                addStrips(row[places.corners]);
+                faces_.addStrips(row[places.corners]);
             }
         }
         return isVertex || isFace || isStrip;
@@ -358,22 +281,6 @@ class PlyModel {
         faces_.endFace(cornerOf(places.image.of(row, 0)));
     }
 
-    /// Every other triangle of a strip is turned over; a negative number begins another strip.
-    void addStrips(const std::vector<double>& numbers) {
-        std::size_t begin = 0;
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (numbers[i] < 0) {
-                begin = i + 1;
-            } else if (i >= begin + 2) {
-                const std::size_t turned = (i - begin) % 2;
-                for (const std::size_t k : {i - 2 + turned, i - 1 - turned, i}) {
-                    faces_.addCorner(cornerOf(numbers[k]));
-                }
-                faces_.endFace();
-            }
-        }
-    }
-
     FaceSoup faces_;
 };
 
@@ -395,7 +302,7 @@ void addImages(const std::filesystem::path& file, const std::vector<std::string>
 ImportedModel readPly(const std::filesystem::path& file) {
     const std::string bytes = readInputFile(file, kMaxModelBytes);
     const Header header = headerOf(bytes);
-    Numbers numbers(std::string_view(bytes).substr(header.size), header.encoding);
+    FileNumbers numbers(std::string_view(bytes).substr(header.size), header.encoding);
     PlyModel read;
     ImportedModel model;
     for (const Element& element : header.elements) {

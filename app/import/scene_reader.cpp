@@ -16,7 +16,9 @@
 #include "app/files/io/file_io.h"
 #include "app/files/io/text_lines.h"
 #include "app/import/appearance_reader.h"
+#include "app/import/dae_file.h"
 #include "app/import/face_soup.h"
+#include "app/import/vtk_mesh.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -212,13 +214,18 @@ class DamageLog : public Assimp::LogStream {
     std::vector<std::string>& remarks_;
 };
 
-ImportedModel readByAssimp(const std::filesystem::path& file) {
+/// `text`: what stands for the bytes of the file, if anything.
+ImportedModel readByAssimp(const std::filesystem::path& file, const std::string& text) {
     ImportedModel model;
     const DamageLog log(model.remarks);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetIOHandler(new FolderFiles(file));  // The importer deletes it.
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+    constexpr unsigned kSteps = aiProcess_ValidateDataStructure;
+    const aiScene* scene = text.empty()
+                               ? importer.ReadFile(file.string(), kSteps)
+                               : importer.ReadFileFromMemory(text.data(), text.size(), kSteps,
+                                                             file.extension().c_str());
     if (scene == nullptr) {
         throw InputError(plainWords(importer.GetErrorString()));
     }
@@ -285,7 +292,11 @@ ImportedModel readFbx(const std::filesystem::path& file) {
     if (!bytes.starts_with("Kaydara FBX Binary")) {
         requireListLengths(bytes);
     }
-    return readByAssimp(file);
+    return readByAssimp(file, "");
+}
+
+ImportedModel readDae(const std::filesystem::path& file) {
+    return readByAssimp(file, plainDae(readInputFile(file, kMaxModelBytes)));
 }
 
 }  // namespace
@@ -293,10 +304,11 @@ ImportedModel readFbx(const std::filesystem::path& file) {
 ImportedModel readModelFile(const std::filesystem::path& file) {
     using Reader = ImportedModel (*)(const std::filesystem::path&);
     static const std::map<std::string, Reader> kReaders{
-        {".ply", readPly},   {".obj", readObj},  {".stl", readStl}, {".off", readOff},
-        {".gltf", readGltf}, {".glb", readGltf}, {".fbx", readFbx}};
+        {".ply", readPly},   {".obj", readObj},    {".stl", readStl},    {".off", readOff},
+        {".gltf", readGltf}, {".glb", readGltf},   {".fbx", readFbx},    {".dae", readDae},
+        {".vtk", readVtk},   {".vtp", readVtkXml}, {".vtu", readVtkXml}, {".msh", readGmsh}};
     const auto own = kReaders.find(lowerCase(file.extension().string()));
-    return own == kReaders.end() ? readByAssimp(file) : own->second(file);
+    return own == kReaders.end() ? readByAssimp(file, "") : own->second(file);
 }
 
 std::string plainReason(const std::exception& error) {

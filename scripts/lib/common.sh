@@ -24,7 +24,8 @@ libglfw3-dev        opens the window
 libimgui-dev        draws the panels
 libeigen3-dev       does linear algebra
 libassimp-dev       reads model files
-zlib1g-dev          is linked by assimp
+libpugixml-dev      reads XML
+zlib1g-dev          is linked by assimp, and unpacks files of VTK
 libcli11-dev        reads the command line
 nlohmann-json3-dev  reads and writes session files
 libspdlog-dev       writes the log

@@ -26,9 +26,10 @@ struct Format {
 
 /// Formats whose reader held up best against damaged files.
 const std::vector<Format>& formats() {
-    static const std::vector<Format> list = {{".obj", "OBJ"},   {".ply", "PLY"}, {".stl", "STL"},
-                                             {".gltf", "glTF"}, {".glb", "GLB"}, {".off", "OFF"},
-                                             {".3ds", "3DS"},   {".dae", "DAE"}, {".fbx", "FBX"}};
+    static const std::vector<Format> list = {
+        {".obj", "OBJ"}, {".ply", "PLY"}, {".stl", "STL"}, {".gltf", "glTF"}, {".glb", "GLB"},
+        {".off", "OFF"}, {".3ds", "3DS"}, {".dae", "DAE"}, {".fbx", "FBX"},   {".vtk", "VTK"},
+        {".vtp", "VTP"}, {".vtu", "VTU"}, {".msh", "Gmsh"}};
     return list;
 }
 

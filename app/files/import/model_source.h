@@ -52,10 +52,10 @@ bool isModelFile(const std::filesystem::path& file);
 /// The program that reads models: $KERF_IMPORT if set, else kerf-import beside this one.
 std::filesystem::path importProgram();
 
-/// Reads a model file (OBJ, PLY, STL, glTF, GLB, OFF, and through assimp 3DS, DAE, FBX) and does
-/// what is ordered, in a child process with limits; see answerTo(). Throws InputError if it can't
-/// be read, MemoryShortage if it can't be cut here, and WorkCancelled if `progress` was cancelled,
-/// like all functions that take one.
+/// Reads a model file (OBJ, PLY, STL, glTF, GLB, OFF, VTK, VTP, VTU, Gmsh, and through assimp
+/// 3DS, DAE, FBX) and does what is ordered, in a child process with limits; see answerTo(). Throws
+/// InputError if it can't be read, MemoryShortage if it can't be cut here, and WorkCancelled if
+/// `progress` was cancelled, like all functions that take one.
 ImportAnswer importModel(const std::filesystem::path& file, const ImportOrder& order = {},
                          WorkProgress* progress = nullptr, const ImportLimits& limits = {});
 

@@ -33,6 +33,10 @@ const std::vector<Customs>& customs() {
         {".gltf", "glTF", {metre}, UpAxis::y, true},
         {".glb", "glTF", {metre}, UpAxis::y, true},
         {".dae", "DAE", {metre}, UpAxis::y, true},
+        {".vtk", "VTK", {metre, centimetre, millimetre}, UpAxis::y, false},
+        {".vtp", "VTK", {metre, centimetre, millimetre}, UpAxis::y, false},
+        {".vtu", "VTK", {metre, centimetre, millimetre}, UpAxis::y, false},
+        {".msh", "Gmsh", {metre, centimetre, millimetre}, UpAxis::y, false},
     };
     return list;
 }

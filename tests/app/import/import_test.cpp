@@ -246,7 +246,7 @@ TEST_F(Import, MissingFileFolderEmptyFile) {
 TEST_F(Import, OtherFormatsAreRefusedWithTheList) {
     EXPECT_THAT(inputErrorOf([&] { loadModel(write("a.3mf", "PK")); }),
                 HasSubstr(".3mf files are not read as a model; convert it to OBJ, PLY, STL, glTF, "
-                          "GLB, OFF, 3DS, DAE or FBX"));
+                          "GLB, OFF, 3DS, DAE, FBX, VTK, VTP, VTU or Gmsh"));
     EXPECT_THAT(inputErrorOf([&] { loadModel(write("a", "PK")); }),
                 HasSubstr("a file without extension is not read"));
 }
@@ -260,8 +260,8 @@ TEST_F(Import, AFileWithoutASurfaceIsToldSo) {
 }
 
 TEST_F(Import, TextIsNoModel) {
-    for (const char* name :
-         {"a.obj", "a.stl", "a.gltf", "a.glb", "a.off", "a.3ds", "a.dae", "a.fbx"}) {
+    for (const char* name : {"a.obj", "a.stl", "a.gltf", "a.glb", "a.off", "a.3ds", "a.dae",
+                             "a.fbx", "a.vtk", "a.vtp", "a.vtu", "a.msh"}) {
         const std::string sentence =
             inputErrorOf([&] { loadModel(write(name, "Dear diary,\ntoday I cut a banana.\n")); });
         EXPECT_THAT(sentence, StartsWith((folder_ / name).string() + ": "));

@@ -1,7 +1,7 @@
 // Models that are texts, and STL: what other programs write.
 #include "app/files/import/import_answer.h"
-#include "app/import/obj_reader.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/obj_reader.h"
 
 namespace kerf::app {
 namespace {
@@ -114,6 +114,7 @@ TEST_F(TextReaders, OffIsTheSameHoweverItIsWritten) {
         off,
         "\xef\xbb\xbf" + off,
         "OFF 8 6 12\n" + kOffVertices + kOffFaces,
+        "8 6 0\n" + kOffVertices + kOffFaces,
         "OFF\n8\n6\n12 # edges\n" + kOffVertices + kOffFaces,
         "OFF\n8 6\n" + kOffVertices + kOffFaces,
         "# a box\nOFF # of\n\n" + replaced(off.substr(4), "\n", " # comment\n\n"),
@@ -132,7 +133,7 @@ TEST_F(TextReaders, WhatAnOffCannotBeIsNamed) {
     const auto said = [&](const std::string& text) { return inputErrorOf([&] { off(text); }); };
     EXPECT_THAT(said("OFF BINARY\n"), HasSubstr("it is a binary OFF"));
     EXPECT_THAT(said("nOFF 4\n1 1 0\n"), HasSubstr("other than three dimensions"));
-    EXPECT_THAT(said("8 6 0\n" + kOffVertices + kOffFaces), HasSubstr("does not begin with OFF"));
+    EXPECT_THAT(said("off\n8 6 0\n"), HasSubstr("begins with neither OFF nor its counts"));
     EXPECT_THAT(said("OFF\n8 7 0\n" + kOffVertices + kOffFaces), HasSubstr("it ends too early"));
     EXPECT_THAT(said("OFF\n8 6 0\n" + replaced(kOffVertices, "3", "x") + kOffFaces),
                 HasSubstr("line 7: \"x\" stands where a number must"));

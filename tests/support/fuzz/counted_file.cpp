@@ -795,7 +795,13 @@ FileCount counted(std::string_view ending, std::string_view bytes) {
         count3ds(bytes, count);
         return count;
     }
-    return ending == ".dae" ? countOfDae(bytes) : countOfFbx(bytes);
+    if (ending == ".fbx") {
+        return countOfFbx(bytes);
+    }
+    if (ending == ".dae") {
+        return countOfDae(bytes);
+    }
+    throw Unclear{};
 }
 
 }  // namespace

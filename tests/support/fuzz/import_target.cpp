@@ -84,8 +84,9 @@ std::string brokenByEncoding(const app::ImportAnswer& answer) {
                                                                 : "It comes back as another one.";
 }
 
-constexpr std::array<std::string_view, 9> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
-                                                   ".off", ".3ds", ".dae", ".fbx"};
+constexpr std::array<std::string_view, 13> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
+                                                    ".off", ".3ds", ".dae", ".fbx",  ".vtk",
+                                                    ".vtp", ".vtu", ".msh"};
 
 app::ImportAnswer answerOf(const fs::path& file) {
     return inThisProcess ? app::answerTo(file, {}) : app::importModel(file);
@@ -246,8 +247,9 @@ std::vector<std::string> modelTexts() {
 
 std::vector<std::string> modelWords() {
     std::vector<std::string> words = answerWords();
-    for (const std::string& word : wordsOf({modelTexts()[0], modelTexts()[1], modelTexts()[3],
-                                            modelTexts()[7], modelTexts()[9]})) {
+    for (const std::string& word :
+         wordsOf({modelTexts()[0], modelTexts()[1], modelTexts()[3], modelTexts()[7],
+                  modelTexts()[9], modelTexts()[10], modelTexts()[12], modelTexts()[13]})) {
         if (word.size() < 40) {
             words.push_back(word);
         }

@@ -278,5 +278,15 @@ TEST(ExportVtp, HasThemInTheUnitAndAxesOfTheModel) {
     expectNumbers(MovingBox().exported(placement, Coordinates::model), 1.2e9, {1000, -3000, 2000});
 }
 
+TEST(ExportVtp, PiecesAreObjectsForKerf) {
+    const CutBox box;
+    const test::TemporaryFolder folder;
+    writeText(folder / "box.vtp",
+              encodeExport({folder / "box.vtp"}, box.mesh, box.pieces, box.looks).front().bytes);
+    const ImportedModel model = importModel(folder / "box.vtp").model;
+    EXPECT_THAT(model.facts.objects, ElementsAre("piece_1", "piece_2"));
+    EXPECT_NEAR(inspectTriangles(model.soup).volume, 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace kerf::app

@@ -17,17 +17,19 @@ import sys
 import dae
 import fbx
 import gltf
+import msh
 import obj
 import off
 import ply
 import stl
 import threeds
+import vtk
 from solids import Table
 
 
 def main():
     table = Table(pathlib.Path(sys.argv[1]))
-    for rows in (obj, ply, stl, off, gltf, dae, fbx, threeds):
+    for rows in (obj, ply, stl, off, gltf, dae, fbx, threeds, vtk, msh):
         rows.add_corners(table)
     text = json.dumps(table.rows, indent=1, ensure_ascii=True)
     (table.folder / "corners.json").write_text(text)

@@ -78,7 +78,8 @@ def add_corners(table):
     read("strips", dae(geometry(faces=of_lists("tristrips", [strip, *caps]))))
     read("fans", dae(geometry(faces=of_lists("trifans", BOX.faces))))
     hole = f'<polygons count="1">{VERTEX}<ph><p>0 2 3 1</p><h>4 5 7 6</h></ph></polygons>'
-    refused("holes", dae(geometry(faces=hole + polylist(type(BOX)(BOX.points, BOX.faces[1:])))), "<h>")
+    refused("crossing-hole", dae(geometry(faces=hole + polylist(type(BOX)(BOX.points, BOX.faces[1:])))), "crosses its outline")
+    add_holes(read)
     lines = f'<lines count="1">{VERTEX}<p>0 7</p></lines>'
     read("lines", dae(geometry(faces=lines + polylist(BOX))))
     for name, solid in (("concave", CONCAVE), ("star", STAR), ("straight", STRAIGHT), ("two", TWO),
@@ -93,11 +94,36 @@ def add_corners(table):
     add_sources(read, refused)
     add_deformed(read, refused)
     add_looks(table, read)
-    refused("cut-off", plain[: plain.index("</polylist>")], "malformed XML")
+    refused("cut-off", plain[: plain.index("</polylist>")], "line 5: its XML is broken")
+    refused("deep", plain.replace("<asset>", "<a>" * 600 + "</a>" * 600 + "<asset>"), "500 deep")
     refused("no-scene", dae(scene=None), "empty")
     refused("empty", dae("", nodes=""), "no surface")
     refused("not-collada", "<html><body/></html>", "Collada")
-    refused("utf16", plain.replace("utf-8", "utf-16").encode("utf-16"), "malformed XML")
+    for coding in ("utf-16", "utf-16-le", "utf-16-be", "utf-32"):
+        read(coding, plain.replace("utf-8", "utf-16").encode(coding))
+
+
+def add_holes(read):
+    """A plate with square bores."""
+    square = lambda x, y, size: [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]
+    for bores in (1, 3):
+        loops = [[(0, 0), (3 * bores, 0), (3 * bores, 3), (0, 3)]]
+        loops += [square(3 * i + 1, 1, 1)[::-1] for i in range(bores)]
+        corners = [p for loop in loops for p in loop]
+        count = len(corners)
+        points = [(x, y, z) for z in (0, 1) for x, y in corners]
+        quads = [[4 * l + i, 4 * l + (i + 1) % 4] for l in range(len(loops)) for i in range(4)]
+        sides = BOX.__class__(points, [[a, b, b + count, a + count] for a, b in quads])
+        facts = {"volume": 8 * bores, "triangles": 2 * len(sides.faces) + 2 * (count + 2 * bores - 2)}
+        for name, turn in (("", 1), ("-turned", -1)):  # the holes either way round
+            tops = [[[z * count + 4 * l + i for i in range(4)] for l in range(len(loops))] for z in (0, 1)]
+            tops[0] = [loop[::-1] for loop in tops[0]]
+            holes = "".join(
+                f"<ph><p>{row(top[0])}</p>" + "".join(f"<h>{row(h[::turn])}</h>" for h in top[1:]) + "</ph>"
+                for top in tops
+            )
+            faces = f'<polygons count="2">{VERTEX}{holes}</polygons>'
+            read(f"bores-{bores}{name}", dae(geometry(sides, faces + polylist(sides))), sides, **facts)
 
 
 def add_units(read):
@@ -178,6 +204,9 @@ def add_looks(table, read):
     red = effect.format("", "<color>1 0 0 1</color>")
     faces = polylist(BOX, more=' material="m"')
     read("material", dae(geometry(faces=faces), bound, libraries=red), materials={"red": RED})
+    for name, blanks in (("blank", " "), ("tab", "\t"), ("line", "\n"), ("crlf", "\r\n\t"), ("lines", "\n\n ")):
+        spread = red.replace("<color>", f"<color>{blanks}").replace("0 0", f"0{blanks}0")
+        read(f"color-{name}", dae(geometry(faces=faces), bound, libraries=spread), materials={"red": RED})
     colors = source("c", [(1, 0, 0)] * 8, "RGB")
     read("colors", dae(geometry(sources=colors, vertices='<input semantic="COLOR" source="#c"/>')), colors=[RED])
     table.beside("dae/red.png", png(255, 0, 0))
