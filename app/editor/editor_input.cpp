@@ -50,6 +50,17 @@ void onButton(State& s, const ui::ButtonChange& change) {
     }
 }
 
+void openDropped(State& s, const DroppedFiles& dropped) {
+    if (dropped.files.size() == 1) {
+        s.openAsked(dropped.files.front(), dropped.remark);
+        return;
+    }
+    OpeningOrder order = orderOf(dropped.files);
+    order.remark = dropped.remark;
+    s.askBefore("Open " + std::to_string(dropped.files.size()) + " models",
+                [&s, order] { s.open(order); });
+}
+
 void dispatch(State& s, const ui::InputEvent& event) {
     if (const auto* move = std::get_if<ui::PointerMove>(&event)) {
         s.view.move(*move, sceneInHand(s));
@@ -64,10 +75,7 @@ void dispatch(State& s, const ui::InputEvent& event) {
                typed && typed->code == '?') {
         onKey(s, ui::Key::questionMark, {});
     } else if (const auto* drop = std::get_if<ui::FileDrop>(&event); drop && !drop->files.empty()) {
-        const std::size_t files = drop->files.size();
-        s.openAsked(drop->files.front(), files == 1 ? ""
-                                                    : "Only the first of " + std::to_string(files) +
-                                                          " dropped files was opened.");
+        openDropped(s, sortDropped(drop->files));
     } else if (std::holds_alternative<ui::FocusLost>(event)) {
         s.view.camera.releaseAll();
         onButton(s, {ui::Button::left, false, {}});

@@ -1,7 +1,14 @@
 #include "app/scene/document/document_loading.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include "app/session/material.h"
+#include "sim/base/text.h"
+
 namespace kerf::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kUploadBudget = 0.006;  // of a picture [s]; a portion may take longer
 // Of a model of a million triangles the search would take four seconds.
@@ -12,6 +19,23 @@ MemoryMeans meansNow() {
     MemoryMeans means = memoryMeansOfContext();
     means.programRuns = true;
     return means;
+}
+
+bool isSessionFile(const fs::path& file) {
+    return lowerCase(file.extension().string()) == ".json" && !isMaterialFile(file);
+}
+
+/// By name.
+std::vector<fs::path> modelsInside(const fs::path& folder) {
+    std::vector<fs::path> models;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        if (isModelFile(entry.path()) && entry.is_regular_file(error)) {
+            models.push_back(entry.path());
+        }
+    }
+    std::ranges::sort(models);
+    return models;
 }
 
 }  // namespace
@@ -51,6 +75,36 @@ OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends) 
                        }};
     order.atEnd = true;
     return order;
+}
+
+DroppedFiles sortDropped(const std::vector<fs::path>& dropped) {
+    std::vector<fs::path> models;
+    for (const fs::path& path : dropped) {
+        std::error_code error;
+        if (isSessionFile(path)) {
+            return {{path}, dropped.size() == 1 ? "" : "Only the session was opened."};
+        }
+        if (fs::is_directory(path, error)) {
+            const auto inside = modelsInside(path);
+            models.insert(models.end(), inside.begin(), inside.end());
+        } else if (isModelFile(path)) {
+            models.push_back(path);
+        }
+    }
+    if (models.empty()) {
+        return {{dropped.front()}, ""};
+    }
+    const std::size_t all = models.size();
+    models.resize(std::min<std::size_t>(all, kMostModels));
+    return {models, all == models.size()
+                        ? ""
+                        : fmt::format("A scene can hold at most {} models: {} were left out.",
+                                      kMostModels, all - models.size())};
+}
+
+OpeningOrder orderOf(const std::vector<fs::path>& models) {
+    return {fmt::format("Opening {} models", models.size()), models.front(),
+            [models](const ReadOptions& options) { return openModels(models, options); }};
 }
 
 RepairSearch::RepairSearch(OpeningOrder order)

@@ -49,6 +49,18 @@ ReadOptions editorReading(const MemoryMeans& means);
 /// The order to open a model, or a session at its end.
 OpeningOrder orderOf(const std::filesystem::path& file, const StoredEnds& ends);
 
+/// What to open of files and folders that were dropped together.
+struct DroppedFiles {
+    /// A file of any kind, or several models for one scene; what only goes with them is left out.
+    std::vector<std::filesystem::path> files;
+    std::string remark;  ///< what was left out, for people; may be empty
+};
+/// Takes a session before all else; then models, with those of dropped folders in the order of
+/// their names, as many as a scene can hold; else the first file.
+DroppedFiles sortDropped(const std::vector<std::filesystem::path>& dropped);
+/// The order to open several models in one scene.
+OpeningOrder orderOf(const std::vector<std::filesystem::path>& models);
+
 /// Finds out, on a separate thread, which repair would help a model that can't be cut.
 class RepairSearch {
   public:

@@ -197,6 +197,15 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     return document;
 }
 
+Document openModels(const std::vector<std::filesystem::path>& files, const ReadOptions& options) {
+    Document document = openDocument(files.front(), options);
+    for (const std::filesystem::path& file : std::span(files).subspan(1)) {
+        const double right = meshBounds(document.mesh).high.x();
+        document = openWithModel(document.name, document.session, file, right, options);
+    }
+    return document;
+}
+
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
     return isJson(file) ? openSession(file, options) : openModel(file, options);
 }

@@ -42,6 +42,10 @@ MemoryNeed memoryNeedOf(const Document& document);
 /// WorkCancelled if the progress of `options` was cancelled.
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options = {});
 
+/// Opens the models of several files in one scene, each at the right of those before. Throws like
+/// openDocument().
+Document openModels(const std::vector<std::filesystem::path>& files, const ReadOptions& options);
+
 /// Opens a scene that no file holds. Throws like openDocument().
 Document openScene(const std::string& name, Session scene, const ReadOptions& options = {});
 /// Opens a scene with the model of a file added as its last, at the right of the others and of

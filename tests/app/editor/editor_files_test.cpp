@@ -87,15 +87,37 @@ TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
     EXPECT_NE(editor->readPicture().pixels, before) << "the progress is gone";
 }
 
-// It was said while the file was read, and what was told of the model took its place.
-TEST_F(EditorFilesTest, OfSeveralDroppedFilesTheFirstIsOpenedAndThatIsSaid) {
+TEST_F(EditorFilesTest, SeveralDroppedModelsAreOpenedBesideEachOther) {
     writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
-    editor->post(ui::FileDrop{{folder / "box.obj", folder / "other.obj"}});
+    writeText(folder / "box.mtl", "newmtl red\n");
+    fs::create_directory(folder / "more");
+    writeText(folder / "more/tip.obj", objText(soundBall()));
+    writeText(folder / "more/tip.png", "no model");
+    editor->post(ui::FileDrop{{folder / "box.mtl", folder / "box.obj", folder / "more"}});
     frames(1);
     waitForWork();
-    EXPECT_EQ(editor->title(), "Kerf - box - 1 piece");
-    EXPECT_THAT(panels().toast.text,
-                HasSubstr("Only the first of 2 dropped files was opened. OBJ"));
+    EXPECT_EQ(editor->title(), "Kerf - box - 2 pieces");
+    const Session& session = editor->scene()->document().session;
+    ASSERT_EQ(session.moreModels.size(), 1U);
+    EXPECT_EQ(session.moreModels.front().model.path, folder / "more/tip.obj");
+}
+
+TEST(SortDropped, TakesWhatPeopleMean) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"b.obj", "a.obj", "scene.gltf", "scene.bin"}) {
+        writeText(folder / name, "x");
+    }
+    const auto of = [](const std::vector<fs::path>& dropped) { return sortDropped(dropped).files; };
+    using Files = std::vector<fs::path>;
+    EXPECT_EQ(of({folder.path()}),
+              (Files{folder / "a.obj", folder / "b.obj", folder / "scene.gltf"}));
+    EXPECT_EQ(of({folder / "scene.bin", folder / "scene.gltf"}), Files{folder / "scene.gltf"});
+    EXPECT_EQ(of({"x.obj", "y.kerf.json"}), Files{"y.kerf.json"});
+    EXPECT_EQ(of({"steel.material.json", "x.obj"}), Files{"x.obj"});
+    EXPECT_EQ(of({"notes.txt", "more.txt"}), Files{"notes.txt"});
+    const DroppedFiles many = sortDropped(Files(kMostModels + 2, "x.obj"));
+    EXPECT_EQ(many.files.size(), std::size_t(kMostModels));
+    EXPECT_THAT(many.remark, HasSubstr("2 were left out"));
 }
 
 TEST_F(EditorFilesTest, EscapeCancelsTheLoadingToo) {
