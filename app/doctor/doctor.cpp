@@ -20,19 +20,19 @@ constexpr int kHeight = 720;
 constexpr std::size_t kFirstFrames = 5;
 
 /// A frame of a recorded cut.
-struct Frame {
+struct PlayedFrame {
     double ms = 0;
     double stepMs = 0;            ///< without its picture
     double simulatedSeconds = 0;  ///< see secondsOfStep()
     bool cuts = false;            ///< the blade was down
 };
 
-std::vector<Frame> playFrames(const Session& session, double seconds) {
+std::vector<PlayedFrame> playFrames(const Session& session, double seconds) {
     const SessionSchedule schedule(session);
     HeadlessSession play(
         session, loadSessionModel(session), 0,
         gpu::queryDevice().software ? render::Quality::light : render::Quality::full);
-    std::vector<Frame> frames;
+    std::vector<PlayedFrame> frames;
     const Stopwatch all;
     while (play.simulation().stepCount() < session.steps && all.seconds() < seconds) {
         const Stopwatch watch;
@@ -46,10 +46,10 @@ std::vector<Frame> playFrames(const Session& session, double seconds) {
     return frames;
 }
 
-ModelSpeed speedOf(const std::string& model, std::span<const Frame> frames) {
+ModelSpeed speedOf(const std::string& model, std::span<const PlayedFrame> frames) {
     ModelSpeed speed{model};
     std::vector<double> times;
-    for (const Frame& frame : frames) {
+    for (const PlayedFrame& frame : frames) {
         times.push_back(frame.ms);
         speed.realTime.add(frame.simulatedSeconds, frame.stepMs, frame.ms - frame.stepMs);
         speed.worstCutMs = std::max(speed.worstCutMs, frame.cuts ? frame.ms : 0);
@@ -97,7 +97,8 @@ std::vector<ModelSpeed> modelSpeeds(double secondsEach) {
     std::vector<ModelSpeed> speeds;
     for (const PaperExperiment& experiment : paperExperiments()) {
         const std::string file = std::string("assets/sessions/") + experiment.name + ".kerf.json";
-        const std::vector<Frame> frames = playFrames(readSession(gpu::dataPath(file)), secondsEach);
+        const std::vector<PlayedFrame> frames =
+            playFrames(readSession(gpu::dataPath(file)), secondsEach);
         const std::size_t skipped = std::min(kFirstFrames, frames.size());
         speeds.push_back(speedOf(experiment.name, std::span(frames).subspan(skipped)));
     }

@@ -137,7 +137,7 @@ void setTools(State& s, const ui::ToolSettings& settings) {
     s.view.setTools(settings, s.sceneOfTool());
 }
 
-template <ui::Tool tool>
+template <ui::ToolKind tool>
 void take(State& s) {
     ui::ToolSettings settings = s.view.tools.settings();
     settings.tool = tool;
@@ -396,7 +396,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::manual, Needs::nothing, [](State& s) { s.work.openManual(); }},
     Handler{ActionId::about, Needs::nothing, showAbout},
 };
-constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::Tool tool>() {
+constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::ToolKind tool>() {
     return Handler{ui::actionOf(tool), Needs::scene, take<tool>};
 });
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");

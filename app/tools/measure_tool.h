@@ -5,11 +5,11 @@
 
 namespace kerf::app {
 
-/// Measurements by clicks on the body (ui::Tool::measure). Points stick to its material; a
+/// Measurements by clicks on the body (ui::ToolKind::measure). Points stick to its material; a
 /// measurement ends with the material of one of its points. They stay while other tools are used.
 class MeasureTool : public Tool {
   public:
-    static constexpr ui::Tool kTool = ui::Tool::measure;
+    static constexpr ui::ToolKind kTool = ui::ToolKind::measure;
 
     /// Adds a point of a measurement, which is complete once it has all of its points.
     std::string press(const ToolContext& c) override;

@@ -6,12 +6,12 @@
 
 namespace kerf::app {
 
-/// Moves, turns and resizes by a gizmo (ui::Tool::move): a box, pinned vertices, or the uncut
+/// Moves, turns and resizes by a gizmo (ui::ToolKind::move): a box, pinned vertices, or the uncut
 /// model, selected by a click. It changes nothing itself: the commands of a drag are taken from it
 /// between two steps.
 class MoveTool : public Tool {
   public:
-    static constexpr ui::Tool kTool = ui::Tool::move;
+    static constexpr ui::ToolKind kTool = ui::ToolKind::move;
 
     /// Grabs a part of the gizmo, or selects what is under the pointer.
     std::string press(const ToolContext& c) override;

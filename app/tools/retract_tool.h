@@ -4,11 +4,11 @@
 
 namespace kerf::app {
 
-/// Holds cuts open (ui::Tool::retract): a press beside a cut hooks both lips, a drag pulls them
+/// Holds cuts open (ui::ToolKind::retract): a press beside a cut hooks both lips, a drag pulls them
 /// apart with the pointer, and they stay so. A drag of a hook moves its retractor.
 class RetractTool : public Tool {
   public:
-    static constexpr ui::Tool kTool = ui::Tool::retract;
+    static constexpr ui::ToolKind kTool = ui::ToolKind::retract;
 
     void fitTo(const Bounds& /*bounds*/, ui::ToolSettings& /*settings*/) override { *this = {}; }
     /// Hooks the lips near the pointer, or grabs a hook there.

@@ -25,7 +25,7 @@ struct ToolContext {
     bool showsAhead = false;  ///< what a stroke under way will cut
 };
 
-/// A tool of the left button in the view (ui::Tool). It follows the pointer, moves the blade or
+/// A tool of the left button in the view (ui::ToolKind). It follows the pointer, moves the blade or
 /// changes the body, and shows an overlay of its effect. Returned sentences are "" on success.
 class Tool {
   public:
@@ -77,19 +77,19 @@ MakeTool makeStrokeTool, makeScalpelTool, makeGuillotineTool, makeGrabTool, make
 
 /// The part of a row of ui::kToolRows unknown to the panels.
 struct ToolMaker {
-    ui::Tool tool;
+    ui::ToolKind tool;
     MakeTool* make;
 };
 inline constexpr std::array kToolMakers{
-    ToolMaker{ui::Tool::stroke, makeStrokeTool},
-    ToolMaker{ui::Tool::scalpel, makeScalpelTool},
-    ToolMaker{ui::Tool::guillotine, makeGuillotineTool},
-    ToolMaker{ui::Tool::grab, makeGrabTool},
-    ToolMaker{ui::Tool::pin, makePinTool},
-    ToolMaker{ui::Tool::retract, makeRetractTool},
-    ToolMaker{ui::Tool::move, makeMoveTool},
-    ToolMaker{ui::Tool::measure, makeMeasureTool},
+    ToolMaker{ui::ToolKind::stroke, makeStrokeTool},
+    ToolMaker{ui::ToolKind::scalpel, makeScalpelTool},
+    ToolMaker{ui::ToolKind::guillotine, makeGuillotineTool},
+    ToolMaker{ui::ToolKind::grab, makeGrabTool},
+    ToolMaker{ui::ToolKind::pin, makePinTool},
+    ToolMaker{ui::ToolKind::retract, makeRetractTool},
+    ToolMaker{ui::ToolKind::move, makeMoveTool},
+    ToolMaker{ui::ToolKind::measure, makeMeasureTool},
 };
-static_assert(ui::coversTools(kToolMakers), "a ui::Tool has no maker, or not at its place");
+static_assert(ui::coversTools(kToolMakers), "a tool has no maker, or not at its place");
 
 }  // namespace kerf::app

@@ -9,7 +9,7 @@ constexpr double kFarShare = 80.0;         // of the distance to the target
 constexpr double kOrthographicReach = 25;  // of the distance, to both sides of the target
 constexpr double kPoleMargin = 0.03;       // closest approach to the poles [rad]
 
-struct Frame {
+struct ViewAxes {
     Vec3 forward;
     Vec3 right;
     Vec3 up;
@@ -21,8 +21,8 @@ Vec3 anyPerpendicular(const Vec3& forward) {
     return map.norm() > 1e-6 ? map : forward.cross(Vec3(1, 0, 0));
 }
 
-Frame frameOf(const Camera& camera) {
-    Frame frame;
+ViewAxes frameOf(const Camera& camera) {
+    ViewAxes frame;
     const Vec3 toTarget = camera.target - camera.eye;
     frame.forward = toTarget.norm() > 0 ? Vec3(toTarget.normalized()) : Vec3(0, 0, -1);
     Vec3 right = frame.forward.cross(camera.up);
@@ -55,7 +55,7 @@ double distanceOf(const Camera& camera) {
 }  // namespace
 
 Eigen::Matrix4f Camera::view() const {
-    const Frame frame = frameOf(*this);
+    const ViewAxes frame = frameOf(*this);
     Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
     m.block<1, 3>(0, 0) = frame.right.transpose();
     m.block<1, 3>(1, 0) = frame.up.transpose();
@@ -117,7 +117,7 @@ void Camera::orbit(double yaw, double pitch) {
 }
 
 void Camera::pan(double dx, double dy) {
-    const Frame frame = frameOf(*this);
+    const ViewAxes frame = frameOf(*this);
     const double height = 2 * tanHalfFov(*this) * distance(*this);
     const Vec3 move = height * (dx * frame.right + dy * frame.up);
     eye += move;
@@ -134,7 +134,7 @@ void Camera::frame(const Bounds& bounds, double share) {
     if (bounds.empty()) {
         return;
     }
-    const Frame frame = frameOf(*this);
+    const ViewAxes frame = frameOf(*this);
     const double tangent = share * tanHalfFov(*this);
     const Vec3 center = bounds.center();
     double needed = 0;
@@ -149,7 +149,7 @@ void Camera::frame(const Bounds& bounds, double share) {
 }
 
 Ray Camera::ray(const Vec2& ndc, double aspect) const {
-    const Frame frame = frameOf(*this);
+    const ViewAxes frame = frameOf(*this);
     const double tangent = tanHalfFov(*this);
     const Vec2 at = ndc - middle;
     const Vec3 aside = frame.right * (at.x() * tangent * aspect) + frame.up * (at.y() * tangent);

@@ -280,7 +280,7 @@ TEST_F(InterfaceTest, NoButtonIsCutOffInASmallWindow) {
     model.help.hint = {"2 pieces now. What next?",
                        {{ActionId::letFall, "Let them fall"},
                         {ActionId::showApart, "Show apart"},
-                        {actionOf(Tool::grab), "Pull one"}}};
+                        {actionOf(ToolKind::grab), "Pull one"}}};
     for (int i = 0; i < 2; ++i) {
         interface->update({}, model, kSmallWidth, kSmallHeight, 1.0 / 60);
     }

@@ -90,8 +90,8 @@ TEST(ActionTable, RowsFollowTheModel) {
               (std::vector{ActionId::undo, ActionId::redo, ActionId::partModel, ActionId::bringDown,
                            ActionId::freePins, ActionId::removeRetractor, ActionId::finishTry,
                            ActionId::loop, ActionId::showApart}));
-    EXPECT_TRUE(isOn(model, actionOf(Tool::stroke)));
-    EXPECT_FALSE(isOn(model, actionOf(Tool::pin)));
+    EXPECT_TRUE(isOn(model, actionOf(ToolKind::stroke)));
+    EXPECT_FALSE(isOn(model, actionOf(ToolKind::pin)));
     EXPECT_FALSE(isOn(model, ActionId::quit)) << "it switches nothing";
     model.display.overlays.ispcs = true;
     EXPECT_TRUE(isOn(model, ActionId::showIspcs));

@@ -43,7 +43,7 @@ bool isClosedAndOutOfView(const char* node) {
            !ImGui::IsRectVisible({1, ImGui::GetTextLineHeight()});
 }
 
-void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
+void drawBox(int index, const BodyReport& body, std::vector<Action>& actions) {
     const std::string name = "box." + std::to_string(index);
     ImGui::PushID(index);
     if (isClosedAndOutOfView("##box")) {
@@ -81,7 +81,7 @@ void drawBox(int index, const BodyState& body, std::vector<Action>& actions) {
 
 }  // namespace
 
-void drawBoxes(const BodyState& body, std::vector<Action>& actions) {
+void drawBoxes(const BodyReport& body, std::vector<Action>& actions) {
     if (button("Add box", "boxes.add", "Add a cube beside the body as an obstacle", -1)) {
         actions.emplace_back(PlaceBox{});
     }

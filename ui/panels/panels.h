@@ -109,7 +109,7 @@ void drawPractice(const PracticeState& practice, const Settings& settings,
 
 /// Draws the boxes that the body collides with, one foldable group each, and a button for another
 /// one.
-void drawBoxes(const BodyState& body, std::vector<Action>& actions);
+void drawBoxes(const BodyReport& body, std::vector<Action>& actions);
 
 /// Draws the messages so far, scrolled to the newest at the bottom.
 void drawLog(const std::vector<LogLine>& log);

@@ -181,18 +181,18 @@ bool drawRetractRow(const Rows& rows) {
 
 /// A tool with rows of its own: draws them, and answers whether its settings were changed.
 struct SettingRows {
-    Tool tool;
+    ToolKind tool;
     bool (*draw)(const Rows& rows);
 };
 constexpr std::array kSettingRows{
-    SettingRows{Tool::stroke, drawStrokeRows},
-    SettingRows{Tool::scalpel, drawScalpelRow},
-    SettingRows{Tool::guillotine, drawGuillotineRows},
-    SettingRows{Tool::grab, drawGrabRow},
-    SettingRows{Tool::pin, drawPinRows},
-    SettingRows{Tool::retract, drawRetractRow},
+    SettingRows{ToolKind::stroke, drawStrokeRows},
+    SettingRows{ToolKind::scalpel, drawScalpelRow},
+    SettingRows{ToolKind::guillotine, drawGuillotineRows},
+    SettingRows{ToolKind::grab, drawGrabRow},
+    SettingRows{ToolKind::pin, drawPinRows},
+    SettingRows{ToolKind::retract, drawRetractRow},
     SettingRows{
-        Tool::measure,
+        ToolKind::measure,
         [](const Rows& r) { return drawMeasureRows(r.model.view.measures, r.tools, r.actions); }},
 };
 

@@ -21,7 +21,7 @@ constexpr bool always(const PanelModel& /*model*/) {
 bool withBody(const PanelModel& model) {
     return !model.name.empty();
 }
-template <Tool tool>
+template <ToolKind tool>
 bool holds(const PanelModel& model) {
     return model.tools.tool == tool;
 }
@@ -153,7 +153,7 @@ constexpr std::array kOtherActions{
 };
 
 /// All actions in the order of the menus.
-constexpr auto kActions = withTools(kOtherActions, []<Tool tool>() {
+constexpr auto kActions = withTools(kOtherActions, []<ToolKind tool>() {
     const ToolRow& row = rowOf(tool);
     return ActionRow{actionOf(tool), at(row.key, kPlain, row.keyText), row.label, "Tool", withBody,
                      holds<tool>};

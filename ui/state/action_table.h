@@ -29,7 +29,7 @@ enum class ActionId : std::uint8_t {
     toggleGravity,
     remesh,
     partModel,
-    firstTool,  ///< one for each Tool, see actionOf()
+    firstTool,  ///< one for each ToolKind, see actionOf()
     bringDown = firstTool + kTools,
     freePins,
     removeRetractor,
@@ -104,7 +104,7 @@ struct ActionRow {
 };
 
 /// The action that selects a tool.
-constexpr ActionId actionOf(Tool tool) {
+constexpr ActionId actionOf(ToolKind tool) {
     return static_cast<ActionId>(static_cast<int>(ActionId::firstTool) + static_cast<int>(tool));
 }
 /// Rows in the order of ActionId: `others`, and among them what `toRow` makes for each tool.
@@ -115,7 +115,7 @@ constexpr auto withTools(const std::array<Row, count>& others, ToRow toRow) {
         std::index_sequence<before...>, std::index_sequence<tool...>,
         std::index_sequence<behind...>) {
         return std::array{others[before]...,
-                          toRow.template operator()<static_cast<Tool>(tool)>()...,
+                          toRow.template operator()<static_cast<ToolKind>(tool)>()...,
                           others[first + behind]...};
     }
     (std::make_index_sequence<first>{}, std::make_index_sequence<kTools>{},

@@ -18,7 +18,7 @@
 namespace kerf::ui {
 
 /// The state of the body for several panels.
-struct BodyState {
+struct BodyReport {
     double size = 1;               ///< its diagonal at rest [m]
     Bounds bounds;                 ///< at present [m]
     std::vector<StaticBox> boxes;  ///< that it collides with
@@ -195,7 +195,7 @@ struct PanelModel {
     std::string name;  ///< of the open document; empty for none
     ModelPanelState model;
     ParametersState parameters;
-    BodyState body;
+    BodyReport body;
     TransportState transport;
     ChangeList changes;
     ToolSettings tools;

@@ -37,7 +37,7 @@ std::string measuresAsCsv(const std::vector<MeasureRow>& measures);
 
 /// The tool of the left button in the view: it moves a blade in one of three ways, or touches the
 /// body.
-enum class Tool : std::uint8_t {
+enum class ToolKind : std::uint8_t {
     stroke,      ///< along the line of sight, wherever the pointer goes
     scalpel,     ///< upright on the surface under the pointer: incisions
     guillotine,  ///< posed by handles and brought straight down
@@ -51,7 +51,7 @@ enum class Tool : std::uint8_t {
 /// One row of the table of tools for panel, actions and hints. Their implementation is in
 /// app/tools.
 struct ToolRow {
-    Tool tool;
+    ToolKind tool;
     Key key;  ///< that selects it
     std::string_view keyText;
     const char* name;        ///< on its button
@@ -64,39 +64,40 @@ struct ToolRow {
 
 /// All tools in the order of their buttons.
 inline constexpr std::array kToolRows{
-    ToolRow{Tool::stroke, Key::c, "C", "Stroke", "Stroke: cut along the view",
+    ToolRow{ToolKind::stroke, Key::c, "C", "Stroke", "Stroke: cut along the view",
             "Drag with the left button all the way across the model to cut it.", true, false},
-    ToolRow{Tool::scalpel, Key::s, "S", "Scalpel", "Scalpel: follow the surface",
+    ToolRow{ToolKind::scalpel, Key::s, "S", "Scalpel", "Scalpel: follow the surface",
             "Drag over the model to cut along its surface. The ring shows the depth.", true},
-    ToolRow{Tool::guillotine, Key::g, "G", "Guillotine", "Guillotine: place a blade and drop it",
+    ToolRow{ToolKind::guillotine, Key::g, "G", "Guillotine",
+            "Guillotine: place a blade and drop it",
             "Drag the four handles to place the blade, then:", true, false, "Drop the blade"},
-    ToolRow{Tool::grab, Key::d, "D", "Grab", "Grab: pull the body",
+    ToolRow{ToolKind::grab, Key::d, "D", "Grab", "Grab: pull the body",
             "Drag the model to pull it. Time runs while you hold it."},
-    ToolRow{Tool::pin, Key::p, "P", "Pin", "Pin: hold parts in place",
+    ToolRow{ToolKind::pin, Key::p, "P", "Pin", "Pin: hold parts in place",
             "Drag over the model to fix it in place. Shift+drag pins a box, Ctrl+drag unpins."},
-    ToolRow{Tool::retract, Key::y, "Y", "Retract", "Retract: hold a cut open",
+    ToolRow{ToolKind::retract, Key::y, "Y", "Retract", "Retract: hold a cut open",
             "Press beside a cut and drag: two hooks pull it open and hold it. Right-click a hook "
             "to remove both."},
-    ToolRow{Tool::move, Key::u, "U", "Move", "Move: boxes, pins and the model",
+    ToolRow{ToolKind::move, Key::u, "U", "Move", "Move: boxes, pins and the model",
             "Click a box, pins or the uncut model, then drag an arrow, a ring or a square."},
-    ToolRow{Tool::measure, Key::m, "M", "Measure", "Measure: distances, angles, pieces",
+    ToolRow{ToolKind::measure, Key::m, "M", "Measure", "Measure: distances, angles, pieces",
             "Click on the body to measure. Esc ends it."},
 };
 inline constexpr int kTools = static_cast<int>(kToolRows.size());
 /// The initial tool, to which Esc returns.
-inline constexpr Tool kFirstTool = Tool::stroke;
+inline constexpr ToolKind kFirstTool = ToolKind::stroke;
 
-constexpr const ToolRow& rowOf(Tool tool) {
+constexpr const ToolRow& rowOf(ToolKind tool) {
     return kToolRows[static_cast<std::size_t>(tool)];
 }
-/// Whether a table has one row for each Tool, in the same order.
+/// Whether a table has one row for each ToolKind, in the same order.
 template <class Table>
 constexpr bool coversTools(const Table& rows) {
     int next = 0;
     return std::ranges::all_of(rows, [&](const auto& row) { return int(row.tool) == next++; }) &&
            next == kTools;
 }
-static_assert(coversTools(kToolRows), "a Tool has no row, or not at its place");
+static_assert(coversTools(kToolRows), "a tool has no row, or not at its place");
 
 // The settings of each tool that has any. Lengths in metres.
 struct StrokeSettings {
@@ -127,7 +128,7 @@ struct PinSettings {
 
 /// The selected tool and the settings of all, shown and changed by the tools panel.
 struct ToolSettings {
-    Tool tool = kFirstTool;
+    ToolKind tool = kFirstTool;
     StrokeSettings stroke;
     ScalpelSettings scalpel;
     GuillotineSettings guillotine;

@@ -94,7 +94,7 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
         return {"Cut into " + counted(now.pieces, "piece", "pieces") + ". What next?",
                 {{ActionId::letFall, "Let them fall"},
                  {ActionId::showApart, "Show apart"},
-                 {actionOf(ui::Tool::grab), "Pull one"}}};
+                 {actionOf(ui::ToolKind::grab), "Pull one"}}};
     }
     if (now.parted() && !wentOn_ && now.tool == cutTool_) {
         return {"Drag to cut again, or:",
@@ -114,10 +114,11 @@ Hint FirstSteps::afterStroke(const Situation& now) const {
             "and end beside it.",
             {{ActionId::undo, "Undo"}}};
     }
-    if (now.outcome == StrokeOutcome::incised && !hasUsed(ui::Tool::grab) &&
-        !hasUsed(ui::Tool::retract)) {
+    if (now.outcome == StrokeOutcome::incised && !hasUsed(ui::ToolKind::grab) &&
+        !hasUsed(ui::ToolKind::retract)) {
         return {"This is an incision. You can hold it open or pull on it:",
-                {{actionOf(ui::Tool::retract), "Hold open"}, {actionOf(ui::Tool::grab), "Pull"}}};
+                {{actionOf(ui::ToolKind::retract), "Hold open"},
+                 {actionOf(ui::ToolKind::grab), "Pull"}}};
     }
     return {};
 }

@@ -44,7 +44,7 @@ struct Situation {
     bool past = false;        ///< the person went back in time
     bool cutting = false;     ///< a stroke is drawn or still to be cut
     bool touching = false;    ///< a tool pulls or pins
-    ui::Tool tool = ui::kFirstTool;
+    ui::ToolKind tool = ui::kFirstTool;
     int pieces = 1;
     int piecesAtFirst = 1;  ///< when opened: a file may hold several shells
     StrokeOutcome outcome = StrokeOutcome::none;
@@ -63,17 +63,17 @@ class FirstSteps {
     ui::Hint hint(const Situation& now) const;
 
   private:
-    bool hasUsed(ui::Tool tool) const { return used_[static_cast<std::size_t>(tool)]; }
+    bool hasUsed(ui::ToolKind tool) const { return used_[static_cast<std::size_t>(tool)]; }
     ui::Hint afterStroke(const Situation& now) const;
     ui::Hint beforeStroke(const Situation& now) const;
 
     std::array<bool, ui::kTools> used_{};
-    ui::Tool cutTool_ = ui::kFirstTool;  ///< of the last stroke
-    bool played_ = false;                ///< a session
-    bool parted_ = false;                ///< something was cut right through
-    bool weighed_ = false;               ///< time ran with gravity
-    bool fell_ = false;                  ///< and did so with pieces
-    bool wentOn_ = false;                ///< a stroke was drawn after that
+    ui::ToolKind cutTool_ = ui::kFirstTool;  ///< of the last stroke
+    bool played_ = false;                    ///< a session
+    bool parted_ = false;                    ///< something was cut right through
+    bool weighed_ = false;                   ///< time ran with gravity
+    bool fell_ = false;                      ///< and did so with pieces
+    bool wentOn_ = false;                    ///< a stroke was drawn after that
 };
 
 /// Follows what a new user does, and suggests what to do next.

@@ -100,10 +100,10 @@ Primitive primitiveOf(const ExportMesh& part) {
 }
 
 /// The JSON and the buffer of a file, as they grow.
-class GltfFile {
+class GltfOutput {
   public:
     /// `images`: the names of their files; null where they go into the buffer.
-    GltfFile(const ExportMesh& mesh, const std::vector<std::string>* images) {
+    GltfOutput(const ExportMesh& mesh, const std::vector<std::string>* images) {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Kerf"}};
         json_["scene"] = 0;
         json_["scenes"] = Json::array({{{"nodes", Json::array()}}});
@@ -271,14 +271,14 @@ class GltfFile {
     std::map<int, int> textures_;  // by image
 };
 
-GltfFile gather(const ExportMesh& mesh, const std::vector<std::string>* images = nullptr) {
+GltfOutput gather(const ExportMesh& mesh, const std::vector<std::string>* images = nullptr) {
     int pieces = 0;
     int first = mesh.faces.empty() ? 0 : mesh.faces.front().piece;
     for (const ExportFace& face : mesh.faces) {
         pieces = std::max(pieces, face.piece + 1);
         first = std::min(first, face.piece);
     }
-    GltfFile file(mesh, images);
+    GltfOutput file(mesh, images);
     for (int piece = first; piece < pieces; ++piece) {
         file.addPiece(mesh, piece);
     }
@@ -299,7 +299,7 @@ void appendChunk(std::string& bytes, std::uint32_t type, std::string content, ch
 }  // namespace
 
 std::string encodeGlb(const ExportMesh& mesh) {
-    GltfFile file = gather(mesh);
+    GltfOutput file = gather(mesh);
     std::string chunks;
     appendChunk(chunks, kJsonChunk, file.text(""), ' ');
     appendChunk(chunks, kBinaryChunk, file.bytes(), '\0');
@@ -311,13 +311,13 @@ std::string encodeGlb(const ExportMesh& mesh) {
 }
 
 std::string encodeGltf(const ExportMesh& mesh) {
-    GltfFile file = gather(mesh);
+    GltfOutput file = gather(mesh);
     return file.text("data:application/octet-stream;base64," + base64(file.bytes()));
 }
 
 std::string encodeGltfBeside(const ExportMesh& mesh, const std::vector<std::string>& images,
                              const std::function<std::string(std::string)>& nameOf) {
-    GltfFile file = gather(mesh, &images);
+    GltfOutput file = gather(mesh, &images);
     return file.text(nameOf(file.bytes()));
 }
 

@@ -30,7 +30,7 @@ ChildProcess startReader(const std::vector<std::string>& command, const ImportLi
                  std::string(kMemoryVariable) + "=" + std::to_string(limits.addressSpace)}});
     } catch (const std::system_error& error) {
         throw InputError("the program " + command.front() + " can't be started (" +
-                         error.code().message() + "); rebuild Kerf");
+                         error.code().message() + "); install Kerf again");
     }
 }
 
@@ -46,9 +46,9 @@ bool isCancelled(const WorkProgress* progress) {
 }
 
 /// Follows a program that reads a file, while it runs.
-class Reading {
+class ReaderWatch {
   public:
-    Reading(const ImportLimits& limits, WorkProgress* progress)
+    ReaderWatch(const ImportLimits& limits, WorkProgress* progress)
         : progress_(progress), deadline_(Clock::now() + std::chrono::seconds(limits.wallSeconds)) {}
 
     /// Collects both streams until they end. False where the deadline passes, the answer grows past
@@ -108,7 +108,7 @@ ImportEnd runImportProcess(const std::vector<std::string>& command, const Import
                            WorkProgress* progress) {
     Pipe answer;
     Pipe log;
-    Reading reading(limits, progress);
+    ReaderWatch reading(limits, progress);
     ChildProcess child = startReader(command, limits, answer, log);
     answer.write.close();
     log.write.close();

@@ -59,12 +59,12 @@ std::optional<std::array<Vec3, 2>> intersect(const Corners& a, const Corners& b)
 }
 
 /// The two triangles of each step of the way, with their boxes.
-struct Strip {
+struct PathStrip {
     std::vector<Corners> faces;
     std::vector<Bounds> boxes;
     Bounds box;
 
-    explicit Strip(std::span<const Blade> way) {
+    explicit PathStrip(std::span<const Blade> way) {
         // A little beside, or a way along edges of the mesh would be met by chance alone.
         const Vec3 aside =
             way.empty() ? Vec3(Vec3::Zero()) : Vec3(kAside * (way[0].b - way[0].a).norm());
@@ -135,7 +135,7 @@ OrientedBox boxAbout(std::span<const Blade> way) {
 
 CutPreview previewCut(const SurfaceMesh& mesh, std::span<const int> triangles,
                       std::span<const Blade> way) {
-    const Strip strip(way);
+    const PathStrip strip(way);
     CutPreview preview;
     for (const int t : triangles) {
         if (!mesh.present(t)) {

@@ -21,9 +21,9 @@ constexpr double kNoBase = 1e-9;
 constexpr double kNoEdge = 1e-6;
 constexpr double kRestReach = 4;  // times the way that rest edges allow
 
-class Slide {
+class ApexSlide {
   public:
-    Slide(Workspace& workspace, int vertex)
+    ApexSlide(Workspace& workspace, int vertex)
         : workspace_(workspace), mesh_(workspace.mesh), star_(starOf(mesh_, vertex)) {
         for (const int v : star_.copies) {
             gradients_.push_back(volumeGradient(mesh_, VertexPositions::current(mesh_), v));
@@ -151,7 +151,7 @@ bool pushApexFrom(Workspace& workspace, int base) {
     if (height >= wanted) {
         return false;
     }
-    Slide slide(workspace, apex);
+    ApexSlide slide(workspace, apex);
     const Vec3 direction = slide.sectorOf(base / 3).cross(ab);
     return direction.norm() > 0 && slide.push(direction.normalized(), wanted - height, kLeastPush);
 }
@@ -164,7 +164,7 @@ bool pushApart(Workspace& workspace, int moving, int staying) {
     if (length < kNoEdge * h || length > kGoodEdge * h) {
         return false;
     }
-    return Slide(workspace, moving)
+    return ApexSlide(workspace, moving)
         .push(edge / length, kBeyondEdge * kGoodEdge * h - length, kLeastStretch);
 }
 

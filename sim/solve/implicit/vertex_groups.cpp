@@ -11,19 +11,19 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// How firmly something is held to another, as a share of what holds both.
-struct Link {
+struct GroupLink {
     std::uint32_t item = 0;
     double strength = 0;
 };
-using Links = std::vector<std::vector<Link>>;
+using Links = std::vector<std::vector<GroupLink>>;
 
 /// Turns links round, which sorts those of each item; adds up those between the same two.
 Links turnedRound(const Links& links) {
     Links turned(links.size());
     for (std::uint32_t item = 0; item < links.size(); ++item) {
         turned[item].reserve(links[item].size() / 2);
-        for (const Link& link : links[item]) {
-            std::vector<Link>& list = turned[link.item];
+        for (const GroupLink& link : links[item]) {
+            std::vector<GroupLink>& list = turned[link.item];
             if (!list.empty() && list.back().item == item) {
                 list.back().strength += link.strength;
             } else {
@@ -57,7 +57,7 @@ Links linksOf(const BodyModel& model, std::span<const ConstraintPull> pulls) {
     }
     Links links = turnedRound(back);
     for (std::size_t v = 0; v < links.size(); ++v) {
-        for (Link& link : links[v]) {
+        for (GroupLink& link : links[v]) {
             link.strength /= std::max(std::sqrt(own[v] * own[link.item]), 1e-300);
         }
     }
@@ -120,7 +120,7 @@ class Grouping {
   private:
     std::uint32_t firmest(std::uint32_t item, std::uint32_t own, std::size_t most) const {
         std::map<std::uint32_t, double> strengths;
-        for (const Link& link : items_.links[item]) {
+        for (const GroupLink& link : items_.links[item]) {
             const std::uint32_t g = group_[link.item];
             if (g != kNone && g != own && items_.piece[link.item] == items_.piece[item] &&
                 sizes_[g] + items_.size[item] <= most) {
@@ -194,7 +194,7 @@ std::vector<VertexGroup> growPatches(const Items& vertices) {
         around.clear();
         while (v != kNone) {
             grouping.add(v, patch);
-            for (const Link& link : links[v]) {
+            for (const GroupLink& link : links[v]) {
                 --fringe[link.item];
                 fringe.add(link.item);
                 if (vertices.piece[link.item] == piece) {
@@ -271,7 +271,7 @@ std::vector<VertexGroup> connectedBoxes(const Items& items, std::size_t pieceCou
         while (!ahead.empty()) {
             const std::uint32_t item = ahead.back();
             ahead.pop_back();
-            for (const Link& link : items.links[item]) {
+            for (const GroupLink& link : items.links[item]) {
                 if (boxOf[link.item] == boxOf[item] && grouping.isFree(link.item)) {
                     grouping.add(link.item, part);
                     ahead.push_back(link.item);
@@ -304,7 +304,7 @@ Items groupItems(const Items& of, const std::vector<VertexGroup>& groups) {
         for (const std::uint32_t item : groups[g]) {
             size += of.size[item];
             center += static_cast<double>(of.size[item]) * of.place[item];
-            for (const Link& link : of.links[item]) {
+            for (const GroupLink& link : of.links[item]) {
                 if (const std::uint32_t other = groupOf[link.item]; other != g && other != kNone) {
                     back[other].push_back({g, link.strength});
                 }

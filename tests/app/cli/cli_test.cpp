@@ -102,6 +102,7 @@ TEST(CommandLine, NamesThatNoFileCanHaveAreMistakes) {
 TEST(CommandLine, ReadsModelsUnderAnyNameOfTheProgram) {
     const test::TemporaryFolder folder;
     fs::copy_file(KERF_BINARY_DIR "/kerf", folder / "other");
+    fs::copy_file(KERF_BINARY_DIR "/kerf-import", folder / "kerf-import");
     const std::string call = "'" + (folder / "other").string() + "' inspect sphere20 >'" +
                              (folder / "out").string() + "'";
     EXPECT_EQ(std::system(call.c_str()), 0);

@@ -124,9 +124,9 @@ TEST_F(EditorMeasureTest, EscForgetsThePointsAndThenEndsMeasuring) {
     EXPECT_EQ(panels().view.overlay.dots.size(), 1U);
     tap(Key::escape, 2);
     EXPECT_EQ(panels().view.overlay.dots.size(), 0U);
-    EXPECT_EQ(panels().tools.tool, ui::Tool::measure);
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::measure);
     tap(Key::escape, 2);
-    EXPECT_EQ(panels().tools.tool, ui::Tool::stroke);
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::stroke);
 }
 
 TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {

@@ -170,7 +170,7 @@ TEST_F(EditorPanelsTest, APanelTakesClicksWhileTheOtherIsHidden) {
     writeText(settingsFile, R"({"show_readings": false})");
     start();
     clickOn("tool.Pin");
-    EXPECT_EQ(panels().tools.tool, ui::Tool::pin);
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::pin);
 }
 
 TEST_F(EditorPanelsTest, EscapeClosesAMenu) {

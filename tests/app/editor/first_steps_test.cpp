@@ -56,16 +56,16 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     now.pieces = 2;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("2 pieces"));
-    EXPECT_THAT(choicesOf(steps.hint(now)),
-                ElementsAre(ActionId::letFall, ActionId::showApart, ui::actionOf(ui::Tool::grab)));
-    now.tool = ui::Tool::grab;
+    EXPECT_THAT(choicesOf(steps.hint(now)), ElementsAre(ActionId::letFall, ActionId::showApart,
+                                                        ui::actionOf(ui::ToolKind::grab)));
+    now.tool = ui::ToolKind::grab;
     steps.follow(now);
     EXPECT_THAT(steps.hint(now).text, HasSubstr("pull it")) << "a tool that is new";
     now.touching = true;
     steps.follow(now);
     now.touching = false;
     EXPECT_THAT(steps.hint(now).text, HasSubstr("What next")) << "known by now";
-    now.tool = ui::Tool::stroke;
+    now.tool = ui::ToolKind::stroke;
     now.playing = true;
     now.weightless = false;
     steps.follow(now);
@@ -73,16 +73,16 @@ TEST(FirstSteps, LeadThroughTheFirstCut) {
     now.playing = false;
     EXPECT_THAT(choicesOf(steps.hint(now)),
                 ElementsAre(ActionId::undo, ActionId::reset, ActionId::help));
-    now.tool = ui::Tool::grab;
+    now.tool = ui::ToolKind::grab;
     EXPECT_EQ(steps.hint(now).text, "") << "it would not cut";
-    now.tool = ui::Tool::stroke;
+    now.tool = ui::ToolKind::stroke;
     now.cutting = true;
     steps.follow(now);
     now.cutting = false;
     now.pieces = 3;
     steps.follow(now);
     EXPECT_EQ(steps.hint(now).text, "") << "who has seen it all is left alone";
-    now.tool = ui::Tool::guillotine;
+    now.tool = ui::ToolKind::guillotine;
     EXPECT_THAT(steps.hint(now).text, HasSubstr("handles")) << "but for what is new";
 }
 
@@ -115,13 +115,13 @@ TEST(FirstSteps, WhatWasOpenedInPiecesIsNotCutYet) {
 
 TEST(FirstSteps, AnIncisionOfTheScalpelLeadsToTheHand) {
     FirstSteps steps;
-    Situation now{.open = true, .cutting = true, .tool = ui::Tool::scalpel};
+    Situation now{.open = true, .cutting = true, .tool = ui::ToolKind::scalpel};
     steps.follow(now);
     now.cutting = false;
     now.outcome = StrokeOutcome::incised;
     steps.follow(now);
     EXPECT_EQ(choicesOf(steps.hint(now)),
-              (std::vector{ui::actionOf(ui::Tool::retract), ui::actionOf(ui::Tool::grab)}));
+              (std::vector{ui::actionOf(ui::ToolKind::retract), ui::actionOf(ui::ToolKind::grab)}));
 }
 
 // Not that the blade began or ended inside, which the log does not say.

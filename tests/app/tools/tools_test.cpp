@@ -23,7 +23,7 @@ class ToolBoxTest : public ::testing::Test {
         const ViewFrame view{{.eye = {0, 0.5, 3}, .target = {0, 0.5, 0}}, 400, 300};
         return {view, pixel, {}, tools.settings(), stroke, bounds, section, nullptr};
     }
-    void take(ui::Tool tool) {
+    void take(ui::ToolKind tool) {
         ui::ToolSettings wanted = tools.settings();
         wanted.tool = tool;
         tools.set(wanted, at({0, 0}));
@@ -41,41 +41,41 @@ TEST_F(ToolBoxTest, AnotherToolEndsAStrokeThatIsHeld) {
     EXPECT_TRUE(tools.inHand().holds());
     EXPECT_FALSE(tools.holdsBody()) << "a blade is put away at once";
     EXPECT_TRUE(stroke.drawing());
-    take(ui::Tool::guillotine);
+    take(ui::ToolKind::guillotine);
     EXPECT_FALSE(stroke.drawing());
-    take(ui::Tool::stroke);
+    take(ui::ToolKind::stroke);
     EXPECT_FALSE(tools.inHand().holds());
 }
 
 TEST_F(ToolBoxTest, TheGuillotineComesDownAndIsAboveTheBodyOnceItIsPutAway) {
-    take(ui::Tool::guillotine);
+    take(ui::ToolKind::guillotine);
     tools.inHand().trigger(at({0, 0}));
     EXPECT_EQ(tools.settings().guillotine.lowered, 1);
     EXPECT_GT(stroke.pending(), 0u);
-    take(ui::Tool::stroke);
+    take(ui::ToolKind::stroke);
     EXPECT_EQ(tools.settings().guillotine.lowered, 0);
     EXPECT_EQ(stroke.pending(), 0u);
 }
 
 TEST_F(ToolBoxTest, TheGuillotineKeepsItsPoseWhileAnotherToolIsUsed) {
-    take(ui::Tool::guillotine);
+    take(ui::ToolKind::guillotine);
     ui::ToolSettings wanted = tools.settings();
     wanted.guillotine.length = 0.3;
     tools.set(wanted, at({0, 0}));
     const std::vector<Blade> way = tools.inHand().wayAhead(at({0, 0}));
     EXPECT_NEAR((way.front().b - way.front().a).norm(), 0.3, 1e-12);
-    take(ui::Tool::stroke);
-    take(ui::Tool::guillotine);
+    take(ui::ToolKind::stroke);
+    take(ui::ToolKind::guillotine);
     EXPECT_EQ(tools.inHand().wayAhead(at({0, 0})).front().b, way.front().b);
 }
 
 TEST_F(ToolBoxTest, AnotherDocumentFitsTheSettingsAndLeavesTheToolInHand) {
-    take(ui::Tool::pin);
+    take(ui::ToolKind::pin);
     Bounds larger;
     larger.add(Vec3::Zero());
     larger.add(Vec3(30, 40, 0));
     tools.begin(larger);
-    EXPECT_EQ(tools.settings().tool, ui::Tool::pin);
+    EXPECT_EQ(tools.settings().tool, ui::ToolKind::pin);
     EXPECT_DOUBLE_EQ(tools.settings().longest, 100);
     EXPECT_DOUBLE_EQ(tools.settings().pin.radius, 4);
 }
