@@ -72,7 +72,7 @@ bool MeshCells::isInverted(std::span<const double> nodes, const Sides& sides) co
     const auto at = [&](int corner) -> const Vec3& {
         return faces_.positions[static_cast<std::size_t>(nodes[corner])];
     };
-    const Vec3 from = at(0);
+    const Vec3& from = at(0);
     double volume = 0;
     for (const std::vector<int>& side : sides) {
         for (std::size_t i = 2; i < side.size(); ++i) {
