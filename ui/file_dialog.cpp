@@ -112,7 +112,14 @@ bool drawFilmChoice(const std::string& item, std::array<FilmChoice<Value>, kCoun
 
 void drawFilmLook(const FileDialogState& state, std::vector<Action>& actions) {
     FilmLook look = state.film;
-    const bool isGif = state.kinds[state.kind].find(".gif") != std::string::npos;
+    const std::string& kind = state.kinds[state.kind];
+    const bool isGif = kind.find(".gif") != std::string::npos;
+    if (kind.find(".abc") != std::string::npos || kind.find(".pvd") != std::string::npos) {
+        if (drawFilmChoice("rate", kFilmRates, "30 fps", look.rate, "Samples per second")) {
+            actions.emplace_back(FileAction(SetFilmLook{look}));
+        }
+        return;
+    }
     bool changed =
         checkbox("Captions", look.captions, "file.captions", "Show the time and what happens");
     ImGui::SameLine();

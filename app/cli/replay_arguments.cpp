@@ -5,6 +5,7 @@
 #include "app/cli/option_checks.h"
 #include "app/cli/verb.h"
 #include "app/files/export/export.h"
+#include "app/files/export/export_alembic.h"
 #include "app/files/film/film_encoder.h"
 #include "app/files/io/file_io.h"
 #include "sim/base/text.h"
@@ -143,6 +144,18 @@ void describeSequence(CLI::App& verb, ReplayArguments& arguments) {
         ->check(refuseNoMeshFormat)
         ->type_name("FORMAT")
         ->needs(sequence);
+    CLI::Option* const cache =
+        verb.add_option("--cache", arguments.cache.file,
+                        "Also write the body over time as an Alembic cache; FILE ends in .abc")
+            ->check([](const std::string& file) {
+                return isCacheFile(file) ? "" : "'" + file + "' does not end in .abc";
+            })
+            ->type_name("FILE");
+    verb.add_option("--cache-every", arguments.cache.every,
+                    "Steps from one sample of the cache to the next (1)")
+        ->check(CLI::Range(1, kMaxSteps))
+        ->type_name("STEPS")
+        ->needs(cache);
 }
 
 namespace fs = std::filesystem;
@@ -272,6 +285,7 @@ void checkReplayTargets(const Session& session, const ReplayArguments& arguments
     requireKept(inputs, results, session, arguments.out);
     requireOwnFile("--movie", arguments.film.file, inputs, results);
     requireOwnFile("--strip", arguments.strip.file, inputs, results);
+    requireOwnFile("--cache", arguments.cache.file, inputs, results);
     requireFreeSequence(session, arguments);
 }
 

@@ -139,6 +139,10 @@ void printForPeople(const ReplayResult& result, const ReplayArguments& arguments
     if (!arguments.strip.file.empty()) {
         out << "strip: " << arguments.strip.file.string() << "\n";
     }
+    if (!arguments.cache.file.empty()) {
+        out << "cache: " << arguments.cache.file.string() << ", "
+            << counted(result.cacheSamples, "sample", "samples") << "\n";
+    }
     out << "time: " << run.realTime.sentence() << "\n";
 }
 
@@ -153,6 +157,9 @@ void printJson(const ReplayResult& result, const ReplayArguments& arguments,
     }
     if (!arguments.strip.file.empty()) {
         json["strip"] = arguments.strip.file.string();
+    }
+    if (!arguments.cache.file.empty()) {
+        json["cache"] = {{"file", arguments.cache.file.string()}, {"samples", result.cacheSamples}};
     }
     if (!reference.renewed.empty()) {
         json["renewed"] = reference.renewed;

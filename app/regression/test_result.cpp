@@ -20,42 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 7> kStatusNames = {
     "passed", "failed", "unreadable", "unwritable", "made", "renewed", "not run"};
 
-/// The text as UTF-8 that XML can hold: U+FFFD stands for what names of files may have besides.
-std::string asUtf8(const std::string& text) {
-    std::string valid =
-        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
-    for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
-        for (std::size_t at = 0; (at = valid.find(none, at)) != std::string::npos;) {
-            valid.replace(at, none.size(), "\xEF\xBF\xBD");
-        }
-    }
-    return valid;
-}
-
-/// Text as XML holds it. Control characters have no place there.
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : asUtf8(text)) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return out;
-}
-
 /// The element of JUnit XML that says why a test is no success; "" for one that is.
 std::string_view junitElement(const TestResult& result) {
     if (result.status == TestStatus::notRun) {
@@ -72,13 +36,13 @@ std::string findingsOf(const TestResult& result) {
 std::string testCase(const TestResult& result) {
     const std::string head =
         fmt::format(R"(    <testcase classname="kerf" name="{}" time="{:.3f}")",
-                    escaped(result.name), result.seconds);
+                    xmlText(result.name), result.seconds);
     const std::string_view element = junitElement(result);
     if (element.empty()) {
         return head + "/>\n";
     }
     return head + fmt::format(">\n      <{0} message=\"{1}\"/>\n    </testcase>\n", element,
-                              escaped(findingsOf(result)));
+                              xmlText(findingsOf(result)));
 }
 
 Json toJson(const TestResult& result) {

@@ -117,15 +117,17 @@ render::Image HeadlessSession::draw(const render::Camera& camera, int width, int
     return renderer_->readPicture();
 }
 
+ExportLooks HeadlessSession::exportLooks() {
+    return {carried(looks_, uncut_->mesh, simulation_.mesh()), lookOf(session_)};
+}
+
 void HeadlessSession::write(const ExportEvent& event, OutputFolder& folder) {
     const SurfaceMesh& mesh = simulation_.mesh();
     const Placement& placement = simulation_.placement();
     const ExportTarget target{event.file, event.filePerPiece, coordinatesOf(event, placement),
                               folder.pathOf(event.file).parent_path()};
-    for (const ExportedFile& file :
-         encodeExport(target, mesh, simulation_.pieces(),
-                      {carried(looks_, uncut_->mesh, mesh), lookOf(session_)},
-                      {placement, session_.origin})) {
+    for (const ExportedFile& file : encodeExport(target, mesh, simulation_.pieces(), exportLooks(),
+                                                 {placement, session_.origin})) {
         folder.write(file.file.generic_string(), file.bytes);
     }
 }

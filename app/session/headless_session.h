@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/files/export/export_mesh.h"
 #include "app/files/io/output_folder.h"
 #include "app/session/session.h"
 #include "app/session/simulation_driver.h"
@@ -61,6 +62,8 @@ class HeadlessSession {
     void show(const render::Camera& camera, int width, int height);
     /// Returns a picture of the state before the coming step, with sides in pixels.
     render::Image draw(const render::Camera& camera, int width, int height);
+    /// The looks to export the present body with.
+    ExportLooks exportLooks();
     /// Writes the files of an export into a folder, with the looks of the model. Throws
     /// OutputError.
     void write(const ExportEvent& event, OutputFolder& folder);

@@ -98,9 +98,16 @@ std::string FilmCaptions::at(double filmTime, double time) const {
     return fmt::format("{:.2f} s{}{}{}", time, pace_, speaks ? ". " : "", speaks ? words_ : "");
 }
 
-void FilmClock::pass(double seconds) {
-    lastStep_ = seconds;
-    elapsed_ += seconds;
+void FilmClock::note(const Command& command) {
+    if (const auto* move = std::get_if<MoveBlade>(&command)) {
+        handSeconds_ = move->seconds;
+    }
+}
+
+void FilmClock::pass(double timeStep, bool timeRuns) {
+    const auto hand = std::exchange(handSeconds_, std::nullopt);
+    lastStep_ = timeRuns ? timeStep : hand.value_or(timeStep);
+    elapsed_ += lastStep_;
 }
 
 std::optional<double> FilmClock::takeFrame() {
@@ -128,15 +135,8 @@ Film::Film(const FilmOptions& options, const std::filesystem::path& unfinished, 
 }
 
 void Film::note(const Command& command) {
-    if (const auto* move = std::get_if<MoveBlade>(&command)) {
-        handSeconds_ = move->seconds;
-    }
+    clock_.note(command);
     captions_.note(command, filmTime());
-}
-
-void Film::pass(double timeStep, bool timeRuns) {
-    const auto hand = std::exchange(handSeconds_, std::nullopt);
-    clock_.pass(timeRuns ? timeStep : hand.value_or(timeStep));
 }
 
 void Film::show(int step, double time, const render::Camera& camera, const Draw& draw) {

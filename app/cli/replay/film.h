@@ -57,8 +57,11 @@ class FilmClock {
     /// `secondsPerFrame`: simulated time from a frame to the next [s].
     explicit FilmClock(double secondsPerFrame) : secondsPerFrame_(secondsPerFrame) {}
 
-    /// Advances by a step of this length [s].
-    void pass(double seconds);
+    /// Records a command before the coming step.
+    void note(const Command& command);
+    /// Advances by a step, which lasts its time step [s]; while time stands, as long as the person
+    /// took.
+    void pass(double timeStep, bool timeRuns = true);
     /// Takes the next frame, if it shows the present state: how far its time is before this state,
     /// as a share of the last step. None if it shows a later state.
     std::optional<double> takeFrame();
@@ -68,6 +71,7 @@ class FilmClock {
 
   private:
     double secondsPerFrame_;
+    std::optional<double> handSeconds_;  ///< of the coming step
     double elapsed_ = 0;
     double lastStep_ = 0;
     int frames_ = 0;
@@ -90,8 +94,8 @@ class Film {
     /// Films the state before a step, at simulated `time` [s], in all its frames. By `camera`
     /// without a path.
     void show(int step, double time, const render::Camera& camera, const Draw& draw);
-    /// After a step. It lasts its time step [s]; while paused, as long as the person took.
-    void pass(double timeStep, bool timeRuns);
+    /// After a step: see FilmClock::pass.
+    void pass(double timeStep, bool timeRuns) { clock_.pass(timeStep, timeRuns); }
     /// Completes the film.
     FilmReport finish();
 
@@ -106,7 +110,6 @@ class Film {
     int steps_;
     render::CameraPath path_;
     FilmClock clock_;
-    std::optional<double> handSeconds_;  ///< of the coming step
     FilmEncoder encoder_;
     FilmCaptions captions_;
     std::optional<ui::PicturePainter> painter_;

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "app/files/export/export.h"
+#include "app/files/export/export_alembic.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
@@ -142,6 +143,14 @@ struct RunWatches {
     ForceTrace forces;
 };
 
+/// A cache, and the time of its samples.
+struct CacheInWork {
+    CacheInWork(const std::filesystem::path& path, const std::string& name, const Vec3& origin)
+        : file(path, name, origin) {}
+    AlembicCache file;
+    FilmClock clock{1};
+};
+
 /// One run of one session, with what comes of it.
 class Replay {
   public:
@@ -164,6 +173,9 @@ class Replay {
         summary_.driver = device.version;
         summary_.before = countBody();
         beginPictures();
+        if (!options_.cache.file.empty()) {
+            cache_.emplace(options_.cache.file, summary_.model, session_.origin);
+        }
         simulation().feelBlade(options_.forces || session_.task);
     }
 
@@ -181,7 +193,7 @@ class Replay {
         if (!stopped_) {
             applyActions();
             filmState();
-            writeSequence();
+            writeMeshes();
             checkLength();
         }
         remark(watches_.volumes.sentence());
@@ -190,11 +202,15 @@ class Replay {
 
     RunSummary takeSummary() { return std::move(summary_); }
     const std::optional<FilmReport>& filmReport() const { return filmReport_; }
+    int cacheSamples() const { return cache_ ? cache_->file.samples() : 0; }
 
     // What happens before a step: see SimulationDriver::applyActions.
     void perform(const Command& command, int event) {
         if (film_) {
             film_->note(command);
+        }
+        if (cache_) {
+            cache_->clock.note(command);
         }
         running_.perform(command, event);
     }
@@ -247,8 +263,8 @@ class Replay {
         });
     }
 
-    /// The same state as a mesh.
-    void writeSequence() {
+    /// The same state as meshes.
+    void writeMeshes() {
         const bool ends = stopped_ || step_ == steps_;
         if (sequence_ && sequence_->wants(step_, ends ? step_ : steps_)) {
             outside_.measure([&] {
@@ -256,11 +272,22 @@ class Replay {
                                  simulation().pieces(), {{}, lookOf(session_)}, session_.origin);
             });
         }
+        if (cache_ && step_ % options_.cache.every == 0) {
+            outside_.measure([&] {
+                cache_->file.add(
+                    cache_->clock.elapsed(),
+                    gatherMesh(simulation().mesh(), simulation().pieces(), running_.exportLooks()),
+                    simulation().timeRuns());
+            });
+        }
     }
 
     void finishFilms() {
         if (sequence_) {
             sequence_->finish();
+        }
+        if (cache_) {
+            cache_->file.finish();
         }
         if (film_) {
             filmReport_ = film_->finish();
@@ -278,13 +305,16 @@ class Replay {
         const Stopwatch watch;
         applyActions();
         filmState();
-        writeSequence();
+        writeMeshes();
         if (stopped_) {
             return;
         }
         const StepReport& report = running_.step();
         if (film_) {
             film_->pass(simulation().params().timeStep, simulation().timeRuns());
+        }
+        if (cache_) {
+            cache_->clock.pass(simulation().params().timeStep, simulation().timeRuns());
         }
         const double outsideMs = outside_.take();
         const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,
@@ -425,6 +455,7 @@ class Replay {
     std::optional<FilmReport> filmReport_;
     std::optional<FilmStrip> strip_;
     std::optional<MeshSequence> sequence_;
+    std::optional<CacheInWork> cache_;
     RunWatches watches_;
     const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
@@ -448,7 +479,7 @@ ReplayResult replaySession(const Session& session, ModelMesh model,
     HeadlessSession running(session, std::move(model), undoBudget, options.quality);
     Replay replay(running, remarks, output, options);
     replay.run(listener);
-    return {replay.takeSummary(), output.written(), replay.filmReport()};
+    return {replay.takeSummary(), output.written(), replay.filmReport(), replay.cacheSamples()};
 }
 
 }  // namespace kerf::app

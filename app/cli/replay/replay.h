@@ -18,6 +18,12 @@ struct ReplayListener {
     std::function<void(const MetricsRow& row)> row;
 };
 
+/// The Alembic cache of a run.
+struct CacheOptions {
+    std::filesystem::path file;  ///< see isCacheFile(); empty for none
+    int every = 1;               ///< steps from one sample to the next
+};
+
 /// Options of a replay besides the session.
 struct ReplayOptions {
     bool hashes = false;                ///< writes hashes.csv
@@ -31,6 +37,7 @@ struct ReplayOptions {
     FilmOptions film;                   ///< if its file is set
     StripOptions strip;                 ///< if its file is set
     SequenceOptions sequence;           ///< where it names steps
+    CacheOptions cache;                 ///< if its file is set
     /// The tier of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;
 };
@@ -41,15 +48,16 @@ struct ReplayResult {
     /// The files that were written, relative to the output folder, in the order of writing.
     std::vector<std::string> files;
     std::optional<FilmReport> film;  ///< where one was made
+    int cacheSamples = 0;            ///< where a cache was written
 };
 
 /// Runs a session as fast as it can on the OpenGL context that is current and writes metrics.csv,
 /// summary.json, final.ply, the session's screenshots and its exports into `folder` (made where it
-/// is missing) and nowhere else, but for the film and the strip of `options`, whose files a person
-/// named. Every file appears complete or not at all; results of an earlier
-/// run under these names are removed first, and summary.json comes last. A check that fails stands
-/// in summary.failures and, unless options.keepGoing, ends the run before the coming step. `model`
-/// is loadSessionModel(session).
+/// is missing) and nowhere else, but for the film, the strip and the cache of `options`, whose
+/// files a person named. Every file appears complete or not at all; results of an earlier run under
+/// these names are removed first, and summary.json comes last. A check that fails stands in
+/// summary.failures and, unless options.keepGoing, ends the run before the coming step. `model` is
+/// loadSessionModel(session).
 ///
 /// Throws InputError naming the event that cannot happen (nothing to undo, no such box),
 /// OutputError, gpu::ShaderError, gpu::OutOfMemory; and MemoryShortage before anything is done.

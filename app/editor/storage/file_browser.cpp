@@ -32,6 +32,27 @@ std::vector<std::string> kindsOf(std::span<const Info> formats) {
     });
 }
 
+/// What a run is exported as.
+struct RunKind {
+    std::string_view extension;
+    std::string_view name;
+};
+
+/// Films, and meshes over time.
+std::vector<RunKind> runKinds() {
+    std::vector<RunKind> kinds = mapped(filmFormats(), [](const FilmFormatInfo& info) {
+        return RunKind{info.extension, info.name};
+    });
+    kinds.push_back({".abc", "Alembic"});
+    kinds.push_back({".pvd", "ParaView"});
+    return kinds;
+}
+
+bool isOfRun(const fs::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    return std::ranges::count(runKinds(), extension, &RunKind::extension) > 0;
+}
+
 std::vector<std::string> kindsOf(FilePurpose purpose) {
     switch (purpose) {
         case FilePurpose::open:
@@ -42,7 +63,7 @@ std::vector<std::string> kindsOf(FilePurpose purpose) {
         case FilePurpose::saveMaterial:
             return {"Material (.material.json)"};
         case FilePurpose::makeFilm:
-            return kindsOf(filmFormats());
+            return kindsOf<RunKind>(runKinds());
         case FilePurpose::exportMesh:
         case FilePurpose::none:
             break;
@@ -180,7 +201,7 @@ bool FileBrowser::isOffered(const fs::path& file) const {
         case FilePurpose::none:
             return meshFormatOf(file).has_value();
         case FilePurpose::makeFilm:
-            return filmFormatOf(file) != nullptr;
+            return isOfRun(file);
     }
     switch (state_.kind) {
         case kEverything:
@@ -263,7 +284,7 @@ void FileBrowser::chooseKind(int kind) {
 }
 
 std::string_view FileBrowser::endingOfKind() const {
-    return state_.purpose == FilePurpose::makeFilm ? filmFormats()[state_.kind].extension
+    return state_.purpose == FilePurpose::makeFilm ? runKinds()[state_.kind].extension
                                                    : meshFormats()[state_.kind].extension;
 }
 
@@ -310,9 +331,8 @@ std::optional<fs::path> FileBrowser::acceptToWrite(fs::path path, bool overwrite
     if (state_.purpose == FilePurpose::saveMaterial && !path.string().ends_with(kMaterialEnding)) {
         path += kMaterialEnding;
     }
-    const bool needsEnding =
-        (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) ||
-        (state_.purpose == FilePurpose::makeFilm && filmFormatOf(path) == nullptr);
+    const bool needsEnding = (state_.purpose == FilePurpose::exportMesh && !meshFormatOf(path)) ||
+                             (state_.purpose == FilePurpose::makeFilm && !isOfRun(path));
     if (needsEnding) {
         path += endingOfKind();
     }

@@ -1,5 +1,9 @@
 #include "app/editor/storage/file_saving.h"
 
+#include <fstream>
+
+#include "app/files/export/export_alembic.h"
+#include "app/files/io/encodings.h"
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
@@ -16,12 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> argumentsFor(const fs::path& session, const fs::path& film,
-                                      const ui::FilmLook& look) {
-    std::vector<std::string> words{
-        "replay",  session.string(), "--out",   (session.parent_path() / "results").string(),
-        "--movie", film.string(),    "--speed", formatNumber(look.speed),
-        "--fine",  "--keep-going",   "--jsonl"};  // a line per step
+constexpr int kUsualRate = 30;  // samples of meshes in a second
+
+bool isParaViewFile(const fs::path& file) {
+    return lowerCase(file.extension().string()) == ".pvd";
+}
+
+std::vector<std::string> filmWords(const fs::path& film, const ui::FilmLook& look) {
+    std::vector<std::string> words{"--movie", film.string(), "--speed", formatNumber(look.speed),
+                                   "--fine"};
     if (look.width > 0) {
         words.insert(words.end(),
                      {"--size", std::to_string(look.width) + "x" + std::to_string(look.height)});
@@ -38,8 +45,48 @@ std::vector<std::string> argumentsFor(const fs::path& session, const fs::path& f
     return words;
 }
 
-/// Makes a film of a session by a replay in a separate process; the extension of `file` is one of
-/// filmFormats(). The film appears complete or not at all. Throws OutputError, and WorkCancelled.
+/// What people call it.
+std::string wordFor(const fs::path& file) {
+    return isCacheFile(file) || isParaViewFile(file) ? "animation" : "video";
+}
+
+/// Arguments of a replay that writes `film`, or a sequence of meshes for ParaView.
+std::vector<std::string> wordsFor(const fs::path& film, const ui::FilmLook& look, double timeStep) {
+    const double samples = 1 / (timeStep * (look.rate > 0 ? look.rate : kUsualRate));
+    const std::string every = std::to_string(std::max(1L, std::lround(samples)));
+    if (isCacheFile(film)) {
+        return {"--cache", film.string(), "--cache-every", every};
+    }
+    return isParaViewFile(film) ? std::vector<std::string>{"--sequence", every, "--meshes", "vtp"}
+                                : filmWords(film, look);
+}
+
+/// Writes the meshes of a sequence into a folder named like `file`. Returns the list of them that
+/// belongs into `file`.
+std::string writeSequence(const fs::path& sequence, const fs::path& file) {
+    const std::string name = file.stem().string();
+    OutputFolder meshes(file.parent_path() / name);
+    for (const auto& entry : fs::directory_iterator(sequence)) {
+        if (entry.path().extension() == ".vtp") {
+            AtomicFile mesh(meshes.pathOf(entry.path().filename()));
+            mesh.writeAllOf(entry.path());
+            mesh.commit();
+        }
+    }
+    std::ifstream list(sequence / "sequence.pvd");
+    std::string told;
+    for (std::string line; std::getline(list, line); told += line + "\n") {
+        constexpr std::string_view kFile = "file=\"";
+        if (const std::size_t place = line.find(kFile); place != std::string::npos) {
+            line.insert(place + kFile.size(), xmlText(name) + "/");
+        }
+    }
+    return told;
+}
+
+/// Makes a film of a session, or meshes over time, by a replay in a separate process; the extension
+/// of `file` names which. The file appears complete or not at all, and what it lists before it.
+/// Throws OutputError, and WorkCancelled.
 void filmSession(const Session& session, const fs::path& file, const ui::FilmLook& look,
                  WorkProgress& progress) {
     AtomicFile output(file);
@@ -54,12 +101,21 @@ void filmSession(const Session& session, const fs::path& file, const ui::FilmLoo
                        done, session.steps);
     };
     tell(0);
-    const ChildOutcome end = runChild(argumentsFor(copy, film, look), progress, tell);
+    const fs::path results = folder.path() / "results";
+    std::vector<std::string> words{"replay",         copy.string(),  "--out",
+                                   results.string(), "--keep-going", "--jsonl"};  // a line per step
+    std::ranges::move(wordsFor(film, look, session.params.timeStep), std::back_inserter(words));
+    const ChildOutcome end = runChild(words, progress, tell);
     if (end.exitCode != kExitDone && end.exitCode != kExitCheckFailed) {
-        throw OutputError("The video could not be exported: " + sentenceAbout(end, folder.path()));
+        throw OutputError("The " + wordFor(file) +
+                          " could not be exported: " + sentenceAbout(end, folder.path()));
     }
     progress.enter("Writing");
-    output.writeAllOf(film);
+    if (isParaViewFile(file)) {
+        output.write(writeSequence(results / "sequence", file));
+    } else {
+        output.writeAllOf(film);
+    }
     output.commit();
 }
 
@@ -118,10 +174,10 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
 std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
                                       SavedSession saved) {
     return std::make_unique<FileSaving>(
-        "Exporting video " + file.filename().string(),
+        "Exporting " + wordFor(file) + " " + file.filename().string(),
         [file, look, saved = std::move(saved)](WorkProgress& progress) {
             filmSession(saved.session, file, look, progress);
-            return "Exported video " + file.string() +
+            return "Exported " + wordFor(file) + " " + file.string() +
                    (saved.remark.empty() ? "" : ". " + saved.remark);
         });
 }

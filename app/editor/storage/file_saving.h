@@ -29,7 +29,7 @@ std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, Saved
 /// Begins to write a material.
 std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
                                                 Material material);
-/// Begins to film a session, by a replay in a separate process.
+/// Begins to film a session, by a replay in a separate process; as .abc or .pvd its meshes.
 std::unique_ptr<FileSaving> startFilm(const std::filesystem::path& file, const ui::FilmLook& look,
                                       SavedSession saved);
 /// Begins to write a session with the expectations of a run, which takes as long as that run.

@@ -248,7 +248,8 @@ class Gathering {
     int cut_ = 0;
 };
 
-/// What is multiplied at a corner, pictures aside.
+}  // namespace
+
 Eigen::Vector4f cornerColor(const ExportMesh& mesh, const ExportFace& face, int corner,
                             bool withMaterials) {
     Eigen::Vector4f color = Eigen::Vector4f::Ones();
@@ -258,8 +259,6 @@ Eigen::Vector4f cornerColor(const ExportMesh& mesh, const ExportFace& face, int 
     const int own = face.colors[corner];
     return own < 0 ? color : Eigen::Vector4f(color.cwiseProduct(mesh.colors[own]));
 }
-
-}  // namespace
 
 ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
                       const Vec3& from, double unitsPerMetre) {

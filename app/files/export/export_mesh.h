@@ -50,6 +50,10 @@ struct ExportMesh {
 ExportMesh gatherMesh(const SurfaceMesh& mesh, const PieceMap& pieces, const ExportLooks& looks,
                       const Vec3& from = Vec3::Zero(), double unitsPerMetre = 1);
 
+/// The colour of a corner of a face, in linear light, pictures aside. `withMaterials`: includes
+/// materials.
+Eigen::Vector4f cornerColor(const ExportMesh& mesh, const ExportFace& face, int corner,
+                            bool withMaterials);
 /// The colour of each position, in linear light: the mean over corners of the skin there, or of cut
 /// faces if it touches no skin. `withMaterials`: includes materials.
 std::vector<Eigen::Vector4f> vertexColors(const ExportMesh& mesh, bool withMaterials);

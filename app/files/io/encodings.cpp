@@ -4,6 +4,7 @@
 #include <nettle/sha2.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
@@ -24,6 +25,19 @@ std::string finish(sha256_ctx& context) {
         text += digits[byte & 15];
     }
     return text;
+}
+
+/// The text as UTF-8 that XML can hold: U+FFFD stands for what names of files may have besides.
+std::string asUtf8(const std::string& text) {
+    using Json = nlohmann::json;
+    std::string valid =
+        Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+    for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+        for (std::size_t at = 0; (at = valid.find(none, at)) != std::string::npos;) {
+            valid.replace(at, none.size(), "\xEF\xBF\xBD");
+        }
+    }
+    return valid;
 }
 
 }  // namespace
@@ -72,6 +86,29 @@ std::string sha256Of(std::span<const std::byte> bytes) {
     sha256_init(&context);
     sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
     return finish(context);
+}
+
+std::string xmlText(const std::string& text) {
+    std::string out;
+    for (const char c : asUtf8(text)) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+    }
+    return out;
 }
 
 }  // namespace kerf::app

@@ -13,4 +13,7 @@ std::string sha256OfFile(const std::filesystem::path& file);
 /// The same of bytes in memory.
 std::string sha256Of(std::span<const std::byte> bytes);
 
+/// Text as XML holds it. Control characters have no place there.
+std::string xmlText(const std::string& text);
+
 }  // namespace kerf::app

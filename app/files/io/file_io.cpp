@@ -146,6 +146,11 @@ void AtomicFile::writeAllOf(const std::filesystem::path& file) {
     }
 }
 
+void AtomicFile::writeAtStart(std::string_view bytes) {
+    flush();
+    out_.writeAtStart(bytes);
+}
+
 void AtomicFile::commit() {
     flush();
     out_.sync();

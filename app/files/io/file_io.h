@@ -35,6 +35,8 @@ class AtomicFile {
     void write(std::string_view bytes);
     /// Writes the bytes of one of Kerf's files, of any size.
     void writeAllOf(const std::filesystem::path& file);
+    /// Replaces the first bytes, which were written.
+    void writeAtStart(std::string_view bytes);
     void commit();
 
   private:

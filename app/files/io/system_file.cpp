@@ -114,6 +114,12 @@ void SystemFile::write(std::string_view bytes) {
     }
 }
 
+void SystemFile::writeAtStart(std::string_view bytes) {
+    const ssize_t written =
+        mayCall() ? ::pwrite(descriptor_.get(), bytes.data(), bytes.size(), 0) : -1;
+    require(written == static_cast<ssize_t>(bytes.size()));
+}
+
 void SystemFile::sync() {
     require(mayCall() && ::fsync(descriptor_.get()) == 0);
 }

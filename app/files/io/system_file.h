@@ -52,6 +52,8 @@ class SystemFile {
 
     /// Writes all bytes, or throws.
     void write(std::string_view bytes);
+    /// Replaces the first bytes, without moving where write() goes on.
+    void writeAtStart(std::string_view bytes);
     /// Waits until all that was written is on the disk.
     void sync();
     /// sync() without metadata that reading does not need, such as times.

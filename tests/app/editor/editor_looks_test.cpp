@@ -285,6 +285,22 @@ TEST_F(EditorFilmTest, ACutInAPauseLastsAsLongAsTheDrag) {
     EXPECT_NEAR(std::stoi(frames), 30, 3) << "a second";
 }
 
+TEST_F(EditorFilmTest, AnAnimationHasTheMeshesInstead) {
+    openSession(20);
+    askForFilm("cut.abc");
+    clickAndWait("file.accept");
+    EXPECT_THAT(panels().toast.text,
+                HasSubstr("Exported animation " + (folder / "cut.abc").string()));
+    EXPECT_EQ(readBytes(folder / "cut.abc").substr(0, 6), "Ogawa\xFF");
+    askForFilm("a & b.pvd");
+    clickAndWait("file.accept");
+    EXPECT_THAT(readBytes(folder / "a & b.pvd"),
+                AllOf(HasSubstr("file=\"a &amp; b/step-000000.vtp\""),
+                      HasSubstr("file=\"a &amp; b/step-000014.vtp\"")))
+        << "30 in a second";
+    EXPECT_TRUE(fs::exists(folder / "a & b" / "step-000014.vtp"));
+}
+
 TEST_F(EditorFilmTest, IsSeenFromWhereThePersonLooksNow) {
     openSession(8);
     const auto film = [&](const std::string& name) {

@@ -105,6 +105,85 @@ TEST_F(SequenceTest, TheIndexOfParaViewNamesAllFiles) {
     EXPECT_THAT(index, HasSubstr("file=\"step-000040.vtp\""));
 }
 
+/// What tests/app/files/export/read_alembic.py finds in a cache.
+Json cacheFigures(const std::string& file) {
+    return Json::parse(outputOf("/usr/bin/python3 -B '" KERF_SOURCE_DIR
+                                "/tests/app/files/export/read_alembic.py' '" +
+                                file + "' 2>&1"),
+                       nullptr, false);
+}
+
+TEST_F(SequenceTest, ACacheHasTheBodyOverTime) {
+    const ProgramRun run = replay({"--cache", path("a.abc"), "--json"});
+    ASSERT_EQ(run.exitCode, 0);
+    EXPECT_EQ(Json::parse(run.out)["cache"]["samples"], 41);
+    const Json found = cacheFigures(path("a.abc"));
+    ASSERT_TRUE(found.is_object());
+    EXPECT_EQ(found["samples"], 41);
+    EXPECT_EQ(found["even"], true);
+    EXPECT_NEAR(found["times"].back().get<double>(), 0.2, 1e-9);
+    EXPECT_GT(found["faces"].back(), found["faces"].front()) << "triangles change";
+    for (const Json& volume : found["volumes"]) {
+        EXPECT_NEAR(volume.get<double>(), found["volumes"][0].get<double>(), 2e-3);
+    }
+    EXPECT_EQ(found["sets"]["cut"].front(), 0);
+    EXPECT_GT(found["sets"]["cut"].back(), 20);
+    EXPECT_EQ(found["sets"]["skin"].back().get<int>() + found["sets"]["cut"].back().get<int>(),
+              found["faces"].back().get<int>());
+    for (std::size_t sample = 14; sample <= 36; ++sample) {  // until it falls on the floor
+        EXPECT_LT(found["velocity_errors"][sample].get<double>(), 9.81 * 0.005) << sample;
+    }
+    EXPECT_LT(found["fall"].get<double>(), -0.3);
+    EXPECT_EQ(found["against_normals"].back(), 0);
+    const Vec3 inner = render::toDisplay(render::BodyLook{}.inner);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(found["cut_color"][i].get<double>(), inner[i], 1e-4);
+    }
+    EXPECT_THAT(found["metadata"].get<std::string>(), HasSubstr("_ai_Application=Kerf"));
+}
+
+TEST_F(SequenceTest, ACacheWithFewerSamplesHasTheSameOnes) {
+    ASSERT_EQ(replay({"--cache", path("a.ABC"), "--cache-every", "20"}).exitCode, 0);
+    const Json found = cacheFigures(path("a.ABC"));
+    EXPECT_EQ(found["samples"], 3);
+    EXPECT_NEAR(found["times"].back().get<double>(), 0.2, 1e-9);
+    EXPECT_THAT(replay({"--cache", path("b.abc")}).out, HasSubstr("b.abc, 41 samples"));
+    EXPECT_EQ(cacheFigures(path("b.abc"))["faces"][20], found["faces"][1]);
+}
+
+TEST_F(SequenceTest, ACacheOfAPauseHasTheTimesOfAFilm) {
+    writeText(folder_ / "test.kerf.json",
+              R"({"format": "kerf-session", "version": 1, "model": {"builtin": "sphere80"},
+                  "params": {"gravity": [0, -9, 0], "floor": null}, "steps": 30, "events": [
+                  {"step": 0, "type": "hold"},
+                  {"step": 0, "type": "blade", "a": [-1, 1, 0.1], "b": [1, 1, 0.1]},
+                  {"step": 20, "type": "blade", "a": [-1, -1, 0.1], "b": [1, -1, 0.1],
+                   "seconds": 0.1},
+                  {"step": 20, "type": "run"},
+                  {"step": 21, "type": "lift"}]})");
+    ASSERT_EQ(replay({"--cache", path("a.abc")}).exitCode, 0);
+    const Json found = cacheFigures(path("a.abc"));
+    EXPECT_EQ(found["even"], false);
+    EXPECT_NEAR(found["times"].back().get<double>(), 1.955, 1e-9);
+    EXPECT_LT(found["fall"].get<double>(), -0.2);
+}
+
+TEST_F(SequenceTest, MistakesOfACacheAreRefused) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
+        {{"--cache", path("a.obj")}, "does not end in .abc"},
+        {{"--cache", ""}, "does not end in .abc"},
+        {{"--cache", path("a.abc"), "--cache-every", "0"}, "--cache-every"},
+        {{"--cache-every", "2"}, "--cache"},
+    };
+    for (const auto& [options, words] : mistakes) {
+        const ProgramRun run = replay(options);
+        EXPECT_EQ(run.exitCode, 2) << options.back();
+        EXPECT_THAT(run.errors, HasSubstr(words));
+    }
+    expectEnd(replay({"--cache", path("missing/a.abc")}), 5, "that folder doesn't exist");
+    EXPECT_FALSE(fs::exists(path("missing")));
+}
+
 TEST_F(SequenceTest, MistakesAreRefused) {
     EXPECT_EQ(replay({"--sequence", "0"}).exitCode, 2);
     const ProgramRun unknown = replay({"--sequence", "5", "--meshes", "abc"});

@@ -2,6 +2,7 @@
 // stays whole, what is not done leaves nothing, and a sentence says what to do.
 #include <sys/resource.h>
 
+#include "app/files/export/export_alembic.h"
 #include "app/files/io/memory_means.h"
 
 namespace kerf::app {
@@ -72,6 +73,26 @@ TEST(WriteFaults, APictureIsTheOldOneOrTheNewOne) {
     failAtEachCall([&] { return writeSentence([&] { writePicture(picture, folder / "a.png"); }); },
                    [&] { EXPECT_EQ(contents(folder.path()), before); });
     EXPECT_EQ(readPicture(folder / "a.png").pixels, picture.pixels);
+}
+
+TEST(WriteFaults, ACacheIsTheOldOneOrTheNewOne) {
+    const test::TemporaryFolder folder;
+    writeText(folder / "a.abc", "old");
+    const auto before = contents(folder.path());
+    const SurfaceMesh box = test::box(Vec3::Ones(), 12);
+    const ExportMesh mesh = gatherMesh(box, findPieces(box), {});
+    failAtEachCall(
+        [&] {
+            return writeSentence([&] {
+                AlembicCache cache(folder / "a.abc", "box", Vec3::Zero());
+                for (int sample = 0; sample < 3; ++sample) {
+                    cache.add(sample, mesh, true);
+                }
+                cache.finish();
+            });
+        },
+        [&] { EXPECT_EQ(contents(folder.path()), before); });
+    EXPECT_EQ(readBytes(folder / "a.abc").substr(0, 6), "Ogawa\xFF");
 }
 
 TEST(WriteFaults, ADeviceAFolderAndALongNameAreRefused) {
