@@ -1,10 +1,10 @@
-#include "sim/repair/remesher.h"
+#include "app/import/repair/remesher.h"
 
 #include "sim/base/containers.h"
 #include "sim/mesh/nearest_triangle.h"
 #include "sim/repair/soup_editing.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
 
@@ -370,15 +370,15 @@ void Remesher::removeTriangle(int t) {
 }
 
 void Remesher::pack() {
-    keepTriangles(soup_, [this](int t) { return soup_.triangles[t][0] >= 0; });
-    dropUnusedVertices(soup_);
+    repair::keepTriangles(soup_, [this](int t) { return soup_.triangles[t][0] >= 0; });
+    repair::dropUnusedVertices(soup_);
 }
 
 namespace {
 
 /// By the lowest corner of each part, which stays the order of parts.
 std::vector<double> partVolumes(const TriangleSoup& soup) {
-    return volumesOf(soup, partsOf(soup));
+    return repair::volumesOf(soup, repair::partsOf(soup));
 }
 
 std::vector<Vec3> normalsOf(const TriangleSoup& soup) {
@@ -398,9 +398,9 @@ std::vector<Vec3> normalsOf(const TriangleSoup& soup) {
 
 /// Edges of a round surface cut corners: it moves out by what that has cost, a hair everywhere.
 void restoreVolumes(TriangleSoup& soup, const std::vector<double>& wanted) {
-    const std::vector<int> parts = partsOf(soup);
-    const std::vector<double> volumes = volumesOf(soup, parts);
-    const std::vector<double> areas = areasOf(soup, parts);
+    const std::vector<int> parts = repair::partsOf(soup);
+    const std::vector<double> volumes = repair::volumesOf(soup, parts);
+    const std::vector<double> areas = repair::areasOf(soup, parts);
     if (volumes.size() != wanted.size()) {
         return;
     }
@@ -445,4 +445,4 @@ void remesh(TriangleSoup& soup, double edge, const std::function<void(int round)
     restoreVolumes(soup, partVolumes(original));
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

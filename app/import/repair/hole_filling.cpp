@@ -1,8 +1,8 @@
-#include "sim/repair/hole_filling.h"
+#include "app/import/repair/hole_filling.h"
 
 #include "sim/mesh/triangle.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 using Edge = std::pair<int, int>;  // from, to
@@ -150,4 +150,4 @@ HoleFilling fillHoles(TriangleSoup& welded) {
     return done;
 }
 
-}  // namespace kerf
+}  // namespace kerf::app

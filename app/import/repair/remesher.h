@@ -3,7 +3,7 @@
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Makes the triangles of a soup even where allowed: long edges are divided, short ones collapse,
 /// edges are flipped towards six triangles a vertex, and vertices move to the middle of their
@@ -73,4 +73,4 @@ class Remesher {
 void remesh(TriangleSoup& soup, double edge,
             const std::function<void(int round)>& onRound = nullptr);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf {
+namespace kerf::app {
 
 /// The outcome of fillHoles().
 struct HoleFilling {
@@ -18,4 +18,4 @@ inline constexpr int kMostHoleEdges = 500;
 /// Holes that touch in a vertex, are too large or cannot be triangulated so stay open.
 HoleFilling fillHoles(TriangleSoup& welded);
 
-}  // namespace kerf
+}  // namespace kerf::app
