@@ -7,9 +7,8 @@
 #include "app/files/import/import_process.h"
 #include "app/files/io/errors.h"
 #include "app/import/piece_union.h"
-#include "app/import/repair/hole_filling.h"
-#include "app/import/repair/remesher.h"
 #include "app/import/repair/soup_repair.h"
+#include "app/import/repair/surface_meshing.h"
 #include "app/import/repair/thickening.h"
 #include "app/import/repair/vertex_parting.h"
 #include "sim/base/text.h"
@@ -21,7 +20,7 @@ namespace {
 
 /// Edges too short for the memory that there is are refused before any of it is taken.
 void requireMemoryForEdges(const TriangleSoup& soup, double edge) {
-    constexpr double kBytesOfTriangle = 400;  // 330 were seen, with 300,000 of them
+    constexpr double kBytesOfTriangle = 400;  // 345 were seen, with 700,000 of them
     const double triangles = trianglesOf(figuresOf(soup), edge);
     requireFree(
         fmt::format("Edges of {:g} make about {:.1e} triangles", edge, std::min(triangles, 1e18)),

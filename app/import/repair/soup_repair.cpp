@@ -2,12 +2,10 @@
 
 #include "app/import/repair/double_triangles.h"
 #include "app/import/repair/edge_pairing.h"
-#include "app/import/repair/hole_filling.h"
 #include "app/import/repair/near_borders.h"
-#include "app/import/repair/remesher.h"
+#include "app/import/repair/surface_meshing.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/union_find.h"
 #include "sim/repair/shell_nesting.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
@@ -17,55 +15,6 @@ namespace kerf::app {
 namespace {
 
 using repair::Side;
-
-double lengthOf(const TriangleSoup& soup, const Side& side) {
-    return (soup.positions[side.high] - soup.positions[side.low]).norm();
-}
-
-/// The mean length of the edges around each patch of triangles from `first` on, by triangle.
-std::vector<double> edgesAround(const TriangleSoup& soup, int first) {
-    UnionFind patches(soup.triangles.size());
-    const std::vector<Side> sides = repair::sidesByEdge(soup.triangles);
-    forEachEdge(sides, [&](const Side* begin, const Side* end) {
-        for (const Side* side = begin; side + 1 < end; ++side) {
-            if (side->triangle() >= first && side[1].triangle() >= first) {
-                patches.join(side->triangle(), side[1].triangle());
-            }
-        }
-    });
-    std::vector<double> sums(soup.triangles.size(), 0);
-    std::vector<int> counts(soup.triangles.size(), 0);
-    forEachEdge(sides, [&](const Side* begin, const Side* end) {
-        const int last = end[-1].triangle();
-        if (begin->triangle() < first && last >= first) {
-            sums[patches.root(last)] += lengthOf(soup, *begin);
-            ++counts[patches.root(last)];
-        }
-    });
-    std::vector<double> edges(soup.triangles.size(), 0);
-    for (int t = first; t < static_cast<int>(edges.size()); ++t) {
-        const int patch = patches.root(t);
-        edges[t] = sums[patch] / std::max(1, counts[patch]);
-    }
-    return edges;
-}
-
-/// fillHoles(), then divides the new triangles to the size of those around the hole, and smooths
-/// them. Returns how many holes.
-int fillHolesEvenly(TriangleSoup& soup) {
-    const std::size_t before = soup.triangles.size();
-    const int holes = fillHoles(soup).holes;
-    if (holes == 0) {
-        return 0;
-    }
-    Remesher::Order order;
-    order.edge = edgesAround(soup, static_cast<int>(before));
-    order.free.assign(soup.triangles.size(), 1);
-    std::fill_n(order.free.begin(), before, 0);
-    order.hardAngle = 360;
-    Remesher(soup, order).run();
-    return holes;
-}
 
 constexpr int kMostRounds = 4;
 // A sheet that can't be closed is dropped where it is no larger than this share of the whole.
@@ -254,7 +203,7 @@ class Repair {
         return open;
     }
 
-    void fill() { note("filled # hole", "filled # holes", fillHolesEvenly(soup_)); }
+    void fill() { note("filled # hole", "filled # holes", fillHoles(soup_, true).holes); }
 
     /// Sheets that filling has only doubled. False where there is nothing else, so that no repair
     /// will help.

@@ -1,8 +1,10 @@
 #include "app/import/repair/soup_repair.h"
 
+#include "app/import/piece_union.h"
 #include "app/import/repair/double_triangles.h"
-#include "app/import/repair/remesher.h"
+#include "app/import/repair/surface_meshing.h"
 #include "app/import/repair/vertex_parting.h"
+#include "sim/repair/soup_editing.h"
 #include "tests/support/model_defects.h"
 
 namespace kerf::app {
@@ -18,6 +20,8 @@ void expectRepaired(TriangleSoup soup) {
     ASSERT_FALSE(inspectTriangles(soup).cuttable);
     const double diagonal = inspectTriangles(soup).bounds.diagonal();
     EXPECT_THAT(repairSoup(soup), Not(IsEmpty()));
+    ASSERT_EQ(inspectTriangles(soup).problem, "");
+    uniteCrossingPieces(soup);  // as before a file is written: patches of two holes may coincide
     moveApart(soup);
     roundToFloats(soup);
     const MeshReport report = inspectTriangles(soup);
@@ -348,6 +352,21 @@ TEST(Remesher, RefinesWhatIsCoarseAndKeepsItsFlatFaces) {
     EXPECT_NEAR(figures.meanEdge(), edge, 0.2 * edge);
     EXPECT_GT(leastAngle(soup), 20);
     EXPECT_FALSE(isCoarse(figures, std::sqrt(3)));
+}
+
+TEST(Remesher, MaterialsStayInTheirPlaces) {
+    TriangleSoup soup = boxSoup(Vec3::Ones(), 4);
+    for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
+        const Corners at = repair::cornersOf(soup, t);
+        soup.skin.materials.push_back((at[0] + at[1] + at[2]).x() < 0 ? 3 : -1);
+    }
+    remesh(soup, 0.1);
+    ASSERT_EQ(soup.skin.materials.size(), soup.triangles.size());
+    for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
+        for (const Vec3& corner : repair::cornersOf(soup, t)) {
+            EXPECT_TRUE(soup.skin.materials[t] == 3 ? corner.x() < 1e-12 : corner.x() > -1e-12);
+        }
+    }
 }
 
 }  // namespace
