@@ -389,8 +389,8 @@ void printHelp(const Inspection& inspection, std::ostream& text) {
             inspection.proposedEdge());
     }
     if (!inspection.help.repairs.empty()) {
-        labelled(text, "--repair") << "would help: " << joined(inspection.help.repairs, "; ")
-                                   << "\n";
+        labelled(text, "--repair")
+            << "would help: " << joined(inspection.help.repairs, "; ") << "\n";
     }
     if (inspection.help.thickness > 0) {
         labelled(text, "--thicken")

@@ -4,10 +4,10 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/text_lines.h"
+#include "app/import/polygon_triangles.h"
 #include "app/import/xml_file.h"
 #include "sim/base/math.h"
 #include "sim/base/text.h"
-#include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
 namespace {
@@ -104,7 +104,7 @@ DaeLoop bridged(const DaeLoop& outline, DaeLoop hole) {
         loop.insert(loop.end(), from, outline.end());
         std::vector<Vec3> places(loop.size());
         std::ranges::transform(loop, places.begin(), &DaeCorner::at);
-        if (!repair::triangulatePolygon(places).empty()) {
+        if (!triangulatePolygon(places).empty()) {
             return loop;
         }
     }

@@ -4,10 +4,10 @@
 
 #include "app/files/import/import_answer.h"
 #include "app/files/io/errors.h"
+#include "app/import/polygon_triangles.h"
 #include "render/scene/body_look.h"
 #include "sim/base/math.h"
 #include "sim/base/placement.h"
-#include "sim/repair/polygon_triangles.h"
 
 namespace kerf::app {
 
@@ -108,7 +108,7 @@ std::vector<Triangle> FaceSoup::divided(std::size_t first, std::size_t end) cons
         for (const int vertex : std::span(corners_).subspan(first, end - first)) {
             places.push_back(positions[vertex]);
         }
-        triangles = repair::triangulatePolygon(places);
+        triangles = triangulatePolygon(places);
     }
     const bool fan = triangles.empty();
     for (int i = 2; fan && i < static_cast<int>(end - first); ++i) {

@@ -7,13 +7,12 @@
 #include "app/files/import/import_process.h"
 #include "app/files/io/errors.h"
 #include "app/import/piece_union.h"
+#include "app/import/repair/soup_repair.h"
+#include "app/import/repair/surface_meshing.h"
+#include "app/import/repair/thickening.h"
+#include "app/import/repair/vertex_parting.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle_quality.h"
-#include "sim/repair/hole_filling.h"
-#include "sim/repair/remesher.h"
-#include "sim/repair/soup_repair.h"
-#include "sim/repair/thickening.h"
-#include "sim/repair/vertex_parting.h"
 
 namespace kerf::app {
 
@@ -21,7 +20,7 @@ namespace {
 
 /// Edges too short for the memory that there is are refused before any of it is taken.
 void requireMemoryForEdges(const TriangleSoup& soup, double edge) {
-    constexpr double kBytesOfTriangle = 400;  // 330 were seen, with 300,000 of them
+    constexpr double kBytesOfTriangle = 400;  // 345 were seen, with 700,000 of them
     const double triangles = trianglesOf(figuresOf(soup), edge);
     requireFree(
         fmt::format("Edges of {:g} make about {:.1e} triangles", edge, std::min(triangles, 1e18)),
@@ -53,13 +52,13 @@ class Mender {
   private:
     void repair() {
         if (order_.repair && !found_.cuttable) {
-            repairs_ = repair::repairSoup(soup_, !order_.thicken);
+            repairs_ = repairSoup(soup_, !order_.thicken);
             look();
         }
     }
 
     bool thicken() {
-        repair::Thickening done = repair::thicken(soup_, *order_.thicken);
+        Thickening done = app::thicken(soup_, *order_.thicken);
         if (done.sheets > 0) {
             note("gave {} a thickness of {:g}", counted(done.sheets, "sheet", "sheets"),
                  done.thickness);
@@ -71,7 +70,7 @@ class Mender {
 
     void fillHoles() {
         if (order_.fillHoles && found_.openEdges > 0) {
-            const HoleFilling filled = kerf::fillHoles(soup_);
+            const HoleFilling filled = app::fillHoles(soup_);
             note("filled {} with {}", counted(filled.holes, "hole", "holes"),
                  counted(filled.triangles, "triangle", "triangles"));
         }
@@ -101,7 +100,7 @@ class Mender {
         }
         uniteOnce();
         const int rounds = repairs_.empty() ? 0 : 4;
-        for (int i = 0; i < rounds && repair::moveApart(soup_) > 0; ++i) {
+        for (int i = 0; i < rounds && moveApart(soup_) > 0; ++i) {
             look();
             uniteOnce();
         }
@@ -125,7 +124,7 @@ class Mender {
             order_.toFile ? proposedEdge(figures, found_.bounds.diagonal()) : evenEdge(figures));
         requireMemoryForEdges(soup_, edge);
         const std::size_t before = soup_.triangles.size();
-        repair::remesh(soup_, edge, [](int round) {
+        app::remesh(soup_, edge, [](int round) {
             tellStage(fmt::format("Evening out the triangles, round {}", round + 1));
         });
         note("remeshed {} triangles to {}", before, soup_.triangles.size());
@@ -205,8 +204,8 @@ ModelHelp helpFor(const TriangleSoup& soup, const MeshReport& found) {
     if (!found.cuttable) {
         help.holes = holesThatHelp(soup);
         TriangleSoup sheets = soup;
-        repair::repairSoup(sheets, false);
-        help.isSheet = repair::isSheet(sheets);
+        repairSoup(sheets, false);
+        help.isSheet = isSheet(sheets);
         order.thicken = 0;
         mended = soup;
         Mender thickening(mended, order);

@@ -15,6 +15,7 @@
 #include "app/files/io/system_file.h"
 #include "app/files/jobs/process_limits.h"
 #include "app/import/mending.h"
+#include "app/import/repair/soup_repair.h"
 #include "sim/base/byte_archive.h"
 #include "sim/base/containers.h"
 #include "sim/base/text.h"
@@ -25,7 +26,6 @@
 #include "sim/repair/shell_nesting.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
-#include "sim/repair/soup_repair.h"
 
 namespace kerf::app {
 
@@ -248,7 +248,7 @@ std::optional<TriangleSoup> soundSurface(const UnionAnswer& exact) {
     const double volume = inspectTriangles(surface).volume;
     roundToFloats(surface);
     if (!inspectTriangles(surface).cuttable) {
-        repair::repairSoup(surface);
+        repairSoup(surface);
     }
     const MeshReport found = inspectTriangles(surface);
     const bool whole = std::abs(found.volume - volume) <= kMostLost * std::abs(volume);

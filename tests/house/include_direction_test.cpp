@@ -58,6 +58,7 @@ const std::vector<fs::path> kRooms = {
     "app/files/import",
     "app/files/export",
     "app/files/film",
+    "app/import/repair",
     "app/import",
     "app/practice",
     "app/session",

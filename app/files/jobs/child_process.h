@@ -70,8 +70,8 @@ class Interruption {
 
 /// Declares that this program is kerf; tests are not.
 void runThisProgram();
-/// The program kerf, to start as a child: $KERF_EXECUTABLE if set, else this program if declared so,
-/// else kerf in gpu::programFolder().
+/// The program kerf, to start as a child: $KERF_EXECUTABLE if set, else this program if declared
+/// so, else kerf in gpu::programFolder().
 std::filesystem::path kerfProgram();
 
 /// A helper program of Kerf: in libexec/kerf of an installation, else in gpu::programFolder().

@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Drops duplicate triangles. Around a sheet of them the single triangles decide how many copies
 /// close the surface. One copy stays where an odd number of others meets it: it was duplicated, on
@@ -13,4 +13,4 @@ namespace kerf::repair {
 /// n), times the number of adjacent sheets.
 int dropDoubles(TriangleSoup& soup);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

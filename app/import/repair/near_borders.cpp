@@ -1,4 +1,4 @@
-#include "sim/repair/near_borders.h"
+#include "app/import/repair/near_borders.h"
 
 #include "sim/base/containers.h"
 #include "sim/base/math.h"
@@ -7,9 +7,11 @@
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
+
+using repair::Side;
 
 constexpr double kNear = 1e-5;  // of the diagonal
 
@@ -55,7 +57,7 @@ int joinVertices(TriangleSoup& soup, const std::vector<Side>& open, double near)
     const std::vector<int> vertices = verticesOf(open);
     auto edges = mapped(open, [](const Side& side) { return std::pair(side.low, side.high); });
     std::ranges::sort(edges);
-    Vertices places(soup, verticesOf(sidesByEdge(soup.triangles)));
+    Vertices places(soup, verticesOf(repair::sidesByEdge(soup.triangles)));
     UnionFind sets(soup.positions.size());
     for (const int v : vertices) {
         const Vec3& at = soup.positions[v];
@@ -75,7 +77,7 @@ int joinVertices(TriangleSoup& soup, const std::vector<Side>& open, double near)
             v = sets.root(v);
         }
     }
-    keepTriangles(soup, [&](int t) { return !repeatsCorner(soup.triangles[t]); });
+    repair::keepTriangles(soup, [&](int t) { return !repair::repeatsCorner(soup.triangles[t]); });
     return joined;
 }
 
@@ -109,12 +111,12 @@ void divide(TriangleSoup& soup, int halfEdge, const std::vector<int>& on) {
     way.push_back(corners[(corner + 1) % 3]);
     soup.triangles[t] = {from, way[0], apex};
     for (std::size_t i = 1; i < way.size(); ++i) {
-        addTriangle(soup, {way[i - 1], way[i], apex}, attributes);
+        repair::addTriangle(soup, {way[i - 1], way[i], apex}, attributes);
     }
 }
 
 int divideEdges(TriangleSoup& soup, double near) {
-    const std::vector<Side> open = openSides(soup);
+    const std::vector<Side> open = repair::openSides(soup);
     Vertices places(soup, verticesOf(open));
     std::vector<char> done(soup.triangles.size(), 0);
     int divided = 0;
@@ -137,7 +139,7 @@ int divideEdges(TriangleSoup& soup, double near) {
 
 JoinedBorders joinNearBorders(TriangleSoup& soup) {
     JoinedBorders joined;
-    const std::vector<Side> open = openSides(soup);
+    const std::vector<Side> open = repair::openSides(soup);
     if (open.empty()) {
         return joined;
     }
@@ -150,4 +152,4 @@ JoinedBorders joinNearBorders(TriangleSoup& soup) {
     return joined;
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -1,10 +1,10 @@
-#include "sim/repair/vertex_parting.h"
+#include "app/import/repair/vertex_parting.h"
 
 #include "sim/base/math.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/soup_editing.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
 
@@ -52,12 +52,12 @@ struct Around {
 };
 
 std::vector<Around> aroundVertices(const TriangleSoup& soup) {
-    const std::vector<int> parts = partsOf(soup);
-    const std::vector<double> volumes = volumesOf(soup, parts);
-    const std::vector<double> areas = areasOf(soup, parts);
+    const std::vector<int> parts = repair::partsOf(soup);
+    const std::vector<double> volumes = repair::volumesOf(soup, parts);
+    const std::vector<double> areas = repair::areasOf(soup, parts);
     std::vector<Around> all(soup.positions.size());
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
-        const Corners at = cornersOf(soup, t);
+        const Corners at = repair::cornersOf(soup, t);
         const double thick = kThicknesses * std::abs(volumes[parts[t]]) / areas[parts[t]];
         for (int i = 0; i < 3; ++i) {
             Around& around = all[soup.triangles[t][i]];
@@ -128,4 +128,4 @@ int moveApart(TriangleSoup& soup) {
     return moved;
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

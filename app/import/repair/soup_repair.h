@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Makes a closed, manifold and oriented surface of a welded soup, as far as it can: drops
 /// triangles without area and duplicates, joins borders that nearly meet, reorients triangles,
@@ -12,4 +12,4 @@ namespace kerf::repair {
 /// sheets stay too, to be thickened. Returns what was done, one phrase each; empty for nothing.
 std::vector<std::string> repairSoup(TriangleSoup& welded, bool fillsHoles = true);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// The result of thicken().
 struct Thickening {
@@ -24,4 +24,4 @@ Thickening thicken(TriangleSoup& soup, double thickness);
 /// unlike those of holes in a body. A hemisphere counts as a sheet.
 bool isSheet(const TriangleSoup& soup);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include "sim/base/math.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Divides a polygon, given by its corners in order, into triangles of corner numbers with its
 /// orientation: a constrained Delaunay triangulation, projected along the axis closest to its
@@ -10,4 +10,4 @@ namespace kerf::repair {
 /// polygon crosses or touches itself otherwise, or encloses no area. Usually O(n log n).
 std::vector<Triangle> triangulatePolygon(const std::vector<Vec3>& corners);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -1,9 +1,9 @@
-#include "sim/repair/polygon_triangles.h"
+#include "app/import/polygon_triangles.h"
 
 #include "sim/base/containers.h"
 #include "sim/cut/exact/triangulation.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
 
@@ -170,4 +170,4 @@ std::vector<Triangle> triangulatePolygon(const std::vector<Vec3>& corners) {
     return {};
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

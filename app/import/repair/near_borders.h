@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// The result of joinNearBorders().
 struct JoinedBorders {
@@ -15,4 +15,4 @@ struct JoinedBorders {
 /// digits, or with T-junctions. Nothing else moves.
 JoinedBorders joinNearBorders(TriangleSoup& soup);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

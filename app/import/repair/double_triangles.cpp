@@ -1,13 +1,15 @@
-#include "sim/repair/double_triangles.h"
+#include "app/import/repair/double_triangles.h"
 
 #include "sim/base/containers.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
+
+using repair::Side;
 
 /// Whether a triangle's corners run as those of the sorted one.
 bool runsUp(const Triangle& t) {
@@ -30,7 +32,7 @@ struct Copies {
 std::vector<Copies> copiesIn(const TriangleSoup& soup) {
     std::vector<int> order(soup.triangles.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto cornersOf = [&](int t) { return sortedCorners(soup.triangles[t]); };
+    const auto cornersOf = [&](int t) { return repair::sortedCorners(soup.triangles[t]); };
     std::ranges::stable_sort(order, {}, cornersOf);
     std::vector<Copies> all;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -43,7 +45,7 @@ std::vector<Copies> copiesIn(const TriangleSoup& soup) {
 }
 
 /// A sheet of doubles and what meets it at its border, by the lengths of edges [m].
-struct Sheet {
+struct DoubleSheet {
     double area = 0;        ///< [m^2], of one copy
     double border = 0;      ///< the length of all of it
     double odd = 0;         ///< where an odd number of copies closes the surface
@@ -65,11 +67,11 @@ struct BorderEdge {
 };
 
 /// Sheets of triangles that are there several times, and how many copies close the surface.
-class Sheets {
+class DoubleSheets {
   public:
-    Sheets(const TriangleSoup& soup, const std::vector<Copies>& copies)
+    DoubleSheets(const TriangleSoup& soup, const std::vector<Copies>& copies)
         : soup_(soup), copies_(copies), sets_(copies.size()), sheets_(copies.size()) {
-        const std::vector<Side> sides = sidesByEdge(mapped(
+        const std::vector<Side> sides = repair::sidesByEdge(mapped(
             copies, [&](const Copies& each) { return soup.triangles[each.most().front()]; }));
         forEachEdge(sides, [&](const Side* begin, const Side* end) { joinAt(begin, end); });
         forEachEdge(sides, [&](const Side* begin, const Side* end) { noteBorder(begin, end); });
@@ -108,8 +110,8 @@ class Sheets {
     void measure() {
         for (int i = 0; i < static_cast<int>(copies_.size()); ++i) {
             if (copies_[i].isDouble()) {
-                Sheet& sheet = sheets_[sets_.root(i)];
-                sheet.area += triangleArea(cornersOf(soup_, copies_[i].most().front()));
+                DoubleSheet& sheet = sheets_[sets_.root(i)];
+                sheet.area += triangleArea(repair::cornersOf(soup_, copies_[i].most().front()));
                 sheet.flap = sheet.flap || copies_[i].isFlap();
                 open_.push_back(sets_.root(i));
             }
@@ -133,7 +135,7 @@ class Sheets {
         while (std::ranges::any_of(open_, [&](int s) { return sheets_[s].kept < 0; })) {
             if (!decideByBorders() && !beginWithLargest()) {
                 for (const int each : open_) {
-                    Sheet& sheet = sheets_[each];
+                    DoubleSheet& sheet = sheets_[each];
                     sheet.kept = sheet.kept < 0 ? !sheet.flap || onlyDoubles : sheet.kept;
                 }
             }
@@ -149,7 +151,7 @@ class Sheets {
         }
         bool any = false;
         for (const int each : open_) {
-            Sheet& sheet = sheets_[each];
+            DoubleSheet& sheet = sheets_[each];
             if (sheet.kept < 0 && sheet.odd + sheet.even > 0) {
                 sheet.kept = sheet.odd > sheet.even ? 1 : 0;
                 any = true;
@@ -169,7 +171,7 @@ class Sheets {
         for (const int sheet : edge.sheets) {
             others += std::max(sheets_[sheet].kept, 0);
         }
-        Sheet& sheet = sheets_[*std::ranges::find_if(edge.sheets, isOpen)];
+        DoubleSheet& sheet = sheets_[*std::ranges::find_if(edge.sheets, isOpen)];
         (others % 2 == 1 ? sheet.odd : sheet.even) += edge.length;
     }
 
@@ -177,7 +179,7 @@ class Sheets {
     bool beginWithLargest() {
         int largest = -1;
         for (const int each : open_) {
-            const Sheet& sheet = sheets_[each];
+            const DoubleSheet& sheet = sheets_[each];
             if (sheet.kept < 0 && sheet.meetsOdd &&
                 (largest < 0 || sheet.area > sheets_[largest].area)) {
                 largest = each;
@@ -192,7 +194,7 @@ class Sheets {
     const TriangleSoup& soup_;
     const std::vector<Copies>& copies_;
     UnionFind sets_;
-    std::vector<Sheet> sheets_;  ///< by their lowest copies
+    std::vector<DoubleSheet> sheets_;  ///< by their lowest copies
     std::vector<BorderEdge> edges_;
     std::vector<int> open_;  ///< the sheets to decide about, ascending
 };
@@ -212,7 +214,7 @@ int dropDoubles(TriangleSoup& soup) {
     if (std::ranges::none_of(all, &Copies::isDouble)) {
         return 0;
     }
-    Sheets sheets(soup, all);
+    DoubleSheets sheets(soup, all);
     std::vector<char> keep(soup.triangles.size(), 1);
     for (int i = 0; i < static_cast<int>(all.size()); ++i) {
         if (!all[i].isDouble()) {
@@ -227,7 +229,7 @@ int dropDoubles(TriangleSoup& soup) {
             keep[most[k]] = 1;
         }
     }
-    return keepTriangles(soup, [&](int t) { return keep[t] != 0; });
+    return repair::keepTriangles(soup, [&](int t) { return keep[t] != 0; });
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -1,21 +1,23 @@
-#include "sim/repair/thickening.h"
+#include "app/import/repair/thickening.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <Eigen/Eigenvalues>
 
+#include "app/import/repair/edge_pairing.h"
 #include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/crossings.h"
-#include "sim/repair/edge_pairing.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
+
+using repair::Side;
 
 constexpr double kProposed = 1.0 / 50;  // of the diagonal
 constexpr double kThinnest = 2e-5;      // of the diagonal: floats hold it well
@@ -77,10 +79,10 @@ struct NormalsAround {
 /// Adds a triangle with what these corners of triangle t have.
 void add(TriangleSoup& soup, const Triangle& corners, int t, const std::array<int, 3>& like) {
     const TriangleAttributes own = attributesOf(soup.skin, t);
-    addTriangle(soup, corners,
-                {{own.uvs[like[0]], own.uvs[like[1]], own.uvs[like[2]]},
-                 {own.colors[like[0]], own.colors[like[1]], own.colors[like[2]]},
-                 own.material});
+    repair::addTriangle(soup, corners,
+                        {{own.uvs[like[0]], own.uvs[like[1]], own.uvs[like[2]]},
+                         {own.colors[like[0]], own.colors[like[1]], own.colors[like[2]]},
+                         own.material});
 }
 
 /// Two digits of it, as people are told it.
@@ -178,8 +180,8 @@ class Sheets {
 
     /// `before`: the triangles with the vertices that were parted.
     void findSheets(const std::vector<Triangle>& before) {
-        const std::vector<int> parts = partsOf(soup_);
-        borders_ = openSides(soup_);
+        const std::vector<int> parts = repair::partsOf(soup_);
+        borders_ = repair::openSides(soup_);
         for (const Side& side : borders_) {
             sheets_.insert(parts[side.triangle()]);
         }
@@ -190,7 +192,7 @@ class Sheets {
                 open_.push_back(t);
                 for (int i = 0; i < 3; ++i) {
                     const int v = soup_.triangles[t][i];
-                    around[v].add(cornersOf(soup_, t), i);
+                    around[v].add(repair::cornersOf(soup_, t), i);
                     whole[v] = before[t][i];
                 }
             }
@@ -237,7 +239,7 @@ class Sheets {
         for (const Side& side : borders_) {
             const int from = side.halfEdge % 3;
             const int to = (from + 1) % 3;
-            const int a = originOf(soup_, side.halfEdge);
+            const int a = repair::originOf(soup_, side.halfEdge);
             const int b = soup_.triangles[side.triangle()][to];
             add(soup, {below[a], below[b], b}, side.triangle(), {from, to, to});
             add(soup, {below[a], b, a}, side.triangle(), {from, to, from});
@@ -249,18 +251,18 @@ class Sheets {
     bool keepsFacing(const TriangleSoup& soup) const {
         auto below = static_cast<int>(soup_.triangles.size());
         return std::ranges::all_of(open_, [&](int t) {
-            const Vec3 normal = areaNormal(cornersOf(soup_, t));
-            return normal.dot(areaNormal(cornersOf(soup, t))) > 0 &&
-                   normal.dot(areaNormal(cornersOf(soup, below++))) < 0;
+            const Vec3 normal = areaNormal(repair::cornersOf(soup_, t));
+            return normal.dot(areaNormal(repair::cornersOf(soup, t))) > 0 &&
+                   normal.dot(areaNormal(repair::cornersOf(soup, below++))) < 0;
         });
     }
 
     /// Parts of which one is a sheet that pass through each other, or through themselves. Their
     /// numbers are the same whatever the thickness.
     PartPairs crossingParts(const TriangleSoup& soup) const {
-        const std::vector<int> parts = partsOf(soup);
+        const std::vector<int> parts = repair::partsOf(soup);
         PartPairs pairs;
-        for (const auto& [a, b] : findCrossings(soup, kMostCrossings)) {
+        for (const auto& [a, b] : repair::findCrossings(soup, kMostCrossings)) {
             if (sheets_.contains(parts[a]) || sheets_.contains(parts[b])) {
                 pairs.insert(std::minmax(parts[a], parts[b]));
             }
@@ -293,7 +295,7 @@ Thickening thicken(TriangleSoup& soup, double thickness) {
 }
 
 bool isSheet(const TriangleSoup& soup) {
-    const std::vector<Side> borders = openSides(soup);
+    const std::vector<Side> borders = repair::openSides(soup);
     UnionFind loops(soup.positions.size());
     for (const Side& side : borders) {
         loops.join(side.low, side.high);
@@ -309,9 +311,9 @@ bool isSheet(const TriangleSoup& soup) {
     }
     double area = 0;
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
-        area += triangleArea(cornersOf(soup, t));
+        area += triangleArea(repair::cornersOf(soup, t));
     }
     return squares > kSheet * area;
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -1,9 +1,10 @@
-#include "sim/repair/thickening.h"
+#include "app/import/repair/thickening.h"
 
+#include "sim/repair/crossings.h"
 #include "sim/repair/soup_editing.h"
 #include "tests/support/sheet_soup.h"
 
-namespace kerf {
+namespace kerf::app {
 namespace {
 
 TriangleSoup without(TriangleSoup soup, const std::function<bool(const Vec3&)>& isGone) {
@@ -61,7 +62,7 @@ void expectBody(const TriangleSoup& soup) {
 
 /// Of so many sheets; the volume of what becomes of them.
 double thickenedVolume(TriangleSoup soup, double thickness, int sheets = 1) {
-    const repair::Thickening done = repair::thicken(soup, thickness);
+    const Thickening done = thicken(soup, thickness);
     EXPECT_EQ(done.problem, "");
     EXPECT_EQ(done.sheets, sheets);
     expectBody(soup);
@@ -70,7 +71,7 @@ double thickenedVolume(TriangleSoup soup, double thickness, int sheets = 1) {
 
 std::string problemOf(const TriangleSoup& soup, double thickness) {
     TriangleSoup changed = soup;
-    const repair::Thickening done = repair::thicken(changed, thickness);
+    const Thickening done = thicken(changed, thickness);
     EXPECT_EQ(done.sheets, 0);
     EXPECT_EQ(changed.positions, soup.positions) << "a refusal changes nothing";
     EXPECT_EQ(changed.triangles, soup.triangles);
@@ -78,7 +79,7 @@ std::string problemOf(const TriangleSoup& soup, double thickness) {
 }
 
 double proposedFor(TriangleSoup soup) {
-    return repair::thicken(soup, 0).thickness;
+    return thicken(soup, 0).thickness;
 }
 
 /// The number before " does" in a refusal.
@@ -91,7 +92,7 @@ TEST(Thickening, MakesABoxOfASquare) {
     for (const int n : {1, 7}) {
         for (const double thickness : {1e-4, 0.03, 5.0}) {
             TriangleSoup soup = sheetSoup(n);
-            ASSERT_EQ(repair::thicken(soup, thickness).problem, "");
+            ASSERT_EQ(thicken(soup, thickness).problem, "");
             expectBody(soup);
             const MeshReport report = inspectTriangles(soup);
             EXPECT_NEAR(report.volume / thickness, 1, 1e-12);
@@ -108,7 +109,7 @@ TEST(Thickening, KeepsTheThicknessOfAFold) {
     TriangleSoup soup = sheetSoup(6, [&](double x, double) { return -slope * std::abs(x - 0.5); });
     const double area = areaOf(soup);
     EXPECT_NEAR(thickenedVolume(soup, thickness), thickness * area, 1e-12);
-    ASSERT_EQ(repair::thicken(soup, thickness).problem, "");
+    ASSERT_EQ(thicken(soup, thickness).problem, "");
     // Each vertex lies half of the thickness off the planes of the faces around it.
     for (const Vec3& p : soup.positions) {
         const double off = std::abs(p.y() + slope * std::abs(p.x() - 0.5)) / std::sqrt(2.0);
@@ -155,7 +156,7 @@ TEST(Thickening, PartsFansThatMeetInAVertex) {
 TEST(Thickening, LeavesClosedPartsAlone) {
     const TriangleSoup ball = icosphereSoup(2);
     TriangleSoup soup = joined(ball, sheetSoup(3), Vec3(2, 0, 0));
-    ASSERT_EQ(repair::thicken(soup, 0.01).sheets, 1);
+    ASSERT_EQ(thicken(soup, 0.01).sheets, 1);
     expectBody(soup);
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
         EXPECT_EQ(soup.triangles[t], ball.triangles[t]);
@@ -164,7 +165,7 @@ TEST(Thickening, LeavesClosedPartsAlone) {
         EXPECT_EQ(soup.positions[v], ball.positions[v]);
     }
     TriangleSoup closed = ball;
-    EXPECT_EQ(repair::thicken(closed, 0.01).sheets, 0);
+    EXPECT_EQ(thicken(closed, 0.01).sheets, 0);
     EXPECT_EQ(closed.positions, ball.positions);
     EXPECT_EQ(proposedFor(ball), 0);
 }
@@ -184,7 +185,7 @@ TEST(Thickening, PutsTheLooksOnBothSides) {
         }
     }
     const std::vector<int> before = soup.skin.materials;
-    ASSERT_EQ(repair::thicken(soup, 0.1).problem, "");
+    ASSERT_EQ(thicken(soup, 0.1).problem, "");
     ASSERT_EQ(soup.skin.uvs.size(), soup.triangles.size());
     ASSERT_EQ(soup.skin.colors.size(), soup.triangles.size());
     for (int t = 0; t < static_cast<int>(soup.triangles.size()); ++t) {
@@ -239,7 +240,7 @@ TEST(Thickening, SaysWhichThicknessDoes) {
         const double told = thicknessTold(problemOf(soup, 1.5));
         EXPECT_GT(told, 0.005);
         TriangleSoup thinner = soup;
-        EXPECT_EQ(repair::thicken(thinner, told).problem, "");
+        EXPECT_EQ(thicken(thinner, told).problem, "");
         expectBody(thinner);
     }
     EXPECT_THAT(problemOf(sheetSoup(3), 1e-9), HasSubstr("too little"));
@@ -264,7 +265,7 @@ TEST(Thickening, LetsSheetsPassThroughEachOther) {
         p = Vec3(p.x(), p.z() - 0.4, 0.51);
     }
     TriangleSoup soup = joined(sheetSoup(3), upright, Vec3::Zero());
-    EXPECT_EQ(repair::thicken(soup, 0.02).problem, "") << "as leaves do; a repair unites them";
+    EXPECT_EQ(thicken(soup, 0.02).problem, "") << "as leaves do; a repair unites them";
     EXPECT_EQ(inspectTriangles(soup).problem, "");
 }
 
@@ -275,17 +276,17 @@ TEST(Thickening, ProposesAFiftiethOfTheDiagonalOrLess) {
     EXPECT_LT(less, 0.01);
     EXPECT_GT(less, 0.004);
     TriangleSoup soup = near;
-    EXPECT_EQ(repair::thicken(soup, less).sheets, 2);
+    EXPECT_EQ(thicken(soup, less).sheets, 2);
 }
 
 TEST(Thickening, TellsSheetsFromBodiesWithHoles) {
-    EXPECT_TRUE(repair::isSheet(sheetSoup(3)));
-    EXPECT_TRUE(repair::isSheet(hemisphere()));
-    EXPECT_FALSE(repair::isSheet(icosphereSoup(2)));
+    EXPECT_TRUE(isSheet(sheetSoup(3)));
+    EXPECT_TRUE(isSheet(hemisphere()));
+    EXPECT_FALSE(isSheet(icosphereSoup(2)));
     const TriangleSoup holes = without(icosphereSoup(4), [](const Vec3& p) {
         return std::abs(p.y()) > 0.47 || std::abs(p.x()) > 0.47 || std::abs(p.z()) > 0.47;
     });
-    EXPECT_FALSE(repair::isSheet(holes));
+    EXPECT_FALSE(isSheet(holes));
 }
 
 // KERF_FUZZ_SEED sets the seed.
@@ -306,10 +307,10 @@ TEST(Thickening, MakesBodiesOfRandomHeightFields) {
         soup = weldExactly(soup);
         const double wanted = any(0.001, 0.2);
         TriangleSoup body = soup;
-        const std::string problem = repair::thicken(body, wanted).problem;
+        const std::string problem = thicken(body, wanted).problem;
         const double thickness = problem.empty() ? wanted : thicknessTold(problem);
         if (!problem.empty()) {
-            ASSERT_EQ(repair::thicken(body, thickness).problem, "");
+            ASSERT_EQ(thicken(body, thickness).problem, "");
         }
         expectBody(body);
         const double volume = inspectTriangles(body).volume;
@@ -319,4 +320,4 @@ TEST(Thickening, MakesBodiesOfRandomHeightFields) {
 }
 
 }  // namespace
-}  // namespace kerf
+}  // namespace kerf::app

@@ -1,12 +1,15 @@
-#include "sim/repair/edge_pairing.h"
+#include "app/import/repair/edge_pairing.h"
 
 #include "sim/base/containers.h"
 #include "sim/mesh/union_find.h"
 #include "sim/repair/soup_editing.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
+
+using repair::Partners;
+using repair::Side;
 
 constexpr double kSameAngle = 1e-9;  // of triangles at an edge
 
@@ -21,7 +24,7 @@ std::vector<int> walkPatch(const TriangleSoup& soup, const Partners& partners, i
             const int g = partners[h];
             if (g >= 0 && seen[g / 3] == 0) {
                 seen[g / 3] = 1;
-                const bool alike = originOf(soup, g) != originOf(soup, h);
+                const bool alike = repair::originOf(soup, g) != repair::originOf(soup, h);
                 turned[g / 3] = alike ? turned[patch[i]] : 1 - turned[patch[i]];
                 patch.push_back(g / 3);
             }
@@ -33,7 +36,7 @@ std::vector<int> walkPatch(const TriangleSoup& soup, const Partners& partners, i
 /// The way around an edge at which a triangle stands, from -pi to less than pi.
 double angleAround(const TriangleSoup& soup, const Side& side, const Vec3& along, const Vec3& right,
                    const Vec3& ahead) {
-    const Vec3 way = soup.positions[apexOf(soup, side.halfEdge)] - soup.positions[side.low];
+    const Vec3 way = soup.positions[repair::apexOf(soup, side.halfEdge)] - soup.positions[side.low];
     const Vec3 across = way - way.dot(along) * along;
     const double angle = std::atan2(across.dot(ahead), across.dot(right));
     return angle < std::numbers::pi - kSameAngle ? angle : angle - 2 * std::numbers::pi;
@@ -137,7 +140,7 @@ void pairAround(const std::vector<Side>& turn, Partners& partners) {
 void dropContradictions(const TriangleSoup& soup, Partners& partners) {
     for (int h = 0; h < static_cast<int>(partners.size()); ++h) {
         const int g = partners[h];
-        if (g >= 0 && originOf(soup, h) == originOf(soup, g)) {
+        if (g >= 0 && repair::originOf(soup, h) == repair::originOf(soup, g)) {
             partners[h] = -1;
             partners[g] = -1;
         }
@@ -183,15 +186,15 @@ int divideVertices(TriangleSoup& soup, UnionFind& fans) {
 /// Whether an edge has more than two triangles.
 bool branches(const TriangleSoup& soup) {
     bool found = false;
-    forEachEdge(sidesByEdge(soup.triangles),
+    forEachEdge(repair::sidesByEdge(soup.triangles),
                 [&](const Side* begin, const Side* end) { found = found || end - begin > 2; });
     return found;
 }
 
 /// Turns connected parts of negative volume, so that it can be told where there is material.
 void turnPartsOutward(TriangleSoup& soup) {
-    const std::vector<int> parts = partsOf(soup);
-    const std::vector<double> volumes = volumesOf(soup, parts);
+    const std::vector<int> parts = repair::partsOf(soup);
+    const std::vector<double> volumes = repair::volumesOf(soup, parts);
     for (std::size_t t = 0; t < parts.size(); ++t) {
         if (volumes[parts[t]] < 0) {
             turnTriangle(soup, static_cast<int>(t));
@@ -202,7 +205,8 @@ void turnPartsOutward(TriangleSoup& soup) {
 }  // namespace
 
 int orientAlike(TriangleSoup& soup) {
-    const Partners partners = partnersOf(sidesByEdge(soup.triangles), soup.triangles.size());
+    const Partners partners =
+        repair::partnersOf(repair::sidesByEdge(soup.triangles), soup.triangles.size());
     std::vector<char> seen(soup.triangles.size(), 0);
     std::vector<char> turned(soup.triangles.size(), 0);
     int count = 0;
@@ -227,8 +231,8 @@ PartedSurface partBranches(TriangleSoup& soup) {
     if (branches(soup)) {
         turnPartsOutward(soup);
     }
-    const std::vector<Side> sides = sidesByEdge(soup.triangles);
-    Partners partners = partnersOf(sides, soup.triangles.size());
+    const std::vector<Side> sides = repair::sidesByEdge(soup.triangles);
+    Partners partners = repair::partnersOf(sides, soup.triangles.size());
     const std::vector<int> sheets = sheetsOf(partners);
     PartedSurface parted;
     forEachEdge(sides, [&](const Side* begin, const Side* end) {
@@ -246,4 +250,4 @@ PartedSurface partBranches(TriangleSoup& soup) {
     return parted;
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Moves vertices apart that coincide as floats, except those of touching solids, which are pieces:
 /// solids and cavities shrink, and what surrounds another one grows, by a thousandth of an edge, or
@@ -10,4 +10,4 @@ namespace kerf::repair {
 /// moves, 0 if all were apart. O(n log n).
 int moveApart(TriangleSoup& soup);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

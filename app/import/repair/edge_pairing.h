@@ -2,7 +2,7 @@
 
 #include "sim/mesh/triangle_soup.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 /// Reorients triangles consistently, as far as the surface is orientable. The larger part of each
 /// connected patch is unchanged. Returns how many were reversed.
@@ -19,4 +19,4 @@ struct PartedSurface {
 /// point or a line get separate vertices at the same place; see moveApart().
 PartedSurface partBranches(TriangleSoup& soup);
 
-}  // namespace kerf::repair
+}  // namespace kerf::app

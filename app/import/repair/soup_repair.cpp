@@ -1,69 +1,20 @@
-#include "sim/repair/soup_repair.h"
+#include "app/import/repair/soup_repair.h"
 
+#include "app/import/repair/double_triangles.h"
+#include "app/import/repair/edge_pairing.h"
+#include "app/import/repair/near_borders.h"
+#include "app/import/repair/surface_meshing.h"
 #include "sim/base/text.h"
 #include "sim/mesh/triangle.h"
-#include "sim/mesh/union_find.h"
-#include "sim/repair/double_triangles.h"
-#include "sim/repair/edge_pairing.h"
-#include "sim/repair/hole_filling.h"
-#include "sim/repair/near_borders.h"
-#include "sim/repair/remesher.h"
 #include "sim/repair/shell_nesting.h"
 #include "sim/repair/soup_editing.h"
 #include "sim/repair/soup_inspection.h"
 
-namespace kerf::repair {
+namespace kerf::app {
 
 namespace {
 
-double lengthOf(const TriangleSoup& soup, const Side& side) {
-    return (soup.positions[side.high] - soup.positions[side.low]).norm();
-}
-
-/// The mean length of the edges around each patch of triangles from `first` on, by triangle.
-std::vector<double> edgesAround(const TriangleSoup& soup, int first) {
-    UnionFind patches(soup.triangles.size());
-    const std::vector<Side> sides = sidesByEdge(soup.triangles);
-    forEachEdge(sides, [&](const Side* begin, const Side* end) {
-        for (const Side* side = begin; side + 1 < end; ++side) {
-            if (side->triangle() >= first && side[1].triangle() >= first) {
-                patches.join(side->triangle(), side[1].triangle());
-            }
-        }
-    });
-    std::vector<double> sums(soup.triangles.size(), 0);
-    std::vector<int> counts(soup.triangles.size(), 0);
-    forEachEdge(sides, [&](const Side* begin, const Side* end) {
-        const int last = end[-1].triangle();
-        if (begin->triangle() < first && last >= first) {
-            sums[patches.root(last)] += lengthOf(soup, *begin);
-            ++counts[patches.root(last)];
-        }
-    });
-    std::vector<double> edges(soup.triangles.size(), 0);
-    for (int t = first; t < static_cast<int>(edges.size()); ++t) {
-        const int patch = patches.root(t);
-        edges[t] = sums[patch] / std::max(1, counts[patch]);
-    }
-    return edges;
-}
-
-/// fillHoles(), then divides the new triangles to the size of those around the hole, and smooths
-/// them. Returns how many holes.
-int fillHolesEvenly(TriangleSoup& soup) {
-    const std::size_t before = soup.triangles.size();
-    const int holes = fillHoles(soup).holes;
-    if (holes == 0) {
-        return 0;
-    }
-    Remesher::Order order;
-    order.edge = edgesAround(soup, static_cast<int>(before));
-    order.free.assign(soup.triangles.size(), 1);
-    std::fill_n(order.free.begin(), before, 0);
-    order.hardAngle = 360;
-    Remesher(soup, order).run();
-    return holes;
-}
+using repair::Side;
 
 constexpr int kMostRounds = 4;
 // A sheet that can't be closed is dropped where it is no larger than this share of the whole.
@@ -93,7 +44,7 @@ class Repair {
             }
             turn();
         }
-        dropUnusedVertices(soup_);
+        repair::dropUnusedVertices(soup_);
         return describe();
     }
 
@@ -120,8 +71,9 @@ class Repair {
     }
 
     void dropUnusable() {
-        const int dropped = keepTriangles(soup_, [this](int t) {
-            return isUsable(soup_, soup_.triangles[t]) && !repeatsCorner(soup_.triangles[t]);
+        const int dropped = repair::keepTriangles(soup_, [this](int t) {
+            return repair::isUsable(soup_, soup_.triangles[t]) &&
+                   !repair::repeatsCorner(soup_.triangles[t]);
         });
         note("dropped # triangle with a repeated or missing corner",
              "dropped # triangles with a repeated or missing corner", dropped);
@@ -131,7 +83,7 @@ class Repair {
         soup_ = dropped > 0 ? weldObjects(soup_) : soup_;
     }
 
-    bool isFlat(int t) const { return areaNormal(cornersOf(soup_, t)).isZero(0); }
+    bool isFlat(int t) const { return areaNormal(repair::cornersOf(soup_, t)).isZero(0); }
 
     /// Three corners in one line: the neighbour across the longest edge is divided in its stead.
     void dissolveFlatTriangles() {
@@ -143,16 +95,16 @@ class Repair {
             if (!isFlat(t)) {
                 continue;
             }
-            sides = sides.empty() ? sidesByEdge(soup_.triangles) : std::move(sides);
+            sides = sides.empty() ? repair::sidesByEdge(soup_.triangles) : std::move(sides);
             keep[t] = dissolve(t, sides) ? 1 : 0;
             ++dissolved;
         }
-        keepTriangles(soup_, [&](int t) { return keep[t] != 0; });
+        repair::keepTriangles(soup_, [&](int t) { return keep[t] != 0; });
         note("dissolved # triangle without area", "dissolved # triangles without area", dissolved);
     }
 
     int longestSide(int t) const {
-        const Corners at = cornersOf(soup_, t);
+        const Corners at = repair::cornersOf(soup_, t);
         int longest = 0;
         for (int i = 1; i < 3; ++i) {
             const auto length = [&](int k) { return (at[(k + 1) % 3] - at[k]).squaredNorm(); };
@@ -201,7 +153,7 @@ class Repair {
 
     void dropDoubles() {
         note("dropped # double of a triangle", "dropped # doubles of triangles",
-             repair::dropDoubles(soup_));
+             app::dropDoubles(soup_));
     }
 
     void joinBorders() {
@@ -228,8 +180,8 @@ class Repair {
     /// Sheets with a border that holes can't be filled of, as single triangles.
     void dropLooseSheets() {
         constexpr int kLeastThatCloses = 3;
-        const std::vector<int> parts = partsOf(soup_);
-        const std::vector<double> areas = areasOf(soup_, parts);
+        const std::vector<int> parts = repair::partsOf(soup_);
+        const std::vector<double> areas = repair::areasOf(soup_, parts);
         const std::vector<char> open = openParts(parts, areas.size());
         std::vector<int> counts(areas.size(), 0);
         for (const int part : parts) {
@@ -245,18 +197,18 @@ class Repair {
 
     std::vector<char> openParts(const std::vector<int>& parts, std::size_t count) const {
         std::vector<char> open(count, 0);
-        for (const Side& side : openSides(soup_)) {
+        for (const Side& side : repair::openSides(soup_)) {
             open[parts[side.triangle()]] = 1;
         }
         return open;
     }
 
-    void fill() { note("filled # hole", "filled # holes", fillHolesEvenly(soup_)); }
+    void fill() { note("filled # hole", "filled # holes", fillHoles(soup_, true).holes); }
 
     /// Sheets that filling has only doubled. False where there is nothing else, so that no repair
     /// will help.
     bool dropFlatParts() {
-        const SoupShells shells = measureShells(soup_);
+        const repair::SoupShells shells = repair::measureShells(soup_);
         std::vector<char> flat = openParts(shells.ofTriangle, shells.volumes.size());
         for (int shell = 0; shell < shells.size(); ++shell) {
             flat[shell] = flat[shell] == 0 && shells.isFlat(shell);
@@ -271,7 +223,7 @@ class Repair {
 
     void dropParts(const std::vector<int>& parts, const std::vector<char>& which, const char* one,
                    const char* many) {
-        keepTriangles(soup_, [&](int t) { return which[parts[t]] == 0; });
+        repair::keepTriangles(soup_, [&](int t) { return which[parts[t]] == 0; });
         note(one, many,
              static_cast<int>(std::ranges::count_if(which, [](char w) { return w != 0; })));
     }
@@ -306,4 +258,4 @@ std::vector<std::string> repairSoup(TriangleSoup& welded, bool fillsHoles) {
     return Repair(welded, fillsHoles).run();
 }
 
-}  // namespace kerf::repair
+}  // namespace kerf::app
