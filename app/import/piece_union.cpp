@@ -225,7 +225,8 @@ UnionAnswer uniteWithinLimits(const TriangleSoup& soup, const CrossingPieces& pi
     }
     UnionAnswer answer;
     try {
-        ByteReader(std::as_bytes(std::span(bytes)))(answer);
+        ByteReader in(std::as_bytes(std::span(bytes)));
+        in(answer);
     } catch (const std::out_of_range&) {
         return {.failure = "the exact union failed"};
     }
