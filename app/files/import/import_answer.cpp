@@ -115,7 +115,9 @@ void cleanNames(ImportedModel& model) {
         clean(image.name);
         const std::size_t pixels = std::size_t(std::max(image.pixels.width, 0)) *
                                    std::size_t(std::max(image.pixels.height, 0));
-        image.pixels = image.pixels.pixels.size() == 4 * pixels ? image.pixels : render::Image{};
+        if (image.pixels.pixels.size() != 4 * pixels) {
+            image.pixels = {};
+        }
     }
 }
 

@@ -161,8 +161,12 @@ Document openScene(const std::string& name, Session scene, const ReadOptions& op
     return document;
 }
 
-Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
-                       double right, const ReadOptions& options) {
+namespace {
+
+/// Adds the model of a file at the right of `before`, the box of what is there [m], which grows by
+/// it. Returns what is to be told of it.
+std::string addBeside(Session& scene, Bounds& before, const std::filesystem::path& file,
+                      const ReadOptions& options) {
     const std::size_t count = scene.moreModels.size() + 1;
     if (isJson(file)) {
         throw InputError(file.filename().string() +
@@ -176,34 +180,47 @@ Document openWithModel(const std::string& name, Session scene, const std::filesy
     ReadOptions ours = options;
     ours.report = &report;
     const ModelMesh read = readModel(file, ours);
-    const SurfaceMesh& own = read.mesh;
-    const UnitGuess guess = guessUnits(file, meshBounds(own), read.facts.units);
+    const auto own = read.mesh.restPositions();
+    const UnitGuess guess = guessUnits(file, meshBounds(read.mesh), read.facts.units);
     FurtherModel added = furtherModel(count);
     added.model.path = std::filesystem::absolute(file);
     added.model.add(options);
-    const Placement stands = standing(guess, own.restPositions());
+    added.placement = beside(before, standing(guess, own), own);
+    before.add(placedBounds(own, added.placement));
+    scene.moreModels.push_back(std::move(added));
+    return "Added as model " + std::to_string(count) + ". " + modelNote(report, guess);
+}
+
+/// A scene whose models were read as `options` say, and are mended as it says itself.
+Document openAdded(const std::string& name, Session scene, const ReadOptions& options) {
+    ReadOptions all;
+    all.findFaults = options.findFaults;
+    all.findCrossingsUpTo = options.findCrossingsUpTo;
+    return openScene(name, std::move(scene), all);
+}
+
+}  // namespace
+
+Document openWithModel(const std::string& name, Session scene, const std::filesystem::path& file,
+                       double right, const ReadOptions& options) {
     const ModelMesh there = loadSessionModel(scene, {});
     right += scene.origin.x() - there.origin.x();
     scene = withOrigin(std::move(scene), there.origin);
     Bounds before = meshBounds(there.mesh);
     before.high.x() = std::max(before.high.x(), right);
-    added.placement = beside(before, stands, own.restPositions());
-    scene.moreModels.push_back(std::move(added));
-    ReadOptions all;
-    all.findFaults = options.findFaults;
-    all.findCrossingsUpTo = options.findCrossingsUpTo;
-    Document document = openScene(name, std::move(scene), all);
-    document.note = "Added as model " + std::to_string(count) + ". " + modelNote(report, guess);
+    const std::string note = addBeside(scene, before, file, options);
+    Document document = openAdded(name, std::move(scene), options);
+    document.note = note;
     return document;
 }
 
 Document openModels(const std::vector<std::filesystem::path>& files, const ReadOptions& options) {
-    Document document = openDocument(files.front(), options);
+    Document first = openDocument(files.front(), options);
+    Bounds before = meshBounds(first.mesh);
     for (const std::filesystem::path& file : std::span(files).subspan(1)) {
-        const double right = meshBounds(document.mesh).high.x();
-        document = openWithModel(document.name, document.session, file, right, options);
+        addBeside(first.session, before, file, options);
     }
-    return document;
+    return openAdded(first.name, std::move(first.session), options);
 }
 
 Document openDocument(const std::filesystem::path& file, const ReadOptions& options) {
