@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "app/editor/storage/file_work.h"
+#include "tests/support/model_defects.h"
 
 namespace kerf::app {
 namespace {
