@@ -35,7 +35,7 @@ constexpr std::array<Scalar, 10> kScalars{
 
 void requireThere(bool there) {
     if (!there) {
-        throw InputError("it ends");
+        throw InputError("it ends too early");
     }
 }
 

@@ -203,15 +203,19 @@ void noteCrossings(const MeshReport& found, bool repaired, std::vector<std::stri
     }
 }
 
-/// The answer as far as it goes before an exception.
-void answer(const fs::path& file, const ImportOrder& order, ImportAnswer& answer) {
-    ImportedModel& model = answer.model;
+/// What is done once, whatever is ordered.
+void weld(const fs::path& file, ImportedModel& model, const std::optional<MemoryMeans>& means) {
     requireSize(model.soup);
-    requireMemoryFor(file, model.soup, order.means);
+    requireMemoryFor(file, model.soup, means);
     tellStage("Joining equal vertices");
     model.soup = weldObjects(model.soup);
     numberObjects(model);
     requireRoom(model.soup);
+}
+
+/// The answer for a welded model as far as it goes before an exception.
+void answer(const ImportOrder& order, ImportAnswer& answer) {
+    ImportedModel& model = answer.model;
     takeObject(model, order.object);
     tellStage("Looking for faults");
     answer.report = mend(model.soup, order);
@@ -252,26 +256,44 @@ int takeStandardOutput() {
 
 }  // namespace
 
-ImportAnswer answerTo(const fs::path& file, const ImportOrder& order) {
-    return guarded([&](ImportAnswer& told) {
+std::vector<ImportAnswer> answersTo(const fs::path& file, const std::vector<ImportOrder>& orders) {
+    ImportAnswer read = guarded([&](ImportAnswer& told) {
+        told.outcome = ImportOutcome::cuttable;
         told.model = readOrSayWhyNot(file);
         allowMending();
-        answer(file, order, told);
+        weld(file, told.model, orders.front().means);
     });
+    if (read.outcome != ImportOutcome::cuttable) {
+        return std::vector<ImportAnswer>(orders.size(), read);
+    }
+    std::vector<ImportAnswer> answers;
+    for (const ImportOrder& order : orders) {
+        answers.push_back(guarded([&](ImportAnswer& told) {
+            told.model = &order == &orders.back() ? std::move(read.model) : read.model;
+            answer(order, told);
+        }));
+    }
+    return answers;
 }
 
 ImportAnswer answerFor(const fs::path& file, ImportedModel model, const ImportOrder& order) {
     return guarded([&](ImportAnswer& told) {
         told.model = std::move(model);
-        answer(file, order, told);
+        weld(file, told.model, order.means);
+        answer(order, told);
     });
 }
 
-int runImport(const fs::path& file, std::string_view order) {
+int runImport(const fs::path& file, const std::vector<std::string>& orders) {
     applyImportLimits();
     const int output = takeStandardOutput();
-    const ImportAnswer told = answerTo(file, decodeOrder(order));
-    return writeAll(output, encodeAnswer(told)) ? 0 : 1;
+    std::vector<ImportOrder> decoded;
+    std::ranges::transform(orders, std::back_inserter(decoded), decodeOrder);
+    const std::vector<ImportAnswer> answers = answersTo(file, decoded);
+    const auto write = [&](const ImportAnswer& told) {
+        return writeAll(output, encodeAnswer(told));
+    };
+    return std::ranges::all_of(answers, write) ? 0 : 1;
 }
 
 }  // namespace kerf::app

@@ -167,7 +167,7 @@ std::string plainWords(const std::string& message) {
         return "there is no surface in it";
     }
     if (says("bad_alloc")) {
-        return "it needs more memory than a model may";
+        return "it needs more memory than a model may; export it with fewer triangles";
     }
     return message;
 }

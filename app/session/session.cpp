@@ -54,38 +54,46 @@ std::string ModelReference::name() const {
 
 namespace {
 
-/// The models of a session, in the numbers of their files. Equal ones are read once.
-class ModelLoading {
-  public:
-    explicit ModelLoading(const Session& session) {
-        for (const std::filesystem::path& file : modelFiles(session)) {
-            ++wanted_[file];
+std::vector<ModelReference> modelsOf(const Session& session) {
+    std::vector<ModelReference> models{session.model};
+    std::ranges::transform(session.moreModels, std::back_inserter(models), &FurtherModel::model);
+    return models;
+}
+
+/// The models in the numbers of their files, each of which is read once.
+std::vector<ModelMesh> readAll(const std::vector<ModelReference>& references,
+                               const ReadOptions& options) {
+    // The numbers of equal models, by their file and what is ordered.
+    std::map<std::filesystem::path, std::map<std::string, std::vector<std::size_t>>> files;
+    std::set<std::pair<std::filesystem::path, std::string>> checked;
+    for (std::size_t m = 0; m < references.size(); ++m) {
+        if (checked.emplace(references[m].file(), references[m].sha256).second) {
+            requireDigest(references[m].file(), references[m].sha256);
+        }
+        ImportOrder order = options;
+        order.object = references[m].object.value_or(0);
+        order.add(references[m]);
+        files[references[m].file()][encodeOrder(order)].push_back(m);
+    }
+    std::vector<ModelMesh> models(references.size(), SurfaceMesh());
+    for (const auto& [file, wanted] : files) {
+        std::vector<ImportOrder> orders;
+        for (const auto& [letters, equal] : wanted) {
+            orders.push_back(decodeOrder(letters));
+        }
+        auto answers = importModels(file, orders, options.progress);
+        enter(options.progress, "Building the surface");
+        auto answer = answers.begin();
+        for (const auto& [letters, equal] : wanted) {
+            const ModelMesh& first = models[equal.front()] =
+                cuttableModel(file, std::move(*answer++));
+            for (const std::size_t number : equal) {
+                models[number] = first;
+            }
         }
     }
-
-    ModelMesh load(const ModelReference& reference, ReadOptions options) {
-        const std::filesystem::path file = reference.file();
-        if (checked_.emplace(file, reference.sha256).second) {
-            requireDigest(file, reference.sha256);
-        }
-        options.object = reference.object.value_or(0);
-        options.add(reference);
-        if (wanted_[file] == 1) {
-            return readModel(file, options);
-        }
-        const auto [place, isNew] = read_.try_emplace({file, encodeOrder(options)}, std::nullopt);
-        if (isNew) {
-            place->second = readModel(file, options);
-        }
-        return *place->second;
-    }
-
-  private:
-    std::set<std::pair<std::filesystem::path, std::string>> checked_;  ///< files with their digest
-    std::map<std::filesystem::path, int> wanted_;
-    /// Models of files that are wanted several times, with what was ordered.
-    std::map<std::pair<std::filesystem::path, std::string>, std::optional<ModelMesh>> read_;
-};
+    return models;
+}
 
 /// What people should know of models that floats can't hold where they lie.
 std::string remarkOnOrigin(const Bounds& all, const Vec3& origin) {
@@ -138,25 +146,24 @@ void placeAll(std::vector<ModelMesh>& models, const std::vector<Placement>& plac
 }  // namespace
 
 ModelMesh loadSessionModel(const Session& session, const ReadOptions& options) {
-    ModelLoading loading(session);
-    std::vector<ModelMesh> models{loading.load(session.model, options)};
+    const std::vector<ModelReference> references = modelsOf(session);
+    std::vector<ModelMesh> models = readAll(references, options);
     std::vector<Placement> placements{session.placement};
     for (const FurtherModel& further : session.moreModels) {
-        models.push_back(loading.load(further.model, options));
-        placements.push_back(further.placement);
         if (further.color) {
-            paint(models.back(), further.model.name(), *further.color);
+            paint(models[placements.size()], further.model.name(), *further.color);
         }
+        placements.push_back(further.placement);
     }
     for (Placement& placement : placements) {
         placement.translate += session.origin;
     }
     placeAll(models, placements);
     for (std::size_t m = 0; m < models.size() && session.params.floor; ++m) {
-        const ModelReference& reference = m == 0 ? session.model : session.moreModels[m - 1].model;
         const Bounds placed = meshBounds(models[m].mesh);
         const double floor = *session.params.floor + session.origin.y() - models[m].origin.y();
-        if (std::string remark = remarkOnFloor(reference.name(), placed, floor); !remark.empty()) {
+        if (std::string remark = remarkOnFloor(references[m].name(), placed, floor);
+            !remark.empty()) {
             models[m].remarks.push_back(std::move(remark));
         }
     }
@@ -210,10 +217,8 @@ std::optional<Command> commandOf(const SessionAction& action) {
 }
 
 std::vector<std::filesystem::path> modelFiles(const Session& session) {
-    std::vector<std::filesystem::path> files{session.model.file()};
-    for (const FurtherModel& further : session.moreModels) {
-        files.push_back(further.model.file());
-    }
+    std::vector<std::filesystem::path> files;
+    std::ranges::transform(modelsOf(session), std::back_inserter(files), &ModelReference::file);
     return files;
 }
 

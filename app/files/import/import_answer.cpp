@@ -23,13 +23,16 @@ std::string encoded(const T& value) {
     return {reinterpret_cast<const char*>(out.bytes.data()), out.bytes.size()};
 }
 
+/// So many values, and nothing else.
 template <class T>
-T decoded(std::string_view bytes) {
+std::vector<T> decoded(std::string_view bytes, std::size_t count) {
     ByteReader in(bytesOf(bytes));
     std::string magic;
-    T value;
+    std::vector<T> values;
     try {
-        in(magic, value);
+        do {
+            in(magic, values.emplace_back());
+        } while (magic == kMagic && values.size() < count);
     } catch (const std::out_of_range&) {
         magic.clear();
     }
@@ -38,7 +41,7 @@ T decoded(std::string_view bytes) {
             "the model reader stopped in the middle, or is of another version; the file may be "
             "damaged, or Kerf needs to be rebuilt");
     }
-    return value;
+    return values;
 }
 
 void checkIndices(const TriangleSoup& soup) {
@@ -128,20 +131,22 @@ std::string encodeOrder(const ImportOrder& order) {
 }
 
 ImportOrder decodeOrder(std::string_view letters) {
-    return decoded<ImportOrder>(bytesOfBase64(letters));
+    return decoded<ImportOrder>(bytesOfBase64(letters), 1).front();
 }
 
 std::string encodeAnswer(const ImportAnswer& answer) {
     return encoded(answer);
 }
 
-ImportAnswer decodeAnswer(std::string_view bytes) {
-    auto answer = decoded<ImportAnswer>(bytes);
-    keepKind(answer.outcome, kImportOutcomes);
-    checkIndices(answer.model.soup);
-    clearOddNumbers(answer.model);
-    cleanNames(answer.model);
-    return answer;
+std::vector<ImportAnswer> decodeAnswers(std::string_view bytes, std::size_t count) {
+    auto answers = decoded<ImportAnswer>(bytes, count);
+    for (ImportAnswer& answer : answers) {
+        keepKind(answer.outcome, kImportOutcomes);
+        checkIndices(answer.model.soup);
+        clearOddNumbers(answer.model);
+        cleanNames(answer.model);
+    }
+    return answers;
 }
 
 }  // namespace kerf::app

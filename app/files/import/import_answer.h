@@ -95,8 +95,9 @@ std::string encodeOrder(const ImportOrder& order);
 ImportOrder decodeOrder(std::string_view letters);
 
 std::string encodeAnswer(const ImportAnswer& answer);
-/// Decodes an answer and trusts nothing in it: lengths, counts, kinds and indices are checked;
-/// texture coordinates and colours that are not finite become 0. Throws InputError with a clause.
-ImportAnswer decodeAnswer(std::string_view bytes);
+/// Decodes `count` answers, one after the other, and trusts nothing in them: lengths, counts, kinds
+/// and indices are checked; texture coordinates and colours that are not finite become 0. Throws
+/// InputError with a clause.
+std::vector<ImportAnswer> decodeAnswers(std::string_view bytes, std::size_t count = 1);
 
 }  // namespace kerf::app

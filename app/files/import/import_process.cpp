@@ -51,10 +51,10 @@ class ReaderWatch {
     ReaderWatch(const ImportLimits& limits, WorkProgress* progress)
         : progress_(progress), deadline_(Clock::now() + std::chrono::seconds(limits.wallSeconds)) {}
 
-    /// Collects both streams until they end. False where the deadline passes, the answer grows past
-    /// its limit, or nobody wants it any more.
-    bool collect(Pipe& answer, Pipe& log) {
-        return readStreams(
+    /// Collects both streams until they end, the deadline passes, the answer grows past its limit,
+    /// or nobody wants it any more.
+    void collect(Pipe& answer, Pipe& log) {
+        readStreams(
             answer, keepBeginning(end.answer, kMaxImportAnswer + 1), log,
             [this](std::string_view block) { follow(block); }, [this] { return patience(); });
     }
@@ -112,9 +112,8 @@ ImportEnd runImportProcess(const std::vector<std::string>& command, const Import
     ChildProcess child = startReader(command, limits, answer, log);
     answer.write.close();
     log.write.close();
-    if (!reading.collect(answer, log)) {
-        child.kill();
-    }
+    reading.collect(answer, log);
+    child.kill();  // one that has closed its streams and goes on has no more to say, either
     ImportEnd end = std::move(reading.end);
     static_cast<ChildEnd&>(end) = child.wait();
     end.tooSlow = end.tooSlow || end.signal == SIGXCPU;

@@ -98,6 +98,11 @@ void checkEnd(const ImportEnd& end, const std::string& format, const ImportLimit
         throw InputError("it has more than " + std::to_string(kMaxImportTriangles) +
                          " triangles; decimate the model");
     }
+    if (end.signal == SIGKILL || end.signal == SIGTERM) {
+        throw InputError(
+            "the program that reads it was ended from outside, as systems do that run out of "
+            "memory; close other programs and open it again");
+    }
     if (end.exitCode != 0) {
         throw InputError("the " + format + " reader failed on it (" +
                          (end.signal != 0 ? std::string(sigabbrev_np(end.signal))
@@ -106,26 +111,29 @@ void checkEnd(const ImportEnd& end, const std::string& format, const ImportLimit
     }
 }
 
-ImportAnswer answerOfReader(const fs::path& file, const ImportOrder& order,
-                            const ImportLimits& limits, WorkProgress* progress) {
+std::vector<ImportAnswer> answersOfReader(const fs::path& file,
+                                          const std::vector<ImportOrder>& orders,
+                                          const ImportLimits& limits, WorkProgress* progress) {
     enter(progress, "Reading the file");
     checkFile(file);
     const Format& format = formatOf(file);
-    const ImportEnd end = runImportProcess(
-        {importProgram().string(), fs::absolute(file).string(), encodeOrder(order)}, limits,
-        progress);
+    std::vector<std::string> command{importProgram().string(), fs::absolute(file).string()};
+    std::ranges::transform(orders, std::back_inserter(command), encodeOrder);
+    const ImportEnd end = runImportProcess(command, limits, progress);
     if (!end.log.empty()) {
         spdlog::debug("{}: {}", file.string(), end.log);
     }
     checkEnd(end, format.name, limits);
-    ImportAnswer answer = decodeAnswer(end.answer);
-    if (answer.outcome == ImportOutcome::refused) {
-        throw InputError(answer.reason);
+    std::vector<ImportAnswer> answers = decodeAnswers(end.answer, orders.size());
+    for (const ImportAnswer& answer : answers) {
+        if (answer.outcome == ImportOutcome::refused) {
+            throw InputError(answer.reason);
+        }
+        if (answer.outcome == ImportOutcome::outOfMemory) {
+            throw MemoryShortage(answer.reason);
+        }
     }
-    if (answer.outcome == ImportOutcome::outOfMemory) {
-        throw MemoryShortage(answer.reason);
-    }
-    return answer;
+    return answers;
 }
 
 OwnLooks looksOf(ImportedModel& model) {
@@ -166,13 +174,18 @@ fs::path importProgram() {
     return chosen != nullptr ? fs::path(chosen) : programBeside("kerf-import");
 }
 
-ImportAnswer importModel(const fs::path& file, const ImportOrder& order, WorkProgress* progress,
-                         const ImportLimits& limits) {
+std::vector<ImportAnswer> importModels(const fs::path& file, const std::vector<ImportOrder>& orders,
+                                       WorkProgress* progress, const ImportLimits& limits) {
     try {
-        return answerOfReader(file, order, limits, progress);
+        return answersOfReader(file, orders, limits, progress);
     } catch (const InputError& error) {
         throw InputError(shownPath(file) + ": " + error.what());
     }
+}
+
+ImportAnswer importModel(const fs::path& file, const ImportOrder& order, WorkProgress* progress,
+                         const ImportLimits& limits) {
+    return std::move(importModels(file, {order}, progress, limits).front());
 }
 
 ModelMesh cuttableModel(const fs::path& file, ImportAnswer answer) {

@@ -53,9 +53,14 @@ bool isModelFile(const std::filesystem::path& file);
 std::filesystem::path importProgram();
 
 /// Reads a model file (OBJ, PLY, STL, glTF, GLB, OFF, VTK, VTP, VTU, Gmsh, and through assimp
-/// 3DS, DAE, FBX) and does what is ordered, in a child process with limits; see answerTo(). Throws
-/// InputError if it can't be read, MemoryShortage if it can't be cut here, and WorkCancelled if
-/// `progress` was cancelled, like all functions that take one.
+/// 3DS, DAE, FBX) once and does each of what is ordered, in a child process with limits; see
+/// answersTo(). Throws InputError if it can't be read, MemoryShortage if it can't be cut here, and
+/// WorkCancelled if `progress` was cancelled, like all functions that take one.
+std::vector<ImportAnswer> importModels(const std::filesystem::path& file,
+                                       const std::vector<ImportOrder>& orders,
+                                       WorkProgress* progress = nullptr,
+                                       const ImportLimits& limits = {});
+/// The same of one order.
 ImportAnswer importModel(const std::filesystem::path& file, const ImportOrder& order = {},
                          WorkProgress* progress = nullptr, const ImportLimits& limits = {});
 

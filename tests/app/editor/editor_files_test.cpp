@@ -88,6 +88,18 @@ TEST_F(EditorFilesTest, CancelEndsTheReaderAndLeavesEverythingAsItWas) {
     EXPECT_NE(editor->readPicture().pixels, before) << "the progress is gone";
 }
 
+TEST_F(EditorFilesTest, AReaderThatIsKilledLeavesEverythingAsItWas) {
+    const SlowReader reader(folder.path());
+    openSlowModel();
+    waitWhile([&] { return reader.process() == 0; });
+    ::kill(reader.process(), SIGKILL);
+    waitForWork();
+    EXPECT_TRUE(panels().toast.isError);
+    EXPECT_THAT(panels().toast.text, HasSubstr("slow.obj: the program that reads it was ended"));
+    dragAndSettle(kTop, kBottom, 10);
+    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
+}
+
 TEST_F(EditorFilesTest, SeveralDroppedModelsAreOpenedBesideEachOther) {
     writeText(folder / "box.obj", objText(boxSoup(Vec3::Ones(), 4)));
     writeText(folder / "box.mtl", "newmtl red\n");

@@ -319,6 +319,18 @@ TEST_F(Reader, ThatCrashesIsNamed) {
     EXPECT_THAT(sentenceOf(crash), HasSubstr("the OBJ reader failed on it (SEGV)"));
 }
 
+TEST_F(Reader, ThatClosesItsStreamsAndWaitsIsStopped) {
+    EXPECT_EQ(endOf("exec >&- 2>&-\nsleep 60").signal, SIGKILL);
+}
+
+TEST_F(Reader, ThatOthersEndIsNoFaultOfTheFile) {
+    EXPECT_THAT(sentenceOf("kill -KILL $$"), HasSubstr("run out of memory; close other programs"));
+}
+
+TEST_F(Reader, ThatAnswersNonsenseIsRefused) {
+    EXPECT_THAT(sentenceOf("head -c 99999 /dev/urandom"), HasSubstr("stopped in the middle"));
+}
+
 TEST_F(Reader, TellsItsStagesWhichAreNoLog) {
     WorkProgress progress;
     const ImportEnd end =
@@ -382,7 +394,7 @@ TEST(ImportAnswer, ComesBackAsItWas) {
     answer.report.left = {"one"};
     answer.help.thickness = 0.5;
     answer.model.facts.units = FileUnits{LengthUnit::millimetre, UpAxis::z};
-    const ImportAnswer back = decodeAnswer(encodeAnswer(answer));
+    const ImportAnswer back = decodeAnswers(encodeAnswer(answer)).front();
     EXPECT_EQ(back.outcome, ImportOutcome::cuttable);
     EXPECT_EQ(back.model.soup.positions, answer.model.soup.positions);
     EXPECT_EQ(encodeAnswer(back), encodeAnswer(answer));
@@ -399,11 +411,11 @@ TEST(ImportAnswer, AnOrderComesBackAsItWas) {
 TEST(ImportAnswer, AnyOtherLengthIsRefused) {
     const std::string answer = encodeAnswer(answerOf(boxSoup()));
     for (std::size_t length = 0; length < answer.size(); length += 7) {
-        EXPECT_THAT(inputErrorOf([&] { decodeAnswer(answer.substr(0, length)); }),
+        EXPECT_THAT(inputErrorOf([&] { decodeAnswers(answer.substr(0, length)); }),
                     HasSubstr("stopped in the middle"))
             << length;
     }
-    EXPECT_THAT(inputErrorOf([&] { decodeAnswer(answer + "x"); }), HasSubstr("in the middle"));
+    EXPECT_THAT(inputErrorOf([&] { decodeAnswers(answer + "x"); }), HasSubstr("in the middle"));
 }
 
 TEST(ImportAnswer, NoNumberIsTrusted) {
@@ -414,7 +426,7 @@ TEST(ImportAnswer, NoNumberIsTrusted) {
     answer.model.soup.skin.uvs.resize(12);
     answer.model.soup.skin.uvs[0][0].x() = std::numeric_limits<float>::quiet_NaN();
     answer.model.facts.objects = {"two\nlines"};
-    const ImportAnswer back = decodeAnswer(encodeAnswer(answer));
+    const ImportAnswer back = decodeAnswers(encodeAnswer(answer)).front();
     EXPECT_EQ(back.outcome, ImportOutcome::cuttable);
     EXPECT_EQ(back.model.facts.units->unit, LengthUnit::metre);
     EXPECT_EQ(back.model.soup.skin.materials, std::vector<int>(12, -1));
@@ -422,7 +434,7 @@ TEST(ImportAnswer, NoNumberIsTrusted) {
     EXPECT_EQ(back.model.facts.objects.front(), "two_lines");
 
     answer.model.soup.triangles[3][1] = 8;
-    EXPECT_THAT(inputErrorOf([&] { decodeAnswer(encodeAnswer(answer)); }), HasSubstr("not there"));
+    EXPECT_THAT(inputErrorOf([&] { decodeAnswers(encodeAnswer(answer)); }), HasSubstr("not there"));
 }
 
 TEST(ImportAnswer, PositionsMustBeSane) {

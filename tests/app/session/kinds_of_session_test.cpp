@@ -76,6 +76,29 @@ TEST_F(ObjectSession, EachBecomesAModelWhereTheWholeWas) {
               2);
 }
 
+TEST_F(ObjectSession, TheFileIsReadOnceForAllItsModels) {
+    Session session = parted(openDocument(file).session, 2);
+    session.moreModels.push_back(session.moreModels.front());
+    session.moreModels.push_back({session.model, session.placement, {}});
+    session.moreModels.back().model.remesh = true;
+    const fs::path reader = folder / "reader";
+    writeText(reader, "#!/bin/sh\necho start >>'" + (folder / "starts").string() + "'\nexec '" +
+                          importProgram().string() + "' \"$@\"\n");
+    fs::permissions(reader, fs::perms::owner_all);
+    const Variable counting("KERF_IMPORT", reader.string());
+    const ModelMesh scene = loadSessionModel(session);
+    EXPECT_EQ(readBytes(folder / "starts"), "start\n");
+    ASSERT_EQ(scene.placed.size(), 4U);
+    const auto vertices = [&](int m) {
+        return scene.placed[m + 1].firstVertex - scene.placed[m].firstVertex;
+    };
+    EXPECT_EQ(vertices(0), 8);
+    EXPECT_EQ(vertices(1), vertices(2));
+    EXPECT_GT(scene.mesh.vertexCount() - scene.placed[3].firstVertex, 8) << "even triangles";
+    const double unit = std::pow(session.placement.scale, 3);
+    EXPECT_NEAR(meshVolume(scene.mesh), (16 + 2 + 2 + 16) * unit, 0.01 * unit);
+}
+
 // Sheets in sessions: an open surface is given a thickness, then cut as any body.
 
 /// A cloth of 1 m on a side about the origin in the x-z plane, with texture coordinates.

@@ -80,8 +80,9 @@ FuzzOutcome buildSurface(const app::ImportedModel& model) {
 
 std::string brokenByEncoding(const app::ImportAnswer& answer) {
     const std::string bytes = app::encodeAnswer(answer);
-    return app::encodeAnswer(app::decodeAnswer(bytes)) == bytes ? ""
-                                                                : "It comes back as another one.";
+    return app::encodeAnswer(app::decodeAnswers(bytes).front()) == bytes
+               ? ""
+               : "It comes back as another one.";
 }
 
 constexpr std::array<std::string_view, 13> kEndings{".obj", ".ply", ".stl", ".gltf", ".glb",
@@ -89,7 +90,8 @@ constexpr std::array<std::string_view, 13> kEndings{".obj", ".ply", ".stl", ".gl
                                                     ".vtp", ".vtu", ".msh"};
 
 app::ImportAnswer answerOf(const fs::path& file) {
-    return inThisProcess ? app::answerTo(file, {}) : app::importModel(file);
+    return inThisProcess ? app::answersTo(file, {app::ImportOrder{}}).front()
+                         : app::importModel(file);
 }
 
 /// As the file has it: before corners in one place become one.
@@ -155,7 +157,7 @@ app::ImportedModel paintedBox() {
 
 FuzzOutcome readAnswerBytes(const std::string& bytes) {
     try {
-        const app::ImportAnswer answer = app::decodeAnswer(bytes);
+        const app::ImportAnswer answer = app::decodeAnswers(bytes).front();
         return {true, brokenByEncoding(answer)};
     } catch (const app::InputError& error) {
         return refusedWithClause(error.what());

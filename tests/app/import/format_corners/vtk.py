@@ -117,7 +117,7 @@ def add_legacy(table):
     refused("other", "solid a\n", "line 1: it does not begin with")
     refused("image", text.file("STRUCTURED_POINTS", b"DIMENSIONS 2 2 2\n"), "line 4: ", "STRUCTURED_POINTS", "Extract Surface")
     refused("polyhedron", text.grid(BOX.points, [[0]], [42]), "type 42", "Extract Surface")
-    refused("cut-off", box[:-20], "it ends")
+    refused("cut-off", box[:-20], "it ends too early")
     refused("binary-cut-off", binary.polygons()[:-20], "byte ", "it ends")
     refused("no-types", text.file("UNSTRUCTURED_GRID", text.points(BOX.points), text.lists("CELLS", [[0, 1, 2]])), "no surface")
     refused("vertex", box.replace(b"4 0 2 3 1", b"4 0 2 3 8"), "vertex 8", "there are 8")
