@@ -1,6 +1,8 @@
 // Films and strips of a run, read by ffprobe and ffmpeg themselves.
 #include "app/cli/replay/film.h"
 
+#include "tests/app/cli/replay/small_session_fixture.h"
+
 namespace kerf::app {
 namespace {
 
@@ -69,18 +71,8 @@ TEST(FilmCaptions, SayNothingOfThePaceInRealTime) {
 
 // --- Whole runs --------------------------------------------------------------------------------
 
-class FilmTest : public testing::Test {
+class FilmTest : public SmallSessionTest {
   protected:
-    FilmTest() { writeText(folder_ / "test.kerf.json", smallSession()); }
-
-    ProgramRun replay(const std::vector<std::string>& options,
-                      const std::map<std::string, std::string>& environment = {}) {
-        std::vector<std::string> words{"replay", path("test.kerf.json"), "--out", path("out")};
-        words.insert(words.end(), options.begin(), options.end());
-        return runKerf(words, environment);
-    }
-    std::string path(const std::string& name) const { return folder_ / name; }
-
     /// "h264,320,180,30/1,61": what ffprobe says of a film.
     std::string probed(const std::string& film) {
         return outputOf(
@@ -116,8 +108,6 @@ class FilmTest : public testing::Test {
         }
         return all;
     }
-
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(FilmTest, EachFormatHasTheFramesTheSizeAndTheRate) {

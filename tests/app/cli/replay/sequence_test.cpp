@@ -1,18 +1,11 @@
 // Meshes of a run on the way, and what other programs read in them.
+#include "tests/app/cli/replay/small_session_fixture.h"
 
 namespace kerf::app {
 namespace {
 
-class SequenceTest : public testing::Test {
+class SequenceTest : public SmallSessionTest {
   protected:
-    SequenceTest() { writeText(folder_ / "test.kerf.json", smallSession()); }
-
-    ProgramRun replay(const std::vector<std::string>& options) {
-        std::vector<std::string> words{"replay", path("test.kerf.json"), "--out", path("out")};
-        words.insert(words.end(), options.begin(), options.end());
-        return runKerf(words);
-    }
-    std::string path(const std::string& name) const { return folder_ / name; }
     std::vector<std::string> names() const {
         std::vector<std::string> all;
         for (const auto& entry : fs::directory_iterator(folder_ / "out/sequence")) {
@@ -20,8 +13,6 @@ class SequenceTest : public testing::Test {
         }
         return all;
     }
-
-    test::TemporaryFolder folder_;
 };
 
 TEST_F(SequenceTest, HasAMeshEverySoManyStepsAndOfTheEnd) {
