@@ -61,6 +61,13 @@ std::vector<std::string> wordsFor(const fs::path& film, const ui::FilmLook& look
                                 : filmWords(film, look);
 }
 
+/// Whether a sequence has a mesh of this name.
+bool isOfSequence(const std::string& name) {
+    constexpr std::string_view kStep = "step-";
+    return name.starts_with(kStep) && name.ends_with(".vtp") &&
+           name.find_first_not_of("0123456789", kStep.size()) == name.size() - 4;
+}
+
 /// Writes the meshes of a sequence into a folder named like `file`. Returns the list of them that
 /// belongs into `file`.
 std::string writeSequence(const fs::path& sequence, const fs::path& file) {
@@ -71,6 +78,12 @@ std::string writeSequence(const fs::path& sequence, const fs::path& file) {
             AtomicFile mesh(meshes.pathOf(entry.path().filename()));
             mesh.writeAllOf(entry.path());
             mesh.commit();
+        }
+    }
+    for (const auto& entry : fs::directory_iterator(file.parent_path() / name)) {
+        const std::string mesh = entry.path().filename();
+        if (isOfSequence(mesh) && !fs::exists(sequence / mesh)) {
+            meshes.remove(mesh);  // of a longer earlier run
         }
     }
     std::ifstream list(sequence / "sequence.pvd");

@@ -292,6 +292,10 @@ TEST_F(EditorFilmTest, AnAnimationHasTheMeshesInstead) {
     EXPECT_THAT(panels().toast.text,
                 HasSubstr("Exported animation " + (folder / "cut.abc").string()));
     EXPECT_EQ(readBytes(folder / "cut.abc").substr(0, 6), "Ogawa\xFF");
+    fs::create_directory(folder / "a & b");
+    for (const char* name : {"step-000998.vtp", "step-one.vtp", "step-000998.ply"}) {
+        writeText(folder / "a & b" / name, "of an earlier run, or of others");
+    }
     askForFilm("a & b.pvd");
     clickAndWait("file.accept");
     EXPECT_THAT(readBytes(folder / "a & b.pvd"),
@@ -299,6 +303,9 @@ TEST_F(EditorFilmTest, AnAnimationHasTheMeshesInstead) {
                       HasSubstr("file=\"a &amp; b/step-000014.vtp\"")))
         << "30 in a second";
     EXPECT_TRUE(fs::exists(folder / "a & b" / "step-000014.vtp"));
+    EXPECT_FALSE(fs::exists(folder / "a & b" / "step-000998.vtp"));
+    EXPECT_TRUE(fs::exists(folder / "a & b" / "step-one.vtp"));
+    EXPECT_TRUE(fs::exists(folder / "a & b" / "step-000998.ply"));
 }
 
 TEST_F(EditorFilmTest, IsSeenFromWhereThePersonLooksNow) {
