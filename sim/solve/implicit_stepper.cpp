@@ -5,7 +5,6 @@
 #include "shaders/shared/bindings.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/solve/float_vectors.h"
-#include "sim/solve/implicit/step_choice.h"
 
 namespace kerf {
 
@@ -100,16 +99,6 @@ ImplicitStepper::StageKernels::StageKernels(const SolverBody& body)
       turning(compileGroups(body, "turning")),
       spin(compileGroups(body, "spin")),
       end(compileGroups(body, "end")) {}
-
-ImplicitStep ImplicitStep::of(const Params& params, std::size_t vertexCount, double longest) {
-    constexpr std::size_t kMany = 5000;  // whose coarse inverse would be larger than the matrix
-    ImplicitStep step;
-    step.step = params.timeStep / params.implicitSteps;
-    step.prepared = params.timeStep / stepsWithin(params.timeStep, longest);
-    step.iterations = numberOfIterations(params);
-    step.aggregateSize = vertexCount > kMany ? 120 : 60;
-    return step;
-}
 
 ImplicitStepper::ImplicitStepper(SolverBody& body, Collisions& collisions)
     : body_(body),

@@ -4,23 +4,10 @@
 #include "sim/base/params.h"
 #include "sim/solve/collisions.h"
 #include "sim/solve/implicit/implicit_body.h"
+#include "sim/solve/implicit/step_choice.h"
 #include "sim/solve/solver_body.h"
 
 namespace kerf {
-
-/// What a step of the implicit solver is done by.
-struct ImplicitStep {
-    double step = 1.0 / 240;         ///< [s]
-    int iterations = 4;              ///< of conjugate gradients, per stage, at most
-    std::size_t aggregateSize = 60;  ///< see groupVertices()
-    double prepared = step;          ///< for which parts are inverted; good for shorter steps [s]
-    bool unfolds = true;             ///< what is folded is drawn out of it: see Unfolding
-    /// Of the energy of the motion: where less is left iterations end, but for half of them.
-    double close = 0;
-
-    /// As the parameters say, of a body whose longestStep() this is.
-    static ImplicitStep of(const Params& params, std::size_t vertexCount, double longest);
-};
 
 /// Time steps of two linearly implicit stages each: ImplicitReference in floats, in the same order,
 /// with results that do not depend on the number of threads.

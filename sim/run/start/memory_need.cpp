@@ -9,8 +9,8 @@
 #include "sim/body/ispc_builder.h"
 #include "sim/body/solver_uniforms.h"
 #include "sim/mesh/box_tree.h"
+#include "sim/solve/implicit/step_choice.h"
 #include "sim/solve/implicit/vertex_groups.h"
-#include "sim/solve/implicit_stepper.h"
 
 namespace kerf {
 

@@ -1,6 +1,7 @@
 #include "sim/solve/implicit/step_choice.h"
 
 #include "sim/base/size_params.h"
+#include "sim/body/solver_uniforms.h"
 
 namespace kerf {
 
@@ -38,6 +39,16 @@ double longestStep(const BodyModel& model, const Params& params) {
         }
     }
     return longest;
+}
+
+ImplicitStep ImplicitStep::of(const Params& params, std::size_t vertexCount, double longest) {
+    constexpr std::size_t kMany = 5000;  // whose coarse inverse would be larger than the matrix
+    ImplicitStep step;
+    step.step = params.timeStep / params.implicitSteps;
+    step.prepared = params.timeStep / stepsWithin(params.timeStep, longest);
+    step.iterations = numberOfIterations(params);
+    step.aggregateSize = vertexCount > kMany ? 120 : 60;
+    return step;
 }
 
 double leastDiagonal(const BodyModel& model) {

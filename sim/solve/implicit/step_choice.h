@@ -26,6 +26,20 @@ int implicitIterations(const BodyModel& model, double way, double error);
 /// Of the energy of a motion, how much an error by that share leaves: see ImplicitStep::close.
 double energyLeft(double error);
 
+/// What a step of the implicit solver is done by.
+struct ImplicitStep {
+    double step = 1.0 / 240;         ///< [s]
+    int iterations = 4;              ///< of conjugate gradients, per stage, at most
+    std::size_t aggregateSize = 60;  ///< see groupVertices()
+    double prepared = step;          ///< for which parts are inverted; good for shorter steps [s]
+    bool unfolds = true;             ///< what is folded is drawn out of it: see Unfolding
+    /// Of the energy of the motion: where less is left iterations end, but for half of them.
+    double close = 0;
+
+    /// As the parameters say, of a body whose longestStep() this is.
+    static ImplicitStep of(const Params& params, std::size_t vertexCount, double longest);
+};
+
 /// What a body has after a step [J].
 struct BodyEnergies {
     double moving = 0;     ///< kinetic and strain energy
