@@ -79,8 +79,10 @@ bool touchesItself(std::vector<Kernel::Point_3> border) {
     return std::ranges::adjacent_find(border) != border.end();
 }
 
-/// Edges of the border are not divided: much longer ones than the wanted would be so without end.
+/// Edges of the border are not divided: beside much longer ones than the wanted, others would be
+/// so without end. CGAL takes up to 4/3 of it.
 double edgeFor(const std::vector<Kernel::Point_3>& border) {
+    constexpr double kMostOfWanted = 1.3;
     double sum = 0;
     double longest = 0;
     for (std::size_t i = 0; i < border.size(); ++i) {
@@ -89,10 +91,11 @@ double edgeFor(const std::vector<Kernel::Point_3>& border) {
         sum += length;
         longest = std::max(longest, length);
     }
-    return std::max(sum / static_cast<double>(border.size()), longest / 2);
+    return std::max(sum / static_cast<double>(border.size()), longest / kMostOfWanted);
 }
 
-/// As a soap film: nothing holds the triangles to where they were.
+/// As a soap film: nothing holds the triangles to where they were. Of a closed mesh: CGAL wants the
+/// edges of other holes to be as short.
 void makeEven(Mesh& mesh, const std::vector<Face>& patch, double edge) {
     pmp::isotropic_remeshing(
         patch, edge, mesh,
@@ -256,12 +259,18 @@ HoleFilling fillHoles(TriangleSoup& welded, bool evenly) {
     }
     std::vector<Mesh::Halfedge_index> borders;
     pmp::extract_boundary_cycles(*mesh, std::back_inserter(borders));
+    std::vector<std::pair<std::vector<Face>, double>> toMakeEven;
     for (const auto border : borders) {
         const std::vector<Kernel::Point_3> points = pointsAround(*mesh, border);
         const std::vector<Face> patch = triangulated(*mesh, border, points.size());
         done.holes += patch.empty() ? 0 : 1;
         if (evenly && !patch.empty() && !touchesItself(points)) {
-            makeEven(*mesh, patch, edgeFor(points));
+            toMakeEven.emplace_back(patch, edgeFor(points));
+        }
+    }
+    if (CGAL::is_closed(*mesh)) {
+        for (const auto& [patch, edge] : toMakeEven) {
+            makeEven(*mesh, patch, edge);
         }
     }
     done.triangles = addPatches(*mesh, welded);

@@ -12,9 +12,9 @@ struct HoleFilling {
 
 /// Closes each hole of a welded soup, a loop of edges that have one triangle, with triangles of
 /// small area that hardly bend, none of them without area; `evenly` makes them as large as those
-/// around and smooths them, but where a border passes one place twice. What was there stays bit for
-/// bit. A soup that is not manifold or not consistently oriented stays open, and so does a hole
-/// that cannot be triangulated.
+/// around and smooths them, but where a border passes one place twice, or a hole stays open. What
+/// was there stays bit for bit. A soup that is not manifold or not consistently oriented stays
+/// open, and so does a hole that cannot be triangulated.
 HoleFilling fillHoles(TriangleSoup& welded, bool evenly = false);
 
 /// Remeshes a closed, manifold, oriented soup to edges of about `edge` [m], on its own surface.

@@ -14,6 +14,10 @@ TriangleSoup withHoleAt(const TriangleSoup& soup, Gone&& gone) {
     return weldExactly(rest);
 }
 
+TriangleSoup openBall() {
+    return withHoleAt(icosphereSoup(3), [](const Vec3& m) { return m.y() > 0.2; });
+}
+
 TEST(HoleFilling, AClosedSurfaceStaysAsItIs) {
     TriangleSoup soup = weldExactly(boxSoup());
     const HoleFilling done = fillHoles(soup);
@@ -78,8 +82,7 @@ TEST(HoleFilling, AHoleOfVeryManyEdgesIsFilledFlat) {
 }
 
 TEST(HoleFilling, WhatWasThereStaysBitForBit) {
-    const TriangleSoup before =
-        withHoleAt(icosphereSoup(3), [](const Vec3& m) { return m.y() > 0.2; });
+    const TriangleSoup before = openBall();
     TriangleSoup soup = before;
     fillHoles(soup, true);
     EXPECT_EQ(inspectTriangles(soup).problem, "");
@@ -108,6 +111,35 @@ TEST(HoleFilling, EdgesOfABorderMayBeMuchLongerThanOthers) {
     ASSERT_EQ(inspectTriangles(soup).openEdges, 15);
     EXPECT_EQ(fillHoles(soup, true).holes, 1);
     EXPECT_EQ(inspectTriangles(soup).problem, "");
+}
+
+TEST(HoleFilling, AFineHoleIsEvenedBesideAWideOne) {
+    const TriangleSoup box =
+        withHoleAt(boxSoup(Vec3::Constant(20)), [](const Vec3& m) { return m.y() > 9; });
+    TriangleSoup soup = joined(box, openBall(), Vec3(0, 50, 0));
+    const std::size_t before = soup.positions.size();
+    EXPECT_EQ(fillHoles(soup, true).holes, 2);
+    EXPECT_EQ(inspectTriangles(soup).problem, "");
+    EXPECT_GT(soup.positions.size(), before + 10);
+}
+
+TEST(HoleFilling, NothingIsEvenedWhereAHoleStaysOpen) {
+    // On the torus by Moebius each two of seven vertices share an edge, so that without one of them
+    // no diagonal is left for the hole.
+    TriangleSoup torus;
+    for (int i = 0; i < 7; ++i) {
+        torus.positions.emplace_back(20 * std::cos(i), 20 * std::sin(i), i);
+        torus.triangles.push_back({i, (i + 1) % 7, (i + 3) % 7});
+        torus.triangles.push_back({i, (i + 3) % 7, (i + 2) % 7});
+    }
+    ASSERT_TRUE(inspectTriangles(torus).closed);
+    std::erase_if(torus.triangles, [](const Triangle& t) { return std::ranges::count(t, 6) > 0; });
+    torus.positions.pop_back();
+    TriangleSoup soup = joined(torus, openBall(), Vec3(0, 50, 0));
+    const std::size_t before = soup.positions.size();
+    EXPECT_EQ(fillHoles(soup, true).holes, 1);
+    EXPECT_EQ(inspectTriangles(soup).openEdges, 6);
+    EXPECT_EQ(soup.positions.size(), before);
 }
 
 TEST(HoleFilling, WhatIsNotManifoldStaysOpen) {
