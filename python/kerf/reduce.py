@@ -9,7 +9,8 @@ import pathlib
 import subprocess
 import sys
 import time
-from typing import Any, Callable, Dict, List, Sequence, Tuple
+from types import MappingProxyType
+from typing import Any, Callable, Dict, List, Mapping, Sequence, Tuple
 
 from . import _program, _text
 from ._errors import Error, InputError
@@ -116,7 +117,7 @@ class Reduction:
         first = size = self._size()
         for number in range(1, sys.maxsize):
             for part in (self._end_sooner, self._coarsen, self._drop_keys, self._drop_events,
-                         self._close_gaps):  # what makes the runs short comes first
+                         self._trim_strokes, self._close_gaps):  # what makes the runs short comes first
                 part()
             before, size = size, self._size()
             print(f"round {number}: {_named(size)}, {self._verdicts.runs} runs", file=sys.stderr)
@@ -157,6 +158,16 @@ class Reduction:
     def _drop_events(self) -> None:
         thinned(self.session["events"], lambda rest: self._keep(events=rest))
 
+    def _trim_strokes(self) -> None:
+        """Less of the blade's way between two poses, from its start and its end, at its speed."""
+        for i in range(len(self.session["events"]) - 1):
+            for kept, moved in ((i + 1, i), (i, i + 1)):
+                poses, gaps = self.session["events"], self._gaps()
+                if poses[kept]["type"] == poses[moved]["type"] == "blade":
+                    least(1, gaps[i + 1], lambda steps: self._keep_gaps(
+                        [*gaps[:i + 1], steps, *gaps[i + 2:]],
+                        {moved: _between(poses[kept], poses[moved], steps / gaps[i + 1])}))
+
     def _close_gaps(self) -> None:
         """Fewer steps before each event, and after the last."""
         for divisor in (64, 16, 4, 2):
@@ -171,10 +182,11 @@ class Reduction:
         steps = [0, *(event["step"] for event in self.session["events"]), self.session["steps"]]
         return [after - before for before, after in zip(steps, steps[1:])]
 
-    def _keep_gaps(self, gaps: List[int]) -> bool:
+    def _keep_gaps(self, gaps: List[int], poses: Mapping[int, Session] = MappingProxyType({})) -> bool:
+        """Goes on with these, and with other poses of some events, if the command still fails."""
         if sum(gaps) < 1 or gaps == self._gaps():
             return False
-        events = [{**event, "step": sum(gaps[:i + 1])}
+        events = [{**event, **poses.get(i, {}), "step": sum(gaps[:i + 1])}
                   for i, event in enumerate(self.session["events"])]
         return self._keep(steps=sum(gaps), events=events)
 
@@ -207,6 +219,11 @@ class Reduction:
             except Error:
                 self._triangles[key] = math.inf
         return self._triangles[key]
+
+
+def _between(kept: Session, moved: Session, share: float) -> Session:
+    """A pose on the way from `kept` to `moved`."""
+    return {end: [p + (q - p) * share for p, q in zip(kept[end], moved[end])] for end in "ab"}
 
 
 def least(low: int, high: int, holds: Callable[[int], bool]) -> int:

@@ -50,6 +50,12 @@ class Reduce(TestCase):
         self.assertNotIn("view", reduced)
         self.assertTrue(reduced["model"]["remesh"])
 
+    def test_the_way_of_the_blade_is_trimmed(self):
+        self.reduce("y = [x['a'][1] for x in s['events'] if x['type'] == 'blade'] or [0]; "
+                    "sys.exit(7 * (max(y) >= 0.3 >= min(y)))")
+        high, low = (event["a"][1] for event in self.reduced()["events"])
+        self.assertLess(high - low, 0.1)
+
     def test_a_session_that_breaks_otherwise_does_not_count(self):
         done = self.reduce("sys.exit(7 if len(s['events']) >= 3 else 3)")
         self.assertIn(": 3 events, 1 step,", done.stdout, done.stderr)
