@@ -38,23 +38,18 @@ fs::path packageFolder() {
         "with -DKERF_PYTHON=ON, or install it again.");
 }
 
+constexpr const char* kStart =
+    "import sys; sys.path[0] = sys.argv[1]; "
+    "from kerf.reduce import main; sys.exit(main(sys.argv[2:]))";
+
 /// Any Python does: the package needs its compiled module for other things only.
 int becomeReduction(const ReduceArguments& arguments) {
     refuseFileAsFolder(arguments.out);
-    std::vector<std::string> words{"python3",
-                                   "-B",
-                                   "-c",
-                                   "import sys; sys.path[0] = sys.argv[1]; "
-                                   "from kerf.reduce import main; sys.exit(main(sys.argv[2:]))",
-                                   packageFolder(),
-                                   arguments.session,
-                                   arguments.out};
+    std::vector<std::string> words{"python3",         "-B",         "-c", kStart, packageFolder(),
+                                   arguments.session, arguments.out};
     words.insert(words.end(), arguments.command.begin(), arguments.command.end());
-    std::vector<char*> pointers;
-    for (std::string& word : words) {
-        pointers.push_back(word.data());
-    }
-    pointers.push_back(nullptr);
+    std::vector<char*> pointers(words.size() + 1);  // the last one stays null
+    std::ranges::transform(words, pointers.begin(), [](std::string& word) { return word.data(); });
     ::execvp(pointers[0], pointers.data());
     throw InputError(std::string("python3, which reduces sessions, can't be started (") +
                      std::strerror(errno) + "); install it.");

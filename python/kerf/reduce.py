@@ -117,7 +117,7 @@ class Reduction:
         first = size = self._size()
         for number in range(1, sys.maxsize):
             for part in (self._end_sooner, self._coarsen, self._drop_keys, self._drop_events,
-                         self._trim_strokes, self._close_gaps):  # what makes the runs short comes first
+                         self._close_gaps, self._trim_strokes):  # what makes the runs short comes first
                 part()
             before, size = size, self._size()
             print(f"round {number}: {_named(size)}, {self._verdicts.runs} runs", file=sys.stderr)

@@ -51,8 +51,9 @@ class Reduce(TestCase):
         self.assertTrue(reduced["model"]["remesh"])
 
     def test_the_way_of_the_blade_is_trimmed(self):
-        self.reduce("y = [x['a'][1] for x in s['events'] if x['type'] == 'blade'] or [0]; "
-                    "sys.exit(7 * (max(y) >= 0.3 >= min(y)))")
+        self.reduce("a, b = [(x['step'], x['a'][1]) for x in s['events'] if x['type'] == 'blade']; "
+                    "slow = a[1] - b[1] <= 0.02 * (b[0] - a[0]); "
+                    "sys.exit(7 * (slow and a[1] >= 0.3 >= b[1]))")
         high, low = (event["a"][1] for event in self.reduced()["events"])
         self.assertLess(high - low, 0.1)
 
