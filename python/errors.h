@@ -1,11 +1,9 @@
 #pragma once
 
-#include <pybind11/pybind11.h>
-
 namespace kerf::python {
 
-/// Adds kerf.Error and its kinds to the module, and translates Kerf's exceptions into them, with
-/// the messages of the command line.
-void addErrors(pybind11::module_& module);
+/// Translates Kerf's exceptions into those of python/kerf/_errors.py, with the messages of the
+/// command line.
+void translateErrors();
 
 }  // namespace kerf::python

@@ -56,10 +56,9 @@ py::list paperExperiments() {
 PYBIND11_MODULE(_native, module) {
     keepFreedMemory();
     catchLog();
-    addErrors(module);
+    translateErrors();
     addReport(module);
     addRun(module);
-    addReplay(module);
     addStudy(module);
     module.attr("version") = KERF_VERSION;
     module.def("set_program_folder",

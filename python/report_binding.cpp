@@ -1,4 +1,3 @@
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "app/session/metrics.h"
@@ -11,9 +10,12 @@ namespace py = pybind11;
 using app::MetricsRow;
 
 template <Vec3 BladeLoad::*part>
-std::optional<py::array_t<double>> felt(const MetricsRow& row) {
-    const std::optional<BladeLoad>& load = row.report.bladeLoad;
-    return load ? std::optional(py::array_t<double>(3, ((*load).*part).data())) : std::nullopt;
+std::optional<py::object> felt(const MetricsRow& row) {
+    if (const std::optional<BladeLoad>& load = row.report.bladeLoad) {
+        const Vec3& v = (*load).*part;
+        return py::module_::import("numpy").attr("array")(py::make_tuple(v[0], v[1], v[2]));
+    }
+    return std::nullopt;
 }
 
 }  // namespace

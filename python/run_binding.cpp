@@ -1,4 +1,3 @@
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "app/files/io/errors.h"
@@ -115,13 +114,9 @@ py::list boxesOf(RunHandle& handle) {
     return list;
 }
 
-py::array pictureOf(RunHandle& handle, const std::string& size, const std::string& view) {
+py::object pictureOf(RunHandle& handle, const std::string& size, const std::string& view) {
     render::Image image = handle.on([&](auto& run) { return run.picture(size, view); });
-    const std::vector<py::ssize_t> shape{image.height, image.width, 4};
-    auto* const kept = new std::vector<std::uint8_t>(std::move(image.pixels));
-    const py::capsule owner(kept,
-                            [](void* it) { delete static_cast<std::vector<std::uint8_t>*>(it); });
-    return py::array_t<std::uint8_t>(shape, kept->data(), owner);
+    return arrayOf(NumberBlock(std::move(image.pixels)), image.height, image.width, 4);
 }
 
 app::MetricsRow stepsOf(RunHandle& handle, int count) {
@@ -148,6 +143,8 @@ py::tuple piecesOf(RunHandle& handle) {
 }  // namespace
 
 void addRun(py::module_& module) {
+    py::class_<NumberBlock>(module, "_NumberBlock", py::buffer_protocol())
+        .def_buffer(&NumberBlock::info);
     py::class_<SessionSource>(module, "SessionSource")
         .def(py::init([](std::string file, std::string text, std::string material,
                          std::vector<std::pair<std::string, std::string>> params) {

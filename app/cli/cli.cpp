@@ -16,7 +16,7 @@ namespace {
 /// All verbs, in the order of `kerf --help`.
 const Verb* const kVerbs[] = {&kReplayVerb, &kExperimentVerb, &kInspectVerb,   &kCompareVerb,
                               &kTestVerb,   &kScoreVerb,      &kMaterialsVerb, &kSchemaVerb,
-                              &kSweepVerb,  &kDoctorVerb};
+                              &kSweepVerb,  &kReduceVerb,     &kDoctorVerb};
 
 /// A bare word that is no file was meant as a verb.
 bool looksLikeVerb(const std::filesystem::path& file) {

@@ -26,6 +26,7 @@ extern const Verb kDoctorVerb;      ///< checks the graphics driver
 extern const Verb kExperimentVerb;  ///< runs the separate program kerf-lab
 extern const Verb kInspectVerb;     ///< describes a model, and whether it can be cut
 extern const Verb kMaterialsVerb;   ///< the materials that come with Kerf
+extern const Verb kReduceVerb;      ///< makes a failing session small
 extern const Verb kReplayVerb;      ///< runs a session headless, with its results
 extern const Verb kSchemaVerb;      ///< the JSON Schema of sessions or materials
 extern const Verb kScoreVerb;       ///< a table of practised cuts

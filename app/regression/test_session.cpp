@@ -199,6 +199,19 @@ void judgeResults(TestResult& result, bool update) {
     }
 }
 
+/// How to make the session of a failed test small. Where the run broke nothing of its own, only
+/// another build can tell what is right.
+void noteReduction(TestResult& result, bool brokeItself) {
+    const std::string reduce =
+        "To make it small: kerf reduce " + asArgument(result.session) + " --out reduced -- ";
+    result.notes.push_back(
+        brokeItself ? reduce + "kerf replay {} --no-hash-checks --out reduced/run"
+                    : reduce +
+                          "sh -c 'OLD replay {} --hashes --out reduced/old && kerf replay {} "
+                          "--verify reduced/old/hashes.csv --out reduced/new', where OLD is "
+                          "the kerf of a build that passes");
+}
+
 }  // namespace
 
 std::vector<fs::path> findSessions(const std::vector<fs::path>& paths) {
@@ -257,6 +270,9 @@ TestResult judgeRun(const fs::path& session, const fs::path& results, const Chil
                  "The replay did not finish: " + sentenceAbout(outcome));
         }
     });
+    if (result.status == TestStatus::failed) {
+        noteReduction(result, outcome.exitCode != kExitDone);
+    }
     return result;
 }
 

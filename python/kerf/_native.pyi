@@ -5,23 +5,6 @@ import numpy.typing as npt
 
 version: str
 
-class Error(Exception):
-    """Any failure of Kerf, with the message of the command line."""
-
-class InputError(Error):
-    """An input is missing, invalid or impossible (exit code 3)."""
-
-class CheckFailed(Error):
-    """A check or an invariant failed (exit code 1)."""
-
-    summary: Dict[str, Any]
-
-class OpenGLError(Error):
-    """No usable OpenGL 4.5 (exit code 4)."""
-
-class LimitError(Error):
-    """Memory, disk, time or another limit is used up (exit code 5)."""
-
 class Report:
     """The measurements of a step: the columns of metrics.csv under the same names."""
 
@@ -135,15 +118,6 @@ class SessionSource:
     def __init__(self, file: str, text: str, material: str,
                  params: List[Tuple[str, str]]) -> None: ...
 
-class ReplayOptions:
-    hashes: bool
-    pieces: bool
-    forces: bool
-    until: int
-    keep_going: bool
-    hash_checks: bool
-    def set_fine(self, fine: bool) -> None: ...
-
 class Run:
     def __init__(self, source: SessionSource, undo_memory: int, fine: bool, forces: bool,
                  hash_checks: bool) -> None: ...
@@ -183,7 +157,6 @@ class Study:
     def run(self, number: int, out: str) -> Tuple[int, str]: ...
     def gather(self, out: str) -> Tuple[List[int], List[int]]: ...
 
-def replay(source: SessionSource, folder: str, options: ReplayOptions) -> str: ...
 def set_program_folder(folder: str) -> None: ...
 def builtin_models() -> List[str]:
     """The names of the models that come with Kerf."""

@@ -1,24 +1,31 @@
-"""The program kerf that the module belongs to: it reads models, and its data is the module's."""
+"""The program kerf that this package belongs to: it replays sessions and reads models."""
 
 import pathlib
+import subprocess
 
-from . import _native
+from ._errors import Error
 
 
 def folder() -> pathlib.Path:
-    """The folder of the program: the nearest one above the module that holds it, or whose bin does.
+    """The folder of the program: in the package, else the nearest one above it, or a bin there.
 
     Raises kerf.Error where there is none.
     """
-    here = pathlib.Path(_native.__file__).resolve()
-    for above in here.parents[1:]:
+    here = pathlib.Path(__file__).parent.resolve()
+    for above in (here / "program", *here.parents):
         for candidate in (above, above / "bin"):
             if (candidate / "kerf").is_file():
                 return candidate
-    raise _native.Error(f"{here.parent}: there is no program kerf above this module, which needs "
-                        "it; install both at one place.")
+    raise Error(f"{here}: there is no program kerf above this module, which needs it; install both "
+                "at one place.")
 
 
-def tell_native() -> None:
-    """Lets the module find the program, and the data where that finds it."""
-    _native.set_program_folder(str(folder()))
+def path() -> str:
+    """The program."""
+    return str(folder() / "kerf")
+
+
+def version() -> str:
+    """As `kerf --version` says."""
+    done = subprocess.run([path(), "--version"], stdout=subprocess.PIPE, text=True, check=True)
+    return done.stdout.split()[1]

@@ -2,9 +2,9 @@
 
 import json
 import os
-from typing import Any, Mapping, Optional, Union
+from typing import Any, Dict, Mapping, Union
 
-from . import _native
+from ._errors import InputError
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -15,7 +15,7 @@ def _plain(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    raise _native.InputError(f"{value!r}: this can't stand in a session.")
+    raise InputError(f"{value!r}: this can't stand in a session.")
 
 
 def to_json(value: Any) -> str:
@@ -28,11 +28,13 @@ def event(kind: str, **keys: Any) -> str:
     return to_json({"type": kind, **{k: v for k, v in keys.items() if v is not None}})
 
 
-def source(session: Union[PathLike, Mapping[str, Any]], material: Optional[PathLike],
-           params: Optional[Mapping[str, Any]]) -> "_native.SessionSource":
-    """A session by its file or its content, with other parameters at its start."""
-    settings = [(name, to_json(value)) for name, value in (params or {}).items()]
-    chosen = "" if material is None else os.fspath(material)
-    if isinstance(session, Mapping):
-        return _native.SessionSource("", to_json(dict(session)), chosen, settings)
-    return _native.SessionSource(os.fspath(session), "", chosen, settings)
+def movable(session: Mapping[str, Any], folder: PathLike = ".") -> Dict[str, Any]:
+    """A session whose files are relative to `folder`, as one that may lie anywhere."""
+    made: Dict[str, Any] = json.loads(to_json(dict(session)))
+    more = made.get("more_models")
+    for owner, key in [(made, "material"), (made.get("task"), "expert"), (made.get("model"), "path"),
+                       *((model, "path") for model in (more if isinstance(more, list) else []))]:
+        file = owner.get(key) if isinstance(owner, dict) else None
+        if isinstance(file, str) and (key != "material" or file.endswith(".json")):
+            owner[key] = os.path.abspath(os.path.join(folder, file))
+    return made

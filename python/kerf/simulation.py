@@ -7,7 +7,8 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tup
 import numpy as np
 import numpy.typing as npt
 
-from . import _native, _text
+from . import _native, _png, _text
+from ._errors import InputError
 from ._native import Report, Snapshot
 from ._text import PathLike
 
@@ -75,7 +76,7 @@ class Simulation:
         optional = {"placement": placement, "more_models": more_models, "material": material,
                     "params": params, "boxes": boxes, "view": view}
         session.update({key: value for key, value in optional.items() if value is not None})
-        self._begin(_text.source(session, None, None), forces, fine, undo_memory, True)
+        self._begin(_source(session, None, None), forces, fine, undo_memory, True)
 
     @classmethod
     def from_session(cls, session: Union[PathLike, Keys], *, params: Optional[Keys] = None,
@@ -91,7 +92,7 @@ class Simulation:
         raises kerf.CheckFailed.
         """
         made = cls.__new__(cls)
-        made._begin(_text.source(session, material, params), forces, fine, undo_memory,
+        made._begin(_source(session, material, params), forces, fine, undo_memory,
                     check_hashes)
         return made
 
@@ -157,7 +158,7 @@ class Simulation:
         """
         start = self.blade
         if start is None:
-            raise _native.InputError("There is no blade to sweep; place it by move_blade() first.")
+            raise InputError("There is no blade to sweep; place it by move_blade() first.")
         for step in range(1, steps):
             t = step / steps
             self.move_blade(*(old + (np.asarray(new, float) - old) * t
@@ -338,6 +339,10 @@ class Simulation:
         size = _text.event("screenshot", file="picture.png", width=width, height=height)
         return self._run.picture(size, "" if view is None else _text.to_json(dict(view)))
 
+    def _repr_png_(self) -> bytes:
+        """What notebooks show of a simulation."""
+        return _png.encoded(self.picture(640, 360))
+
     def export(self, file: PathLike, *, per_piece: bool = False,
                coordinates: Optional[str] = None) -> List[str]:
         """Writes the mesh: .ply, .obj, .stl, .glb, .gltf or .vtp, as the event `export` does.
@@ -355,6 +360,16 @@ class Simulation:
         `kerf replay` runs it to the same bits, and the editor opens it.
         """
         self._run.save_session(os.fspath(file))
+
+
+def _source(session: Union[PathLike, Keys], material: Optional[PathLike],
+            params: Optional[Keys]) -> "_native.SessionSource":
+    """A session by its file or its content, with other parameters at its start."""
+    settings = [(name, _text.to_json(value)) for name, value in (params or {}).items()]
+    chosen = "" if material is None else os.fspath(material)
+    if isinstance(session, Mapping):
+        return _native.SessionSource("", _text.to_json(dict(session)), chosen, settings)
+    return _native.SessionSource(os.fspath(session), "", chosen, settings)
 
 
 def _model_keys(model: Union[PathLike, Keys]) -> Dict[str, Any]:

@@ -30,7 +30,9 @@ found_for() { ldd "$1" | awk -v name="$2" '$1 == name { print $3 }'; }
 # at_most VERSION LIMIT
 at_most() { [[ $(printf '%s\n' "$@" | sort -V | tail -n 1) == "$2" ]]; }
 # The programs and libraries of a tree.
-programs_of() { find "$1/bin" "$1/lib" "$1/libexec" -type f \( -perm /111 -o -name '*.so*' \); }
+programs_of() {
+    find "$1" -name share -prune -o -type f \( -perm /111 -o -name '*.so*' \) -print
+}
 
 # carry_for FILE FOLDER: puts the libraries that a file needs into the folder, and those that they
 # need. Prints where each came from.
@@ -88,12 +90,13 @@ complete_archive() {
     done
 }
 
-# check_archive TREE: that it needs nothing but what it has and what each system has.
+# check_archive TREE LIBRARIES: that it needs nothing but what it has in that folder, and what each
+# system has.
 check_archive() {
     local file name limit newest
     while read -r file; do
         for name in $(needed_by "$file"); do
-            is_of_system "$name" || [[ $(found_for "$file" "$name") -ef $1/lib/kerf/$name ]] ||
+            is_of_system "$name" || [[ $(found_for "$file" "$name") -ef $2/$name ]] ||
                 fail "$file needs $name, which is neither in the archive nor in each system"
         done
     done < <(programs_of "$1")

@@ -78,6 +78,7 @@ lintian             checks it
 desktop-file-utils  checks its desktop entry
 libxml2-utils       checks what it tells desktops
 patchelf            tells programs where their own libraries lie
+python3-venv        tries the wheel
 '
 docs_packages='
 python3-sphinx      makes a site of the pages

@@ -1,5 +1,6 @@
 """The examples run, in short, and leave what they promise; a study runs by the module."""
 
+import json
 import subprocess
 import sys
 import unittest
@@ -28,6 +29,19 @@ class Examples(TestCase):
         self.assertEqual(sags, sorted(sags, reverse=True))
         self.assertGreater(sags[0], 5 * sags[-1])
         self.assertTrue((self.folder / "stiffness.png").exists())
+
+    def test_the_notebook_shows_pictures(self):
+        cells = json.loads((ROOT / "assets/notebooks/cut.ipynb").read_text())["cells"]
+        shown = []
+        names = {"display": lambda thing: shown.append(thing._repr_png_())}
+        for cell in cells:
+            if cell["cell_type"] == "code":
+                exec("".join(cell["source"]), names)
+        self.assertEqual(len(set(shown)), 5)
+        file = self.folder / "last.png"
+        file.write_bytes(shown[-1])
+        self.assertEqual(command_line("compare", file, file).returncode, 0)
+        self.assertEqual(names["report"].pieces, 2)
 
     def test_halve(self):
         last = [line for line in self.run_example("halve.py").splitlines() if "cut " in line][-1]

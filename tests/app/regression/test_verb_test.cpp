@@ -129,6 +129,7 @@ TEST_F(TestVerb, NamesTheStepThePartAndHowFar) {
     expectFailure("Step 1: blade differs, from step ");
     writeText(session_, replaced(session, "\"steps\": 40", "\"steps\": 44"));
     expectFailure("44 steps instead of 40");
+    expectFailure("To make it small: kerf reduce " + session_.string() + " --out reduced -- sh");
 }
 
 TEST_F(TestVerb, SeesAPictureAloneAndLeavesOutWhatIsMasked) {
@@ -273,6 +274,7 @@ TEST_F(TestVerb, AFailedCheckOfTheSessionIsNeverAnExpectation) {
     EXPECT_EQ(made.exitCode, 1);
     EXPECT_THAT(made.out, HasSubstr("where the session expects 5"));
     EXPECT_THAT(made.out, HasSubstr("nothing was written"));
+    EXPECT_THAT(made.out, HasSubstr(" --out reduced -- kerf replay {} --no-hash-checks"));
     EXPECT_FALSE(fs::exists(folder_ / "ball.expected"));
 }
 
