@@ -117,6 +117,7 @@ class ScriptedRun {
     void take(const app::ScreenshotEvent& /*event*/) {}  // a replay writes it, or the script
     void take(const app::ExportEvent& /*event*/) {}
     void take(const app::CameraEvent& /*event*/) {}  // of films alone
+    void take(const app::MarkEvent& /*event*/) {}
     void take(const app::CheckEvent& check);
 
   private:

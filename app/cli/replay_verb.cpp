@@ -11,7 +11,7 @@
 #include "app/files/import/model_source.h"
 #include "app/files/io/errors.h"
 #include "app/files/jobs/progress_line.h"
-#include "app/journal/journal_text.h"
+#include "app/journal/journal.h"
 #include "app/regression/expectation.h"
 #include "app/regression/picture_check.h"
 #include "app/session/material.h"
@@ -224,7 +224,7 @@ void requireNoExpectations(const std::filesystem::path& folder) {
 
 /// A session file, or a journal that a window left behind.
 Session sessionIn(const std::filesystem::path& file) {
-    return isJournal(file) ? parseSession(readJournal(file).session, {}) : readSession(file);
+    return isJournal(file) ? parseSession(readJournal(file).text(), {}) : readSession(file);
 }
 
 /// Replaces parameters of a session at its start. Each of `settings` is NAME=VALUE with a value as

@@ -346,7 +346,7 @@ double Editor::idleSeconds() const {
         s.chooser.previews() || (scene && scene.workingOut())) {
         return kWorkPause;
     }
-    const bool soon = s.offers.looking() || s.driverCheck.looking() || !s.keeping.settled();
+    const bool soon = s.offers.looking() || s.driverCheck.looking();
     const double rest =
         std::min(soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever));
     return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;

@@ -29,9 +29,10 @@ constexpr double kEverywhere = 1e6;  // farther from the origin no vertex is hel
 
 /// A blade is put away at once, a hand lets go when the step is done.
 void stopTools(State& s) {
-    const int waiting = s.scene.meanwhile().stroke().waiting();
+    const BusyScene before = s.scene.meanwhile();
+    const int waiting = before.stroke().waiting();
     s.view.cancelTools(s.sceneOfTool(), true);
-    if (s.scene.meanwhile() && s.scene.meanwhile().pulling()) {
+    if (before.pulling()) {
         s.scene->hands().letGo();  // a hand that was released and has not arrived
     }
     if (waiting > 0) {
@@ -103,13 +104,13 @@ bool movesBody(const UndoEntry& entry) {
 }
 
 /// Says what that changed: many a change shows in the model only later.
-void stepThroughHistory(State& s, const Command& undoOrRedo) {
+void stepThroughHistory(State& s, EditorScene& now, const Command& undoOrRedo) {
     const bool back = std::holds_alternative<Undo>(undoOrRedo);
     if (back ? s.undoesScene() : s.redoesScene()) {
         return;
     }
-    if (back && s.scene->timeline().hasForgotten()) {
-        s.scene->recallHistory();
+    if (back && now.timeline().hasForgotten()) {
+        now.recallHistory();
         s.offers.comingBack = true;
         s.scene.onceSought = [&s] { s.apply(ui::ActionId::undo); };
         return;
@@ -117,7 +118,7 @@ void stepThroughHistory(State& s, const Command& undoOrRedo) {
     if (!s.execute(undoOrRedo)) {
         return;
     }
-    const UndoHistory& history = s.scene->simulation().history();
+    const UndoHistory& history = now.simulation().history();
     if (back ? !history.canRedo() : !history.canUndo()) {
         return;  // it was forgotten to keep to the budget
     }
@@ -138,7 +139,7 @@ void setTools(State& s, const ui::ToolSettings& settings) {
 }
 
 template <ui::ToolKind tool>
-void take(State& s) {
+void take(State& s, const BusyScene&) {
     ui::ToolSettings settings = s.view.tools.settings();
     settings.tool = tool;
     setTools(s, settings);
@@ -150,32 +151,32 @@ void holdPlots(State& s) {
     end = end ? std::nullopt : std::optional(s.panels.model.transport.time);
 }
 
-void freePins(State& s) {
+void freePins(State& s, EditorScene& now) {
     const Bounds everywhere{Vec3::Constant(-kEverywhere), Vec3::Constant(kEverywhere)};
-    if (!s.scene->simulation().pinnedVertices().empty()) {
+    if (!now.simulation().pinnedVertices().empty()) {
         s.execute(Pin{everywhere, false});
     }
-    if (!s.scene->simulation().forces().empty()) {
+    if (!now.simulation().forces().empty()) {
         s.execute(ApplyForce{everywhere, Vec3::Zero()});
     }
 }
 
-void removeRetractor(State& s) {
-    s.view.tools.get<RetractTool>().removeOne(s.view.context(s.restingScene()));
+void removeRetractor(State& s, EditorScene& now) {
+    s.view.tools.get<RetractTool>().removeOne(s.view.context({&now, false}));
 }
 
-void toggleGravity(State& s) {
-    const bool on = s.scene->simulation().params().gravity.norm() > 0;
-    const Vec3 before = s.scene->document().session.params.gravity;
+void toggleGravity(State& s, EditorScene& now) {
+    const bool on = now.simulation().params().gravity.norm() > 0;
+    const Vec3 before = now.document().session.params.gravity;
     const Vec3 switchedOn = before.norm() > 0 ? before : kEarthGravity;
     s.execute(SetParam{"gravity", on ? Vec3(Vec3::Zero()) : switchedOn});
 }
 
-void letFall(State& s) {
-    if (s.scene->simulation().params().gravity.norm() == 0) {
-        toggleGravity(s);
+void letFall(State& s, EditorScene& now) {
+    if (now.simulation().params().gravity.norm() == 0) {
+        toggleGravity(s, now);
     }
-    s.scene->timeline().playing = true;
+    now.timeline().playing = true;
 }
 
 void toggleTimeWhileCutting(State& s) {
@@ -183,25 +184,25 @@ void toggleTimeWhileCutting(State& s) {
     runs = !runs;
 }
 
-void playOrPause(State& s) {
-    bool& playing = s.scene.meanwhile().playing();
+void playOrPause(State&, const BusyScene& now) {
+    bool& playing = now.playing();
     playing = !playing;
 }
 
-void stepOnce(State& s) {
-    s.scene->timeline().playing = false;
-    s.clock.run(*s.scene, 1, 0);
+void stepOnce(State& s, EditorScene& now) {
+    now.timeline().playing = false;
+    s.clock.run(now, 1, 0);
 }
 
-void reset(State& s) {
-    s.view.cancelTools(s.restingScene());
-    s.scene->reset();
+void reset(State& s, EditorScene& now) {
+    s.view.cancelTools({&now, false});
+    now.reset();
 }
 
-void toggleRecording(State& s) {
+void toggleRecording(State& s, EditorScene& now) {
     s.toast.withdrawOffer();
-    if (s.scene->recorder().recording()) {
-        s.scene->recorder().stop();
+    if (now.recorder().recording()) {
+        now.recorder().stop();
         s.browse(ui::FilePurpose::saveSession);
         return;
     }
@@ -219,70 +220,76 @@ void tellAdded(State& s, const std::string& what, int step, const std::string& f
 }
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
-void addPicture(State& s) {
-    const JournalPosition place = s.toast.takeOffer().value_or(s.scene->recorder().here());
-    const std::string file = s.scene->recorder().addPicture(place);
+void addPicture(State& s, EditorScene& now) {
+    const JournalPosition place = s.toast.takeOffer().value_or(now.recorder().here());
+    const std::string file = now.recorder().addPicture(place);
     tellAdded(s, "a picture", place.step, file);
 }
 
-void addCheck(State& s) {
-    s.scene->recorder().addCheck();
-    tellAdded(s, "a check", s.scene->recorder().here().step);
+void addCheck(State& s, EditorScene& now) {
+    now.recorder().addCheck();
+    tellAdded(s, "a check", now.recorder().here().step);
 }
 
-void addExport(State& s) {
-    const std::string file = s.scene->recorder().addExport();
-    tellAdded(s, "an export", s.scene->recorder().here().step, file);
+void addExport(State& s, EditorScene& now) {
+    const std::string file = now.recorder().addExport();
+    tellAdded(s, "an export", now.recorder().here().step, file);
 }
 
-void addCamera(State& s) {
-    s.scene->recorder().addCamera(s.view.camera.destination());
-    tellAdded(s, "a camera keyframe", s.scene->recorder().here().step);
+void addCamera(State& s, EditorScene& now) {
+    now.recorder().addCamera(s.view.camera.destination());
+    tellAdded(s, "a camera keyframe", now.recorder().here().step);
 }
 
-void useView(State& s) {
-    s.scene->recorder().useView(s.view.camera.destination());
+void addName(State& s, EditorScene& now) {
+    const int step = now.recorder().here().step;
+    now.recorder().addName("Step " + std::to_string(step));
+    s.toast.show("Named step " + std::to_string(step) + ". Type another name in Session.", false);
+}
+
+void useView(State& s, EditorScene& now) {
+    now.recorder().useView(s.view.camera.destination());
     s.toast.show("Session pictures now use this view.", false);
 }
 
 template <AxisView axis>
-void lookFrom(State& s) {
+void lookFrom(State& s, const BusyScene&) {
     s.view.camera.flyTo(axis);
 }
 
 template <bool ui::DisplaySettings::*member>
-void toggle(State& s) {
+void toggle(State& s, const BusyScene&) {
     s.view.display.settings.*member = !(s.view.display.settings.*member);
 }
 
 template <bool render::Overlays::*member>
-void toggleOverlay(State& s) {
+void toggleOverlay(State& s, const BusyScene&) {
     render::Overlays& overlays = s.view.display.settings.overlays;
     overlays.*member = !(overlays.*member);
 }
 
-void toggleApart(State& s) {
+void toggleApart(State& s, EditorScene& now) {
     double& apart = s.view.display.settings.apart;
-    apart = apart > 0 || s.scene->simulation().report().pieces < 2 ? 0 : kApart;
+    apart = apart > 0 || now.simulation().report().pieces < 2 ? 0 : kApart;
 }
 
-void takeNextField(State& s) {
+void takeNextField(State& s, const BusyScene&) {
     render::FieldChoice& choice = s.view.display.settings.field;
     const int next = (static_cast<int>(choice.field) + 1) % render::kSurfaceFields;
     choice = {static_cast<render::SurfaceField>(next), std::nullopt, choice.map};
 }
 
-void toggleSection(State& s) {
+void toggleSection(State& s, const BusyScene& now) {
     std::optional<render::SectionPlane>& section = s.view.display.settings.section;
     s.view.sectionTool.release();
     if (section) {
         section.reset();
     } else {
-        section = sectionAcross(s.scene.meanwhile().bounds(), s.view.camera.destination());
+        section = sectionAcross(now.bounds(), s.view.camera.destination());
     }
 }
 
-void toggleQuality(State& s) {
+void toggleQuality(State& s, const BusyScene&) {
     render::Quality& quality = s.view.display.settings.quality;
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
 }
@@ -298,15 +305,13 @@ void showAbout(State& s) {
                       [](int) {}};
 }
 
-/// What an action needs: nothing; something that is open, of which a picture is drawn anew,
-/// whatever that is doing; or a body that rests between two steps.
-enum class Needs { nothing, scene, body };
-
-/// The code behind an action.
+/// The code behind an action, which takes what it needs: nothing; something that is open, of which
+/// a picture is drawn anew, whatever that is doing; or a body that rests between two steps.
 struct Handler {
     ui::ActionId id;
-    Needs needs;
-    void (*perform)(State&);
+    std::variant<void (*)(State&), void (*)(State&, const BusyScene&),
+                 void (*)(State&, EditorScene&)>
+        perform;
 };
 
 using render::Overlays;
@@ -315,112 +320,97 @@ using ui::DisplaySettings;
 using ui::FilePurpose;
 
 constexpr std::array kOtherHandlers{
-    Handler{ActionId::newScene, Needs::nothing, showStart},
-    Handler{ActionId::openFile, Needs::nothing, [](State& s) { s.browse(FilePurpose::open); }},
-    Handler{ActionId::addModel, Needs::scene,
-            [](State& s) { s.browse(FilePurpose::open, BrowseFor::addition); }},
-    Handler{ActionId::reloadModels, Needs::body, [](State& s) { s.reloadModels(); }},
-    Handler{ActionId::saveSession, Needs::scene, [](State& s) { s.saveSession(); }},
-    Handler{ActionId::saveSessionAs, Needs::scene,
-            [](State& s) { s.browse(FilePurpose::saveSession); }},
-    Handler{ActionId::saveTest, Needs::scene, [](State& s) { s.askAboutTest(); }},
-    Handler{ActionId::exportBody, Needs::scene,
-            [](State& s) { s.browse(FilePurpose::exportMesh); }},
-    Handler{ActionId::makeFilm, Needs::scene, [](State& s) { s.browse(FilePurpose::makeFilm); }},
-    Handler{ActionId::screenshot, Needs::nothing,
-            [](State& s) { s.redraw.screenshotWanted = true; }},
-    Handler{ActionId::sceneScreenshot, Needs::body,
-            [](State& s) { s.savePicture(s.picture.readScene(*s.scene, s.view), "kerf-scene"); }},
-    Handler{ActionId::quit, Needs::nothing, [](State& s) { s.leave(); }},
-    Handler{ActionId::undo, Needs::body, [](State& s) { stepThroughHistory(s, Undo{}); }},
-    Handler{ActionId::redo, Needs::body, [](State& s) { stepThroughHistory(s, Redo{}); }},
-    Handler{ActionId::cancel, Needs::nothing, cancel},
-    Handler{ActionId::toggleGravity, Needs::body, toggleGravity},
-    Handler{ActionId::remesh, Needs::body, [](State& s) { s.remesh({}); }},
-    Handler{ActionId::partModel, Needs::body, [](State& s) { s.partModel(); }},
-    Handler{ActionId::bringDown, Needs::scene,
-            [](State& s) {
+    Handler{ActionId::newScene, showStart},
+    Handler{ActionId::openFile, [](State& s) { s.browse(FilePurpose::open); }},
+    Handler{ActionId::addModel,
+            [](State& s, const BusyScene&) { s.browse(FilePurpose::open, BrowseFor::addition); }},
+    Handler{ActionId::reloadModels, [](State& s, EditorScene&) { s.reloadModels(); }},
+    Handler{ActionId::saveSession, [](State& s, const BusyScene&) { s.saveSession(); }},
+    Handler{ActionId::saveSessionAs,
+            [](State& s, const BusyScene&) { s.browse(FilePurpose::saveSession); }},
+    Handler{ActionId::saveTest, [](State& s, const BusyScene&) { s.askAboutTest(); }},
+    Handler{ActionId::exportBody,
+            [](State& s, const BusyScene&) { s.browse(FilePurpose::exportMesh); }},
+    Handler{ActionId::makeFilm,
+            [](State& s, const BusyScene&) { s.browse(FilePurpose::makeFilm); }},
+    Handler{ActionId::screenshot, [](State& s) { s.redraw.screenshotWanted = true; }},
+    Handler{ActionId::sceneScreenshot,
+            [](State& s, EditorScene& now) {
+                s.savePicture(s.picture.readScene(now, s.view), "kerf-scene");
+            }},
+    Handler{ActionId::quit, [](State& s) { s.leave(); }},
+    Handler{ActionId::undo, [](State& s, EditorScene& now) { stepThroughHistory(s, now, Undo{}); }},
+    Handler{ActionId::redo, [](State& s, EditorScene& now) { stepThroughHistory(s, now, Redo{}); }},
+    Handler{ActionId::cancel, cancel},
+    Handler{ActionId::toggleGravity, toggleGravity},
+    Handler{ActionId::remesh, [](State& s, EditorScene&) { s.remesh({}); }},
+    Handler{ActionId::partModel, [](State& s, EditorScene&) { s.partModel(); }},
+    Handler{ActionId::bringDown,
+            [](State& s, const BusyScene& now) {
                 if (!s.comesBack()) {
-                    s.view.tools.inHand().trigger(s.view.context(s.scene.meanwhile()));
+                    s.view.tools.inHand().trigger(s.view.context(now));
                 }
             }},
-    Handler{ActionId::freePins, Needs::body, freePins},
-    Handler{ActionId::removeRetractor, Needs::body, removeRetractor},
-    Handler{ActionId::playPause, Needs::scene, playOrPause},
-    Handler{ActionId::letFall, Needs::body, letFall},
-    Handler{ActionId::timeWhileCutting, Needs::nothing, toggleTimeWhileCutting},
-    Handler{ActionId::stepOnce, Needs::body, stepOnce},
-    Handler{ActionId::reset, Needs::body, reset},
-    Handler{ActionId::finishTry, Needs::scene, [](State& s) { s.panels.practice.finish(); }},
-    Handler{ActionId::slower, Needs::scene,
-            [](State& s) { s.clock.setSpeed(s.clock.speed() / 2); }},
-    Handler{ActionId::faster, Needs::scene,
-            [](State& s) { s.clock.setSpeed(s.clock.speed() * 2); }},
-    Handler{ActionId::record, Needs::body, toggleRecording},
-    Handler{ActionId::loop, Needs::body, [](State& s) { s.scene->timeline().toggleLoop(); }},
-    Handler{ActionId::addPicture, Needs::body, addPicture},
-    Handler{ActionId::addCheck, Needs::body, addCheck},
-    Handler{ActionId::addExport, Needs::body, addExport},
-    Handler{ActionId::addCamera, Needs::body, addCamera},
-    Handler{ActionId::useView, Needs::body, useView},
-    Handler{ActionId::frameBody, Needs::scene,
-            [](State& s) { s.view.flyToFrame(s.view.display.boundsOf(s.scene.meanwhile())); }},
-    Handler{ActionId::resetView, Needs::scene,
-            [](State& s) { s.view.camera.flyTo(s.view.homeView(s.scene.meanwhile())); }},
-    Handler{ActionId::viewFront, Needs::scene, lookFrom<AxisView::front>},
-    Handler{ActionId::viewBack, Needs::scene, lookFrom<AxisView::back>},
-    Handler{ActionId::viewRight, Needs::scene, lookFrom<AxisView::right>},
-    Handler{ActionId::viewLeft, Needs::scene, lookFrom<AxisView::left>},
-    Handler{ActionId::viewTop, Needs::scene, lookFrom<AxisView::top>},
-    Handler{ActionId::viewBottom, Needs::scene, lookFrom<AxisView::bottom>},
-    Handler{ActionId::orthographic, Needs::scene,
-            [](State& s) { s.view.camera.toggleOrthographic(); }},
-    Handler{ActionId::wireframe, Needs::scene, toggle<&DisplaySettings::wireframe>},
-    Handler{ActionId::showCutLines, Needs::scene, toggle<&DisplaySettings::cutLines>},
-    Handler{ActionId::showAhead, Needs::scene, toggle<&DisplaySettings::cutAhead>},
-    Handler{ActionId::showApart, Needs::body, toggleApart},
-    Handler{ActionId::showEdges, Needs::scene, toggleOverlay<&Overlays::edges>},
-    Handler{ActionId::showBends, Needs::scene, toggleOverlay<&Overlays::bends>},
-    Handler{ActionId::showIspcs, Needs::scene, toggleOverlay<&Overlays::ispcs>},
-    Handler{ActionId::showErrors, Needs::scene, toggleOverlay<&Overlays::errors>},
-    Handler{ActionId::showContacts, Needs::scene, toggleOverlay<&Overlays::contacts>},
-    Handler{ActionId::showBoxes, Needs::scene, toggleOverlay<&Overlays::boxes>},
-    Handler{ActionId::nextField, Needs::scene, takeNextField},
-    Handler{ActionId::section, Needs::scene, toggleSection},
-    Handler{ActionId::fineQuality, Needs::scene, toggleQuality},
-    Handler{ActionId::togglePanels, Needs::nothing, [](State& s) { s.panels.toggle(); }},
-    Handler{ActionId::holdPlots, Needs::nothing, holdPlots},
-    Handler{ActionId::fitPlots, Needs::nothing, [](State& s) { s.panels.plotView = {}; }},
-    Handler{ActionId::help, Needs::nothing,
-            [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
-    Handler{ActionId::manual, Needs::nothing, [](State& s) { s.work.openManual(); }},
-    Handler{ActionId::about, Needs::nothing, showAbout},
+    Handler{ActionId::freePins, freePins},
+    Handler{ActionId::removeRetractor, removeRetractor},
+    Handler{ActionId::playPause, playOrPause},
+    Handler{ActionId::letFall, letFall},
+    Handler{ActionId::timeWhileCutting, toggleTimeWhileCutting},
+    Handler{ActionId::stepOnce, stepOnce},
+    Handler{ActionId::reset, reset},
+    Handler{ActionId::finishTry, [](State& s, const BusyScene&) { s.panels.practice.finish(); }},
+    Handler{ActionId::slower,
+            [](State& s, const BusyScene&) { s.clock.setSpeed(s.clock.speed() / 2); }},
+    Handler{ActionId::faster,
+            [](State& s, const BusyScene&) { s.clock.setSpeed(s.clock.speed() * 2); }},
+    Handler{ActionId::record, toggleRecording},
+    Handler{ActionId::loop, [](State&, EditorScene& now) { now.timeline().toggleLoop(); }},
+    Handler{ActionId::addPicture, addPicture},
+    Handler{ActionId::addCheck, addCheck},
+    Handler{ActionId::addExport, addExport},
+    Handler{ActionId::addCamera, addCamera},
+    Handler{ActionId::addMark, addName},
+    Handler{ActionId::useView, useView},
+    Handler{
+        ActionId::frameBody,
+        [](State& s, const BusyScene& now) { s.view.flyToFrame(s.view.display.boundsOf(now)); }},
+    Handler{ActionId::resetView,
+            [](State& s, const BusyScene& now) { s.view.camera.flyTo(s.view.homeView(now)); }},
+    Handler{ActionId::viewFront, lookFrom<AxisView::front>},
+    Handler{ActionId::viewBack, lookFrom<AxisView::back>},
+    Handler{ActionId::viewRight, lookFrom<AxisView::right>},
+    Handler{ActionId::viewLeft, lookFrom<AxisView::left>},
+    Handler{ActionId::viewTop, lookFrom<AxisView::top>},
+    Handler{ActionId::viewBottom, lookFrom<AxisView::bottom>},
+    Handler{ActionId::orthographic,
+            [](State& s, const BusyScene&) { s.view.camera.toggleOrthographic(); }},
+    Handler{ActionId::wireframe, toggle<&DisplaySettings::wireframe>},
+    Handler{ActionId::showCutLines, toggle<&DisplaySettings::cutLines>},
+    Handler{ActionId::showAhead, toggle<&DisplaySettings::cutAhead>},
+    Handler{ActionId::showApart, toggleApart},
+    Handler{ActionId::showEdges, toggleOverlay<&Overlays::edges>},
+    Handler{ActionId::showBends, toggleOverlay<&Overlays::bends>},
+    Handler{ActionId::showIspcs, toggleOverlay<&Overlays::ispcs>},
+    Handler{ActionId::showErrors, toggleOverlay<&Overlays::errors>},
+    Handler{ActionId::showContacts, toggleOverlay<&Overlays::contacts>},
+    Handler{ActionId::showBoxes, toggleOverlay<&Overlays::boxes>},
+    Handler{ActionId::nextField, takeNextField},
+    Handler{ActionId::section, toggleSection},
+    Handler{ActionId::fineQuality, toggleQuality},
+    Handler{ActionId::togglePanels, [](State& s) { s.panels.toggle(); }},
+    Handler{ActionId::holdPlots, holdPlots},
+    Handler{ActionId::fitPlots, [](State& s) { s.panels.plotView = {}; }},
+    Handler{ActionId::help, [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
+    Handler{ActionId::manual, [](State& s) { s.work.openManual(); }},
+    Handler{ActionId::about, showAbout},
 };
 constexpr auto kHandlers = ui::withTools(kOtherHandlers, []<ui::ToolKind tool>() {
-    return Handler{ui::actionOf(tool), Needs::scene, take<tool>};
+    return Handler{ui::actionOf(tool), take<tool>};
 });
 static_assert(ui::coversActions(kHandlers), "an ActionId has no handler, or not at its place");
 
 const Handler& handlerOf(ActionId id) {
     return kHandlers[static_cast<std::size_t>(id)];
-}
-
-template <class Kind, class... Others>
-constexpr bool kIsOneOf = (std::is_same_v<Kind, Others> || ...);
-
-/// Whether an action is to be done between two steps.
-bool needsBody(const ui::Action& action) {
-    if (const auto* id = std::get_if<ActionId>(&action)) {
-        return handlerOf(*id).needs == Needs::body;
-    }
-    return std::visit(
-        []<class Kind>(const Kind&) {
-            return std::is_constructible_v<Command, Kind> ||
-                   kIsOneOf<Kind, ui::PlaceBox, ui::GoToChange, ui::SeekTo, ui::RemoveMark,
-                            ui::RemoveMeasure, ui::ExportPieces, ui::TakeMaterial,
-                            ui::SaveMaterial>;
-        },
-        action);
 }
 
 // --- What the panels answer with ---------------------------------------------------------------
@@ -447,22 +437,21 @@ void exportMeasures(State& s) {
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
-void exportPieces(State& s) {
+void exportPieces(State& s, EditorScene& now) {
     s.work.saveBehind("kerf-pieces", ".csv",
-                      [text = ui::piecesAsCsv(s.scene->readout().measurePieces())](
+                      [text = ui::piecesAsCsv(now.readout().measurePieces())](
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
-void placeBox(State& s) {
-    const Bounds body = s.scene->simulation().bounds();
+void placeBox(State& s, EditorScene& now) {
+    const Bounds body = now.simulation().bounds();
     const ViewFrame frame = s.view.frame();
-    const StaticBox box = boxInView(body, s.scene->simulation().params().floor, frame, s.view.free);
+    const StaticBox box = boxInView(body, now.simulation().params().floor, frame, s.view.free);
     if (!s.execute(AddBox{box})) {
         return;
     }
-    s.view.tools.get<MoveTool>().chooseBox(static_cast<int>(s.scene->simulation().boxes().size()) -
-                                           1);
+    s.view.tools.get<MoveTool>().chooseBox(static_cast<int>(now.simulation().boxes().size()) - 1);
     if (!isInView(box, frame, s.view.free)) {
         Bounds both = body;
         both.add(box.bounds());
@@ -471,18 +460,29 @@ void placeBox(State& s) {
 }
 
 void perform(State& s, ActionId id) {
-    const Needs needs = handlerOf(id).needs;
-    if (needs == Needs::nothing) {
-        handlerOf(id).perform(s);
+    const auto& handler = handlerOf(id).perform;
+    if (const auto* alone = std::get_if<void (*)(State&)>(&handler)) {
+        (*alone)(s);
     } else if (s.scene != nullptr && !s.panels.startOpen) {
-        handlerOf(id).perform(s);
+        if (const auto* onBody = std::get_if<void (*)(State&, EditorScene&)>(&handler)) {
+            (*onBody)(s, *s.scene);
+        } else {
+            std::get<void (*)(State&, const BusyScene&)>(handler)(s, s.scene.meanwhile());
+        }
         s.redraw.scene();
     }
 }
 
-/// Answers to each kind of ui::Action.
+/// Answers to each kind of ui::Action, by functions that take what they need.
 struct Answer {
     State& s;
+
+    /// Whether an action is to be done between two steps. `Answers` waits for the functions below.
+    template <class Kind, class Answers = Answer>
+    static constexpr bool kNeedsBody = requires(const Answers& answer, const Kind& action,
+                                                EditorScene& now) {
+        answer.onBody(action, now);
+    };
 
     void operator()(ActionId id) const { perform(s, id); }
     void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
@@ -509,49 +509,70 @@ struct Answer {
     void operator()(const ui::OpenStartScene& wanted) const { s.openStartScene(wanted.card); }
     void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
-    template <class OnBody>
-    void operator()(const OnBody& action) const {
-        if (s.scene != nullptr) {
-            onBody(action);
+    template <class Kind>
+    void operator()(const Kind& action) const {
+        if (s.scene == nullptr) {
+            return;
+        }
+        if constexpr (kNeedsBody<Kind>) {
+            onBody(action, *s.scene);
+        } else {
+            onScene(action, s.scene.meanwhile());
         }
     }
 
-    // What needs an open document.
-    void onBody(const Command& command) const {
-        s.execute(countedFrom(command, s.scene->document().session.origin));
+    // What needs an open document, whatever it is doing.
+    void onScene(const ui::SetTools& wanted, const BusyScene&) const {
+        setTools(s, wanted.settings);
     }
-    void onBody(const ui::PlaceModel& wanted) const {
-        s.view.cancelTools(s.restingScene());
-        s.place(s.scene->body().placeCommand(wanted.placement, wanted.continues, wanted.model));
-    }
-    void onBody(const ui::RemoveModel& wanted) const { s.removeModel(wanted.model); }
-    void onBody(const ui::Remesh& wanted) const { s.remesh(wanted); }
-    void onBody(const ui::UnitePieces& wanted) const { s.unitePieces(wanted.model); }
-    void onBody(const ui::TakeMaterial& wanted) const { s.takeMaterial(wanted); }
-    void onBody(const ui::SaveMaterial&) const { s.browseToSaveMaterial(); }
-    void onBody(const ui::PlaceBox&) const { placeBox(s); }
-    void onBody(const ui::GoToChange& wanted) const { s.goToChange(wanted.done); }
-    void onBody(const ui::SeekTo& wanted) const {
-        s.scene->seek(wanted.step);
-        s.redraw.scene();
-    }
-    void onBody(const ui::RemoveMeasure& removal) const {
-        MeasureTool& measures = s.view.tools.get<MeasureTool>();
-        measures.remove(removal.id);
-        if (!measures.plotsPoint()) {
-            s.scene->readout().plot(std::nullopt);
-        }
-    }
-    void onBody(const ui::RemoveMark& removal) const { s.scene->recorder().removeMark(removal.id); }
-    void onBody(const ui::SetTools& wanted) const { setTools(s, wanted.settings); }
-    void onBody(const ui::ExportPieces&) const { exportPieces(s); }
-    void onBody(const ui::FramePiece& wanted) const {
-        const Bounds piece = s.view.display.boundsOf(s.scene.meanwhile(), wanted.piece);
+    void onScene(const ui::FramePiece& wanted, const BusyScene& now) const {
+        const Bounds piece = s.view.display.boundsOf(now, wanted.piece);
         if (!piece.empty()) {
             s.view.flyToFrame(piece);
         }
     }
+
+    // What needs a body that rests between two steps.
+    void onBody(const Command& command, EditorScene& now) const {
+        s.execute(countedFrom(command, now.document().session.origin));
+    }
+    void onBody(const ui::PlaceModel& wanted, EditorScene& now) const {
+        s.view.cancelTools({&now, false});
+        s.place(now.body().placeCommand(wanted.placement, wanted.continues, wanted.model));
+    }
+    void onBody(const ui::RemoveModel& wanted, EditorScene&) const { s.removeModel(wanted.model); }
+    void onBody(const ui::Remesh& wanted, EditorScene&) const { s.remesh(wanted); }
+    void onBody(const ui::UnitePieces& wanted, EditorScene&) const { s.unitePieces(wanted.model); }
+    void onBody(const ui::TakeMaterial& wanted, EditorScene&) const { s.takeMaterial(wanted); }
+    void onBody(const ui::SaveMaterial&, EditorScene&) const { s.browseToSaveMaterial(); }
+    void onBody(const ui::PlaceBox&, EditorScene& now) const { placeBox(s, now); }
+    void onBody(const ui::GoToChange& wanted, EditorScene&) const { s.goToChange(wanted.done); }
+    void onBody(const ui::SeekTo& wanted, EditorScene& now) const {
+        now.seek(wanted.step);
+        s.redraw.scene();
+    }
+    void onBody(const ui::RemoveMeasure& removal, EditorScene& now) const {
+        MeasureTool& measures = s.view.tools.get<MeasureTool>();
+        measures.remove(removal.id);
+        if (!measures.plotsPoint()) {
+            now.readout().plot(std::nullopt);
+        }
+    }
+    void onBody(const ui::RemoveMark& removal, EditorScene& now) const {
+        now.recorder().removeMark(removal.id);
+    }
+    void onBody(const ui::RenameMark& wanted, EditorScene& now) const {
+        now.timeline().journal().rename(wanted.id, wanted.name);
+    }
+    void onBody(const ui::ExportPieces&, EditorScene& now) const { exportPieces(s, now); }
 };
+
+bool needsBody(const ui::Action& action) {
+    if (const auto* id = std::get_if<ActionId>(&action)) {
+        return std::holds_alternative<void (*)(State&, EditorScene&)>(handlerOf(*id).perform);
+    }
+    return std::visit([]<class Kind>(const Kind&) { return Answer::kNeedsBody<Kind>; }, action);
+}
 
 }  // namespace
 

@@ -169,6 +169,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     sceneHistory.mended = std::exchange(sceneHistory.beingMended, std::nullopt);
     keeping.begin();
     view.begin(*scene);
+    if (scene->document().session.editor) {
+        view.show(*scene->document().session.editor);
+    }
     beginScene();
     panels.startOpen = false;
     if (scene->document().guess && !scene->document().guess->certain) {
@@ -363,6 +366,9 @@ void Editor::State::save(const ChosenFile& chosen) {
     SavedSession saved =
         scene->recorder().savedSession(view.camera.destination(), view.display.settings.colors,
                                        isTest ? SavedAs::test : SavedAs::session);
+    if (!isTest) {
+        saved.session.editor = view.saved();
+    }
     for (const std::filesystem::path& model : changedModels(scene->document())) {
         saved.remark +=
             (saved.remark.empty() ? "" : " ") + model.filename().string() +

@@ -91,7 +91,7 @@ void updatePanels(State& s, const std::vector<ui::InputEvent>& batch, double ela
         s.panels.update(batch, s.view.width, s.view.height, elapsedSeconds);
     const bool first = s.view.free.width == 0;
     s.view.free = s.panels.interface.freeView();
-    if (first && s.scene != nullptr) {
+    if (first && s.scene != nullptr && !s.scene.meanwhile().document().session.editor) {
         s.view.camera = EditorCamera(s.view.homeView(s.scene.meanwhile()));
     }
     s.view.hint = s.panels.interface.hintHeight();

@@ -30,7 +30,7 @@ void Editor::State::keepWork(double elapsedSeconds) {
     if (scene == nullptr || scene.underWay() || closing) {
         return;
     }
-    keeping.follow(*scene, view.camera.destination(), view.display.settings.colors,
+    keeping.follow(*scene, view.saved(), view.display.settings.colors,
                    panels.settings.now.keepsJournal, elapsedSeconds);
     if (const std::optional<std::string> problem = keeping.takeProblem()) {
         spdlog::error("{}", *problem);

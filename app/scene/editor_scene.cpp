@@ -177,6 +177,7 @@ void EditorScene::step() {
     const StepReport& report = body().driver.step();
     body().followPlacement();  // by an event of the session
     readout().addStep(report, piecesBefore);
+    timeline().noteTear(report);
     recorder().checkNowAndThen();
     const SceneTimeline::StepEnd end = timeline().endStep();
     if (end.countsAnew) {

@@ -325,6 +325,11 @@ void describe(auto& fields, CameraEvent& event) {
     describe(fields, event.camera);
 }
 
+void describe(auto& fields, MarkEvent& event) {
+    fields.type({"mark", "A name for this place on the time line. Replays ignore it."});
+    fields.required({"name", "What the time line shows."}, event.name, kLabels);
+}
+
 /// Calls `visit` with a default event of each kind, in the order of the variant.
 template <class... Events, class Visit>
 void forEachKind(std::type_identity<std::variant<Events...>>, Visit visit) {

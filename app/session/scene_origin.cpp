@@ -87,6 +87,12 @@ Session withOrigin(Session session, const Vec3& origin) {
     if (session.view) {
         session.view = countedFrom(*session.view, by);
     }
+    if (session.editor) {
+        session.editor->camera = countedFrom(session.editor->camera, by);
+        if (session.editor->section) {
+            session.editor->section = moved(*session.editor->section, by);
+        }
+    }
     return session;
 }
 

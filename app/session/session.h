@@ -86,6 +86,11 @@ struct CameraEvent {
     render::Camera camera;
 };
 
+/// A name for a place on the time line. Replays ignore it.
+struct MarkEvent {
+    std::string name;
+};
+
 /// A variant with more alternatives behind its own.
 template <class Variant, class... More>
 struct Extended;
@@ -98,13 +103,23 @@ struct Extended<std::variant<Kinds...>, More...> {
 /// key pose: between two of them the ends move linearly, a quad per step. So do hands from their
 /// grab or drag to their next drag. See event_table.h for their fields.
 using SessionAction =
-    Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent, CameraEvent>::Type;
+    Extended<Command, ScreenshotEvent, ExportEvent, CheckEvent, CameraEvent, MarkEvent>::Type;
 
 /// Something that happens before a step.
 struct SessionEvent {
     int step = 0;  ///< applied before this step; equal to Session::steps: after the last one
     SessionAction action;
     int number = -1;  ///< in the file's list, from 0; -1 without a file
+};
+
+/// What the editor showed when it saved a session. Replays ignore it.
+struct SavedView {
+    render::Camera camera;
+    std::string tool;   ///< the name of a ui::ToolRow; an unknown one is ignored
+    std::string field;  ///< the name of a render::FieldInfo; an unknown one is ignored
+    bool wireframe = false;
+    double apart = 0;  ///< see ui::DisplaySettings
+    std::optional<render::SectionPlane> section;
 };
 
 /// How the names of session files end.
@@ -127,6 +142,7 @@ struct Session {
     std::vector<SessionEvent> events;  ///< by step, the file's order within one
     std::optional<render::Camera> view;
     render::ChosenColors colors;        ///< of the view, with the look, instead of the model's own
+    std::optional<SavedView> editor;    ///< for reopening it
     std::vector<std::string> warnings;  ///< unknown extra keys, files of one name
 };
 
@@ -223,10 +239,9 @@ class SessionSchedule {
 
 /// A change of the events of a session being made, with positions as in its file.
 struct SessionChange {
-    std::size_t at = 0;       ///< number of unchanged events before
-    std::size_t dropped = 0;  ///< number of removed events there
-    /// Their replacement. None for an entry that is not saved.
-    std::vector<std::optional<SessionEvent>> added;
+    std::size_t from = 0;  ///< number of unchanged entries
+    /// All behind those. None for an entry that is not saved.
+    std::vector<std::optional<SessionEvent>> events;
     int steps = 0;  ///< of the present session
 };
 

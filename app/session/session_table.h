@@ -20,6 +20,8 @@ inline constexpr FileFormat kSessionFormat{"kerf-session", 1};
 inline constexpr HexDigits kSha256Digits{64};
 inline constexpr Limits kColorParts{0, 1};
 inline constexpr Limits kShares{0, 1};
+inline constexpr Limits kCosines = within(1 + 1e-6);
+inline constexpr double kLengthError = 1e-6;
 inline constexpr Limits kDistances{0, kMaxSessionCoordinate};  // [m]
 inline constexpr std::size_t kMostOfTask = 20;                 // lines, and regions to spare
 inline constexpr double kLeastSineOfInto = 0.1;                // between it and a line
@@ -103,6 +105,26 @@ void describe(auto& fields, render::ChosenColors& colors) {
 void describe(auto& fields, SessionView& view) {
     describe(fields, view.camera ? *view.camera : view.camera.emplace());
     describe(fields, view.colors);
+}
+
+void describe(auto& fields, render::SectionPlane& plane) {
+    fields.required({"point", "A point on the plane [m]."}, plane.point, kPositions);
+    fields.required({"normal", "Points to the side that is hidden; of length 1."}, plane.normal,
+                    kCosines);
+    fields.check(std::abs(plane.normal.norm() - 1) < kLengthError, "normal", "expected length 1.");
+}
+
+void describe(auto& fields, SavedView& view) {
+    fields.required({"camera", "Where it was seen from."}, view.camera);
+    fields.optional({"tool", "The tool in hand: Stroke, Scalpel, Grab and so on."}, view.tool,
+                    kLabels);
+    fields.optional({"field", "The quantity that colours show: Strain, Thickness and so on."},
+                    view.field, kLabels);
+    fields.optional({"wireframe", "Whether the triangles' edges are drawn."}, view.wireframe);
+    fields.optional({"apart", "How far the pieces are drawn from each other; 0 is together."},
+                    view.apart, kShares);
+    fields.optional({"section", "The plane at which the body is opened for the view."},
+                    view.section);
 }
 
 void describe(auto& fields, TaskLine& line) {
@@ -212,6 +234,10 @@ void describe(auto& fields, Session& session) {
                      "The camera, and colours instead of the model's own. Without it the "
                      "model is seen from the front right above."},
                     view);
+    fields.optional({"editor",
+                     "What the editor showed when it saved the session, and shows when it opens "
+                     "it. Replays ignore it."},
+                    session.editor);
 }
 
 inline constexpr FileFormat kMaterialFormat{"kerf-material", 1};

@@ -5,7 +5,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/settings_file.h"
-#include "app/journal/journal_folder.h"
+#include "app/journal/journal.h"
 #include "app/scene/document/document_loading.h"
 #include "app/session/material.h"
 #include "app/window/window.h"
@@ -41,7 +41,9 @@ EditorOptions optionsFor(const Window& window) {
 void openWindow(const std::optional<std::filesystem::path>& file, const std::string& notice = "") {
     Window window("Kerf", SettingsFile(defaultSettingsFile()).now.place);
     EditorOptions options = optionsFor(window);
-    options.notice = notice;
+    options.notice = notice.empty() && options.journals.empty()
+                         ? "Autosave is off, since HOME is not set. Save often."
+                         : notice;
     Editor editor(options, std::nullopt);
     if (file) {
         editor.open(*file);

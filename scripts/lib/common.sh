@@ -34,6 +34,7 @@ libstb-dev          reads and writes pictures
 libturbojpeg0-dev   reads JPEG pictures
 fonts-dejavu-core   is the font of the panels
 nettle-dev          hashes states and files
+libsqlite3-dev      keeps what is done for recovery
 libcgal-dev         unites pieces that cross, in a program of its own
 '
 python_packages='

@@ -8,6 +8,7 @@
 namespace kerf::ui {
 namespace {
 
+constexpr std::size_t kMostOfName = 60;  // bytes, as a session can hold
 constexpr char kRemove[] = "\u00d7";
 
 struct Addition {
@@ -16,7 +17,8 @@ struct Addition {
 };
 constexpr std::array kAdditions{
     Addition{ActionId::addPicture, "Picture"}, Addition{ActionId::addCheck, "Check"},
-    Addition{ActionId::addExport, "Export"}, Addition{ActionId::addCamera, "Camera"}};
+    Addition{ActionId::addExport, "Export"}, Addition{ActionId::addCamera, "Camera"},
+    Addition{ActionId::addMark, "Name"}};
 
 void drawButtons(std::vector<Action>& actions) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -32,6 +34,18 @@ void drawButtons(std::vector<Action>& actions) {
     ImGui::NewLine();
 }
 
+/// Of a place on the time line, to be typed over.
+void drawName(const SessionMark& mark, std::vector<Action>& actions) {
+    char buffer[kMostOfName + 1] = {};
+    mark.text.copy(buffer, kMostOfName);
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputText("##name", buffer, sizeof buffer);
+    if (ImGui::IsItemDeactivatedAfterEdit() && buffer[0] != '\0') {
+        actions.emplace_back(RenameMark{mark.id, buffer});
+    }
+    noteItem("session.name." + std::to_string(mark.step));
+}
+
 void drawRow(const SessionPanelState& session, const SessionMark& mark,
              std::vector<Action>& actions) {
     ImGui::PushID(mark.id);
@@ -40,7 +54,9 @@ void drawRow(const SessionPanelState& session, const SessionMark& mark,
     ImGui::TableNextColumn();
     const std::string label = labelOf(mark);
     const bool goes = session.playback.goesBack;
-    if (ImGui::Selectable(label.c_str()) && goes) {
+    if (mark.kind == SessionMark::Kind::name) {
+        drawName(mark, actions);
+    } else if (ImGui::Selectable(label.c_str()) && goes) {
         actions.emplace_back(SeekTo{mark.step});
     }
     itemTooltip(label + ", step " + std::to_string(mark.step) +
@@ -76,7 +92,7 @@ void drawRows(const SessionPanelState& session, std::vector<Action>& actions) {
 
 void drawSessionAdditions(std::vector<Action>& actions) {
     for (const ActionId id : {ActionId::addPicture, ActionId::addCheck, ActionId::addExport,
-                              ActionId::addCamera, ActionId::useView}) {
+                              ActionId::addCamera, ActionId::addMark, ActionId::useView}) {
         if (ImGui::MenuItem(std::string(rowOf(id).label).c_str(), keysOf(id).c_str())) {
             actions.emplace_back(id);
         }
@@ -88,8 +104,8 @@ void drawSessionMarks(const SessionPanelState& session, std::vector<Action>& act
     drawButtons(actions);
     if (session.marks.empty()) {
         textWrapped(
-            "Add pictures, checks or exports that each replay of the session makes, or keyframes "
-            "for the camera of its videos.",
+            "Add pictures, checks or exports that each replay of the session makes, keyframes for "
+            "the camera of its videos, or names for places on the time line.",
             true);
         return;
     }

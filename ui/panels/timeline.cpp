@@ -63,24 +63,38 @@ void tellAbove(const std::string& text) {
 }
 
 ImU32 colorOfTick(SessionMark::Kind kind) {
-    return palette().of(kind == SessionMark::Kind::stroke ? Hue::vermillion : Hue::purple);
+    switch (kind) {
+        case SessionMark::Kind::stroke:
+            return palette().of(Hue::vermillion);
+        case SessionMark::Kind::tear:
+            return palette().of(Hue::orange);
+        case SessionMark::Kind::hand:
+            return palette().of(Hue::cyan);
+        case SessionMark::Kind::scene:
+            return palette().of(Hue::yellow);
+        default:
+            return palette().of(Hue::purple);
+    }
 }
 
-/// Through the groove: strokes all the way, changes in its lower half.
+bool isCut(SessionMark::Kind kind) {
+    return kind == SessionMark::Kind::stroke || kind == SessionMark::Kind::tear;
+}
+
+/// Through the groove: cuts and tears all the way, all else in its lower half.
 void drawTicks(const std::vector<SessionMark>& course, const StepScale& scale) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     const float half = std::max(1.0F, ImGui::GetFontSize() / 15);
     for (const SessionMark& mark : course) {
         const float x = scale.xOf(mark.step);
-        const bool isStroke = mark.kind == SessionMark::Kind::stroke;
         ImGui::GetWindowDrawList()->AddRectFilled(
-            {x - half, isStroke ? low.y : (low.y + high.y) / 2}, {x + half, high.y},
+            {x - half, isCut(mark.kind) ? low.y : (low.y + high.y) / 2}, {x + half, high.y},
             colorOfTick(mark.kind));
     }
 }
 
-/// Strokes and changes at the pointer, the first ones of many; "" where none are.
+/// What was done at the pointer, the first ones of much; "" where nothing was.
 std::string pastAt(float x, const std::vector<SessionMark>& course, const StepScale& scale) {
     std::string text;
     std::size_t listed = 0;
@@ -163,13 +177,16 @@ ImU32 colorOf(SessionMark::Kind kind) {
             return palette().of(Hue::orange);
         case SessionMark::Kind::camera:
             return palette().of(Hue::yellow);
+        case SessionMark::Kind::name:
+            return palette().of(Hue::purple);
         default:
             break;
     }
     return palette().of(Hue::green);
 }
 
-/// A triangle for a picture, a square for an export, a diamond for a camera, a disc for a check.
+/// A triangle for a picture, a square for an export, a diamond for a camera, a flag for a name, a
+/// disc for a check.
 void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImU32 color = colorOf(kind);
@@ -184,6 +201,10 @@ void drawMark(SessionMark::Kind kind, const ImVec2& center, float size) {
             return;
         case SessionMark::Kind::camera:
             draw.AddQuadFilled({x, y - size}, {x + size, y}, {x, y + size}, {x - size, y}, color);
+            return;
+        case SessionMark::Kind::name:
+            draw.AddTriangleFilled({x - size, y - size}, {x + size, y}, {x - size, y + size},
+                                   color);
             return;
         default:
             draw.AddCircleFilled(center, size, color);
@@ -315,15 +336,13 @@ std::string labelOf(const SessionMark& mark) {
             return "Picture " + mark.text;
         case SessionMark::Kind::exported:
             return "Export " + mark.text;
-        case SessionMark::Kind::stroke:
-        case SessionMark::Kind::change:
-            return mark.text;
         case SessionMark::Kind::camera:
             return "Camera keyframe";
         case SessionMark::Kind::check:
-            break;
+            return "Check: " + mark.text;
+        default:
+            return mark.text;
     }
-    return "Check: " + mark.text;
 }
 
 void drawTimeline(const SessionPanelState& session, const Rect& rect,

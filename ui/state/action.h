@@ -29,6 +29,11 @@ struct SeekTo {
 struct RemoveMark {
     int id = 0;
 };
+/// Renames a place on the time line, by its SessionMark::id.
+struct RenameMark {
+    int id = 0;
+    std::string name;
+};
 /// Selects another tool, or another depth or radius of it.
 struct SetTools {
     ToolSettings settings;
@@ -118,10 +123,10 @@ struct ShowPiece {
 
 /// All actions of panels. The editor executes them once per frame; panels change nothing.
 using Action =
-    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, SetTools, SetDisplay,
-                 PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial, SaveMaterial, PlaceBox,
-                 ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView, ExportPlots,
-                 RemoveMeasure, ExportMeasures, OpenExperiment, OpenStartScene, HoverPiece,
-                 FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
+    std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, RenameMark, SetTools,
+                 SetDisplay, PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial,
+                 SaveMaterial, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
+                 ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, OpenStartScene,
+                 HoverPiece, FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

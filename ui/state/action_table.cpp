@@ -97,6 +97,7 @@ constexpr std::array kOtherActions{
               withBody},
     ActionRow{ActionId::addCamera, at(Key::m, kShift, "Shift+M"), "Add camera keyframe", "Time",
               withBody},
+    ActionRow{ActionId::addMark, at(Key::n, kShift, "Shift+N"), "Name this step", "Time", withBody},
     ActionRow{ActionId::useView, at(Key::home, kShift, "Shift+Home"),
               "Use this view for session pictures", "Time", withBody},
     ActionRow{ActionId::frameBody, at(Key::f, kPlain, "F"), "Frame model", "View", withBody},

@@ -47,6 +47,7 @@ enum class ActionId : std::uint8_t {
     addCheck,
     addExport,
     addCamera,
+    addMark,
     useView,
     frameBody,
     resetView,

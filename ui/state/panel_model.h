@@ -120,16 +120,30 @@ struct PlaybackState {
     std::optional<int> divergedAt;  ///< the first step that differed
 };
 
-/// A mark at a step of the session: an output or check of a replay, or a change of the body or of a
-/// parameter.
+/// A mark at a step of the session: an output or check of a replay, a name, or something that was
+/// done.
 struct SessionMark {
-    enum class Kind { picture, exported, check, camera, stroke, change };
+    enum class Kind {
+        // By a person, who may remove them.
+        picture,
+        exported,
+        check,
+        camera,
+        name,
+        // What was done.
+        stroke,
+        tear,
+        hand,    ///< a pull, hooks or pins
+        scene,   ///< boxes, placements, undo and restart
+        change,  ///< of a parameter
+    };
 
     int id = 0;  ///< for RemoveMark
     int step = 0;
     Kind kind = Kind::picture;
-    std::string
-        text;  ///< name of the file, or what is checked: "2 pieces, state"; none of a camera
+    /// The name of the file, what is checked ("2 pieces, state"), or what was done; none of a
+    /// camera.
+    std::string text;
 };
 
 /// The state of the timeline and the list of marks.
@@ -138,7 +152,7 @@ struct SessionPanelState {
     PlaybackState playback;
     /// Pictures, exports and checks of the session that would be saved now, by step.
     std::vector<SessionMark> marks;
-    std::vector<SessionMark> past;  ///< strokes and changes of it, by step
+    std::vector<SessionMark> past;  ///< what was done, by step
     PracticeState practice;
 };
 

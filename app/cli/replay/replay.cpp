@@ -225,6 +225,7 @@ class Replay {
         outside_.measure([&] { running_.write(event, folder_); });
     }
     void take(const CameraEvent& /*event*/) const {}  // films know all of them from the start
+    void take(const MarkEvent& /*event*/) const {}
     void take(const CheckEvent& event) {
         outside_.measure([&] { check(event); });
     }

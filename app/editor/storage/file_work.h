@@ -137,7 +137,6 @@ class SessionFile {
   private:
     std::filesystem::path path_;
     std::optional<FileStamp> stamp_;  ///< when it was opened or written
-    bool ours_ = false;               ///< written by this window
 };
 
 }  // namespace kerf::app

@@ -36,114 +36,107 @@ render::Image smaller(const render::Image& image) {
 
 }  // namespace
 
-void WorkKeeping::begin(std::shared_ptr<LeftJournal> left) {
-    discard();
-    left_ = std::move(left);
+void WorkKeeping::begin(std::shared_ptr<Journal> left) {
+    if (left != nullptr) {
+        discard();
+        journal_ = std::move(left);
+    }
+    begun_ = false;
+    untilPicture_.reset();
     savedDeeds_ = 0;
 }
 
 void WorkKeeping::discard() {
-    giveUpWriter();
-    if (left_ != nullptr) {
-        std::exchange(left_, nullptr)->remove();
+    begun_ = false;
+    untilPicture_.reset();
+    if (journal_ != nullptr) {
+        std::exchange(journal_, nullptr)->remove();
     }
 }
 
 bool WorkKeeping::leave() {
-    untilPicture_.reset();
-    savedDeeds_ = 0;
-    const bool kept = writer_ != nullptr || left_ != nullptr;
-    writer_.reset();
-    left_.reset();
+    const bool kept = journal_ != nullptr;
+    journal_.reset();
+    begin();
     return kept;
 }
 
-void WorkKeeping::giveUpWriter() {
-    untilPicture_.reset();
-    if (writer_ != nullptr) {
-        writer_->remove();
-        ended_.push_back(std::move(writer_));
-    }
-}
-
-void WorkKeeping::follow(EditorScene& scene, const render::Camera& camera,
+void WorkKeeping::follow(EditorScene& scene, const SavedView& seen,
                          const render::ChosenColors& colors, bool on, double elapsedSeconds) {
-    std::erase_if(ended_, [](const auto& writer) { return writer->removed(); });
     if (!on || folder_.empty()) {
-        giveUpWriter();
+        discard();
         return;
     }
-    if (untilPicture_) {
-        *untilPicture_ = std::max(0.0, *untilPicture_ - elapsedSeconds);
-        session_ = scene.recorder().sessionWithoutEvents(camera, colors);
+    if (untilPicture_ || !begun_) {
+        untilPicture_ = untilPicture_
+                            ? std::optional(std::max(0.0, *untilPicture_ - elapsedSeconds))
+                            : std::nullopt;
+        session_ = scene.recorder().sessionWithoutEvents(seen.camera, colors);
+        session_.editor = seen;
     }
-    if (writer_ == nullptr) {
-        start(scene, scene.recorder().sessionWithoutEvents(camera, colors));
-    } else {
+    if (!std::exchange(begun_, true)) {
+        start(scene);
+    } else if (isDue(scene)) {
         note(scene);
-    }
-    if (left_ != nullptr && writer_->flushed()) {
-        std::exchange(left_, nullptr)->remove();
     }
 }
 
-void WorkKeeping::start(EditorScene& scene, Session session) {
-    writer_ = std::make_unique<JournalWriter>(folder_);
-    hashes_ = std::make_shared<ModelHashes>();
-    writer_->add([name = scene.document().name, session = std::move(session), hashes = hashes_] {
-        Session hashed = session;
-        addHashes(hashed, *hashes);
-        return journalStart(name, hashed);
-    });
-    write(scene.recorder().takeChange(true), isUnsaved(scene.recorder().deeds()));
-    if (isUnsaved(scene.recorder().deeds())) {
+void WorkKeeping::start(EditorScene& scene) {
+    if (journal_ == nullptr) {
+        journal_ = std::make_shared<Journal>(folder_);
+    }
+    const SessionChange all = scene.recorder().takeChange(true);
+    unsaved_ = isUnsaved(scene.recorder().deeds());
+    steps_ = all.steps;
+    journal_->begin({scene.document().name,
+                     formatSession(session_),
+                     {},
+                     all.steps,
+                     unsaved_,
+                     std::time(nullptr)},
+                    all);
+    if (unsaved_) {
         untilPicture_ = kUntilPicture;
     }
 }
 
-/// That time goes by is noted now and then; what is done, at once.
+/// What is done is noted at once, or where the list is long, as often as that takes a tenth of the
+/// time. That time goes by is noted now and then.
+bool WorkKeeping::isDue(EditorScene& scene) const {
+    const bool isDone = !scene.timeline().journal().isUnchanged() ||
+                        isUnsaved(scene.recorder().deeds()) != unsaved_;
+    const bool goesBy = scene.recorder().stepsAsSaved() != steps_ &&
+                        (!scene.running() || sinceWrite_.seconds() > kBetweenSteps);
+    return goesBy || (isDone && sinceWrite_.seconds() > 10 * lastWrite_);
+}
+
 void WorkKeeping::note(EditorScene& scene) {
-    SessionChange change = scene.recorder().takeChange(false);
-    const bool unsaved = isUnsaved(scene.recorder().deeds());
-    const bool isDone = change.dropped > 0 || !change.added.empty();
-    const bool goesBy =
-        change.steps != steps_ && (!scene.running() || sinceLine_.seconds() > kBetweenSteps);
-    if (isDone || goesBy || unsaved != unsaved_) {
-        untilPicture_ = isDone ? std::optional(kUntilPicture) : untilPicture_;
-        write(std::move(change), unsaved);
+    if (!scene.timeline().journal().isUnchanged()) {
+        untilPicture_ = kUntilPicture;
+    }
+    const Stopwatch watch;
+    const SessionChange change = scene.recorder().takeChange(false);
+    unsaved_ = isUnsaved(scene.recorder().deeds());
+    steps_ = change.steps;
+    journal_->write(change, unsaved_);
+    lastWrite_ = watch.seconds();
+    sinceWrite_.restart();
+}
+
+void WorkKeeping::keepPicture(const render::Image& picture) {
+    untilPicture_.reset();
+    journal_->show(formatSession(session_), smaller(picture));
+}
+
+void WorkKeeping::noteSaved(int deeds) {
+    savedDeeds_ = deeds;
+    if (journal_ != nullptr && !journal_->works()) {
+        discard();
     }
 }
 
-void WorkKeeping::write(SessionChange change, bool unsaved) {
-    steps_ = change.steps;
-    unsaved_ = unsaved;
-    sinceLine_.restart();
-    writer_->add([change = std::move(change), unsaved] { return journalLine(change, unsaved); });
-}
-
-bool WorkKeeping::settled() const {
-    const bool leftGoes = left_ != nullptr && writer_ != nullptr && writer_->flushed();
-    return ended_.empty() && !leftGoes && (writer_ == nullptr || writer_->settled());
-}
-
-std::optional<double> WorkKeeping::pictureDue() const {
-    return untilPicture_;
-}
-
-void WorkKeeping::keepPicture(render::Image picture) {
-    untilPicture_.reset();
-    writer_->add([session = session_, hashes = hashes_] {
-        Session hashed = session;
-        addHashes(hashed, *hashes);
-        return journalView(hashed);
-    });
-    writer_->run([picture = std::move(picture)](const std::filesystem::path& journal) {
-        writePicture(smaller(picture), pictureOf(journal));
-    });
-}
-
 std::optional<std::string> WorkKeeping::takeProblem() {
-    return writer_ == nullptr ? std::nullopt : writer_->takeProblem();
+    return journal_ == nullptr ? std::nullopt : journal_->takeProblem();
 }
 
 LeftWorkOffers::LeftWorkOffers(const std::filesystem::path& folder) : folder_(folder) {
@@ -175,18 +168,18 @@ std::optional<LeftWork> LeftWorkOffers::next() {
 }
 
 ui::Question questionAbout(const LeftWork& work) {
-    const std::string cuts =
-        work.kept.cuts == 0 ? "changes but no cuts" : counted(work.kept.cuts, "cut", "cuts");
+    const int count = work.kept.cuts();
+    const std::string cuts = count == 0 ? "changes but no cuts" : counted(count, "cut", "cuts");
     return {"Recover unsaved work?",
             "Kerf closed unexpectedly. Your work on " + work.kept.name + " from " +
-                fmt::format("{:%Y-%m-%d at %H:%M:%S}", fmt::localtime(work.when)) + ", with " +
+                fmt::format("{:%Y-%m-%d at %H:%M:%S}", fmt::localtime(work.kept.when)) + ", with " +
                 cuts + ", has not been saved.",
             {"Recover", "Discard", "Not now"},
             work.picture};
 }
 
 OpeningOrder orderOf(const LeftWork& work) {
-    const auto open = [name = work.kept.name, session = work.kept.session,
+    const auto open = [name = work.kept.name, session = work.kept.text(),
                        journal = work.journal->file()](const ReadOptions& options) {
         try {
             return openScene(name, parseSession(session, {}), options);

@@ -3,8 +3,7 @@
 #include <deque>
 
 #include "app/files/jobs/background_job.h"
-#include "app/journal/journal_folder.h"
-#include "app/journal/journal_writer.h"
+#include "app/journal/journal.h"
 #include "app/scene/document/document_loading.h"
 #include "app/scene/editor_scene.h"
 #include "render/scene/image.h"
@@ -13,57 +12,53 @@
 
 namespace kerf::app {
 
-/// Autosave: writes what is done to the open scene to disk at once, in a journal that a later start
-/// can recover, with a small picture. It also knows what is unsaved.
+/// Autosave: keeps the list of what is done to the open scene on the disk, from which a later start
+/// can recover it, with a small picture. It also knows what is unsaved.
 class WorkKeeping {
   public:
     /// Journals are in `folder`; an empty path keeps none.
     explicit WorkKeeping(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Begins with another scene and drops the journal of the previous one. `left`: recovered work,
-    /// which is kept until the new journal has it; may be null.
-    void begin(std::shared_ptr<LeftJournal> left = nullptr);
+    /// Begins with another scene, in place of the previous one. `left`: the journal of recovered
+    /// work, which goes on; null for none.
+    void begin(std::shared_ptr<Journal> left = nullptr);
     /// Drops the scene and its journal.
     void discard();
-    /// Drops the scene and keeps its journal, as work left behind. Waits until it is on the disk.
-    /// Returns whether there is any.
+    /// Drops the scene and keeps its journal, as work left behind. Returns whether there is any.
     bool leave();
 
     /// Once a frame, between two steps: records what has been done since. Without `on`, nothing is
     /// kept.
-    void follow(EditorScene& scene, const render::Camera& camera,
-                const render::ChosenColors& colors, bool on, double elapsedSeconds);
+    void follow(EditorScene& scene, const SavedView& seen, const render::ChosenColors& colors,
+                bool on, double elapsedSeconds);
     /// Time until a picture of the scene is due [s]; none if none is.
-    std::optional<double> pictureDue() const;
+    std::optional<double> pictureDue() const { return untilPicture_; }
     /// Takes that picture.
-    void keepPicture(render::Image picture);
+    void keepPicture(const render::Image& picture);
     /// A sentence about what could not be written, once.
     std::optional<std::string> takeProblem();
 
-    /// Records that a file has all up to EditorScene::deeds().
-    void noteSaved(int deeds) { savedDeeds_ = deeds; }
+    /// Records that a file has all up to EditorScene::deeds(). Where keeping had stopped, it begins
+    /// anew.
+    void noteSaved(int deeds);
     int savedDeeds() const { return savedDeeds_; }
     /// Whether there is unsaved work.
     bool isUnsaved(int deeds) const { return deeds != savedDeeds_; }
-    /// Whether nothing is being written, and follow() has nothing to do.
-    bool settled() const;
 
   private:
-    void start(EditorScene& scene, Session session);
+    void start(EditorScene& scene);
     void note(EditorScene& scene);
-    void write(SessionChange change, bool unsaved);
-    void giveUpWriter();
+    bool isDue(EditorScene& scene) const;
 
     std::filesystem::path folder_;
-    std::unique_ptr<JournalWriter> writer_;              ///< null before there is anything to write
-    std::vector<std::unique_ptr<JournalWriter>> ended_;  ///< that are being removed
-    std::shared_ptr<LeftJournal> left_;                  ///< see begin()
-    std::shared_ptr<ModelHashes> hashes_;                ///< of the writer's thread
-    Session session_;                                    ///< without events, with the present view
+    std::shared_ptr<Journal> journal_;  ///< null before there is anything to keep
+    bool begun_ = false;                ///< it has the open scene
+    Session session_;                   ///< without events, with the present view
     int savedDeeds_ = 0;
     bool unsaved_ = false;                ///< as last written
     int steps_ = 0;                       ///< the same
-    Stopwatch sinceLine_;                 ///< the last one
+    Stopwatch sinceWrite_;                ///< the last one
+    double lastWrite_ = 0;                ///< how long that took [s]
     std::optional<double> untilPicture_;  ///< [s]
 };
 

@@ -4,6 +4,7 @@
 #include "app/scene/editor_stroke.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/tool_marks.h"
+#include "render/scene/surface_field.h"
 
 namespace kerf::app {
 namespace {
@@ -46,6 +47,32 @@ void EditorView::begin(const EditorScene& scene) {
     tools.begin(scene.simulation().bounds());
     placement_ = scene.rest().revision();
     restBounds_ = scene.rest().bounds();
+}
+
+SavedView EditorView::saved() const {
+    const ui::DisplaySettings& shown = display.settings;
+    return {camera.destination(),
+            rowOf(tools.settings().tool).name,
+            std::string(render::infoOf(shown.field.field).name),
+            shown.wireframe,
+            shown.apart,
+            shown.section};
+}
+
+void EditorView::show(const SavedView& saved) {
+    camera = EditorCamera(saved.camera);
+    ui::ToolKind& tool = tools.settings().tool;
+    for (const ui::ToolRow& row : ui::kToolRows) {
+        tool = row.name == saved.tool ? row.tool : tool;
+    }
+    ui::DisplaySettings& shown = display.settings;
+    for (int i = 0; i < render::kSurfaceFields; ++i) {
+        const auto field = static_cast<render::SurfaceField>(i);
+        shown.field.field = render::infoOf(field).name == saved.field ? field : shown.field.field;
+    }
+    shown.wireframe = saved.wireframe;
+    shown.apart = saved.apart;
+    shown.section = saved.section;
 }
 
 void EditorView::beginAgain(const EditorScene& scene) {

@@ -47,6 +47,9 @@ struct EditorView {
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
+    /// What a saved session keeps of it.
+    SavedView saved() const;
+    void show(const SavedView& saved);
     /// Shows another scene of the same document in the same view.
     void beginAgain(const EditorScene& scene);
     /// Follows a new placement of the model: what filled the view does so again. Returns whether

@@ -124,10 +124,6 @@ void SystemFile::sync() {
     require(mayCall() && ::fsync(descriptor_.get()) == 0);
 }
 
-void SystemFile::syncContent() {
-    require(mayCall() && ::fdatasync(descriptor_.get()) == 0);
-}
-
 void SystemFile::close() {
     const bool may = mayCall();
     const int error = errno;
@@ -138,10 +134,6 @@ void SystemFile::close() {
 
 void SystemFile::rename(const std::filesystem::path& from, const std::filesystem::path& to) {
     require(mayCall() && ::rename(from.c_str(), to.c_str()) == 0);
-}
-
-bool SystemFile::lockFile(int descriptor) {
-    return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
 
 void syncFolder(const std::filesystem::path& folder) {

@@ -56,16 +56,9 @@ class SystemFile {
     void writeAtStart(std::string_view bytes);
     /// Waits until all that was written is on the disk.
     void sync();
-    /// sync() without metadata that reading does not need, such as times.
-    void syncContent();
     void close();
     /// Renames a file, replacing what is there.
     void rename(const std::filesystem::path& from, const std::filesystem::path& to);
-    /// Locks it until it is closed; false if another process has the lock.
-    bool lock() { return lockFile(descriptor_.get()); }
-
-    /// Takes the lock of an open file, unless another process, or another opening, has it.
-    static bool lockFile(int descriptor);
 
   private:
     void require(bool succeeded) const;

@@ -1,5 +1,6 @@
 #include "app/scene/document/editor_document.h"
 
+#include "app/files/io/encodings.h"
 #include "app/session/material.h"
 #include "app/session/scene_origin.h"
 #include "sim/base/size_params.h"
@@ -9,6 +10,15 @@
 namespace kerf::app {
 
 namespace {
+
+/// What is unreadable now may be readable again, and the loading will say so if not.
+std::string hashOf(const std::filesystem::path& file) {
+    try {
+        return sha256OfFile(file);
+    } catch (const InputError&) {
+        return "";
+    }
+}
 
 constexpr double kGapBeside = 0.1;  // between models of a scene, of the larger diagonal
 bool isJson(const std::filesystem::path& file) {
@@ -38,7 +48,7 @@ Document finish(std::string name, Session session, ModelMesh model, std::string 
                       std::move(model.faults),
                       std::move(model.facts.objects)};
     for (const std::filesystem::path& file : modelFiles(document.session)) {
-        document.read[file] = stampOf(file);
+        document.read[file] = {stampOf(file), hashOf(file)};
     }
     return document;
 }
@@ -145,8 +155,8 @@ MemoryNeed memoryNeedOf(const Document& document) {
 
 std::vector<std::filesystem::path> changedModels(const Document& document) {
     std::vector<std::filesystem::path> changed;
-    for (const auto& [file, stamp] : document.read) {
-        if (stampOf(file) != stamp) {
+    for (const auto& [file, read] : document.read) {
+        if (stampOf(file) != read.stamp) {
             changed.push_back(file);
         }
     }

@@ -10,6 +10,12 @@
 
 namespace kerf::app {
 
+/// A model file as it was read.
+struct ReadModel {
+    std::optional<FileStamp> stamp;
+    std::string sha256;  ///< empty where the file was gone at once
+};
+
 /// A model or session that is open in the editor: the start state, ready to be simulated.
 struct Document {
     std::string name;       ///< of the file, without folder and extension
@@ -19,15 +25,14 @@ struct Document {
     render::Camera camera;  ///< the first view
     OwnLooks looks;         ///< of `mesh`
     std::string note;       ///< what was done on opening, one sentence; may be empty
-    std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
-    std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
-    repair::Faults faults = {};                     ///< see ModelMesh
-    std::vector<std::string> objects = {};          ///< of the file of a scene of one model
-    bool inFile = true;                             ///< false: no file holds this scene
-    std::optional<StoredEnd> end = {};              ///< of a session, if it is known
-    std::filesystem::path file = {};                ///< of the session; empty for none
-    /// Its model files, as they were read.
-    std::map<std::filesystem::path, std::optional<FileStamp>> read = {};
+    std::optional<UnitGuess> guess = std::nullopt;         ///< of a model file
+    std::vector<PlacedModel> placed = {{}};                ///< what `mesh` consists of
+    repair::Faults faults = {};                            ///< see ModelMesh
+    std::vector<std::string> objects = {};                 ///< of the file of a scene of one model
+    bool inFile = true;                                    ///< false: no file holds this scene
+    std::optional<StoredEnd> end = {};                     ///< of a session, if it is known
+    std::filesystem::path file = {};                       ///< of the session; empty for none
+    std::map<std::filesystem::path, ReadModel> read = {};  ///< its model files
 };
 /// The model files that have changed since.
 std::vector<std::filesystem::path> changedModels(const Document& document);

@@ -49,7 +49,7 @@ void SceneReadout::startAnew() {
 
 void SceneReadout::addStep(const StepReport& report, int piecesBefore) {
     if (report.pieces != piecesBefore) {
-        readings_.mark(timeline_.time(), "cut");
+        readings_.mark(timeline_.time(), report.tear && report.tear->advanced ? "tear" : "cut");
     }
     forces_.add(report, body_.simulation.params().timeStep);
     readings_.addStep(timeline_.time(), body_.simulation);

@@ -46,9 +46,16 @@ std::optional<SavedEnd> SceneRecorder::savedEnd() {
     return SavedEnd{now.moment(), now.stateHash(), timeline_.start()};
 }
 
+/// With the hashes of its models, so that other files of their names are noticed later.
 Session SceneRecorder::sessionWithoutEvents(const render::Camera& camera,
                                             const render::ChosenColors& colors) const {
     const Session& opened = body_.document.session;
+    const auto& read = body_.document.read;
+    const auto addHash = [&](ModelReference& model) {
+        if (const auto file = read.find(model.file()); model.sha256.empty() && file != read.end()) {
+            model.sha256 = file->second.sha256;
+        }
+    };
     Session session;
     session.origin = opened.origin;
     session.model = opened.model;
@@ -58,18 +65,21 @@ Session SceneRecorder::sessionWithoutEvents(const render::Camera& camera,
     session.boxes = opened.boxes;
     session.view = opened.view;
     session.steps = stepsAsSaved();
+    addHash(session.model);
+    for (FurtherModel& further : session.moreModels) {
+        addHash(further.model);
+    }
     setView(session, camera, colors);
     return session;
 }
 
 SessionChange SceneRecorder::takeChange(bool whole) {
     SessionJournal& journal = timeline_.journal();
-    const ChangedPart::Splice splice = journal.takeChanged(whole);
-    SessionChange change{splice.at, splice.dropped, {}, stepsAsSaved()};
-    change.added.reserve(splice.added);
-    for (std::size_t i = splice.at; i < splice.at + splice.added; ++i) {
-        change.added.push_back(eventAsSaved(journal.entries()[i], timeline_.hasChanged()));
-        if (std::optional<SessionEvent>& event = change.added.back()) {
+    const std::size_t unchanged = journal.takeUnchanged();
+    SessionChange change{whole ? 0 : unchanged, {}, stepsAsSaved()};
+    for (std::size_t i = change.from; i < journal.entries().size(); ++i) {
+        change.events.push_back(eventAsSaved(journal.entries()[i], timeline_.hasChanged()));
+        if (std::optional<SessionEvent>& event = change.events.back()) {
             event->action = countedFrom(event->action, -body_.document.session.origin);
         }
     }
@@ -142,6 +152,10 @@ void SceneRecorder::addCheck() {
 
 void SceneRecorder::addCamera(const render::Camera& camera) {
     addMark(here(), CameraEvent{camera});
+}
+
+void SceneRecorder::addName(const std::string& name) {
+    addMark(here(), MarkEvent{name});
 }
 
 void SceneRecorder::addMark(const JournalPosition& place, SessionAction action) {

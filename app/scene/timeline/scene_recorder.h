@@ -28,8 +28,8 @@ class SceneRecorder {
                               SavedAs purpose = SavedAs::session);
     /// The state at the end of that session, if it is the present one, and no blade is placed.
     std::optional<SavedEnd> savedEnd();
-    /// The changes since the last call of the events of savedSession(), without its last check; all
-    /// of them if `whole`.
+    /// The events of savedSession() that have changed since the last call, without its last check;
+    /// all of them if `whole`.
     SessionChange takeChange(bool whole);
     /// That session without events.
     Session sessionWithoutEvents(const render::Camera& camera,
@@ -43,6 +43,8 @@ class SceneRecorder {
     JournalPosition here() const;
     /// The last place in the session as it would be saved now.
     JournalPosition end() const;
+    /// The steps of that session.
+    int stepsAsSaved() const;
     /// Whether a replay of the session would take any.
     bool takesPictures() const;
     /// Adds a picture under a new name, which it returns.
@@ -53,12 +55,13 @@ class SceneRecorder {
     void addCheck();
     /// Adds a camera key for films at this step.
     void addCamera(const render::Camera& camera);
+    /// Names this step on the time line.
+    void addName(const std::string& name);
     /// Removes one of these by its ui::SessionMark::id.
     void removeMark(int id) { timeline_.journal().remove(id); }
 
   private:
     bool isUntouched() const;
-    int stepsAsSaved() const;
     bool endsNow() const;
     CheckEvent checkOfNow();
     void setView(Session& session, const render::Camera& camera,

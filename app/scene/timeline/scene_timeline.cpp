@@ -293,6 +293,16 @@ void SceneTimeline::toggleLoop() {
     }
 }
 
+void SceneTimeline::noteTear(const StepReport& report) {
+    if (!report.tear || !report.tear->advanced) {
+        return;
+    }
+    if (std::abs(report.step - toreLast_) > kTearPause) {
+        journal_.noteTear(report.step);
+    }
+    toreLast_ = report.step;
+}
+
 SceneTimeline::StepEnd SceneTimeline::endStep() {
     if (seekSteps() == 0) {
         seekTarget_.reset();

@@ -86,6 +86,9 @@ class SceneTimeline {
     int seekSteps() const;
     void stopSeeking() { seekTarget_.reset(); }
 
+    /// Marks the step of `report` where a tear begins in it.
+    void noteTear(const StepReport& report);
+
     /// The result of the end of a step.
     struct StepEnd {
         bool countsAnew = false;  ///< see playEvents()
@@ -98,6 +101,7 @@ class SceneTimeline {
     void describe(ui::PlaybackState& state) const;
 
   private:
+    static constexpr int kTearPause = 20;  ///< steps at rest, after which it is another tear
     void beginPlayback();
     long strokesThatMet() const;
     std::vector<PlayedAction> movesOnTheirWay() const;
@@ -109,7 +113,8 @@ class SceneTimeline {
     void endPast();
 
     SceneBody& body_;
-    long metBefore_ = 0;  ///< strokes that had met the body when the blade was put down
+    int toreLast_ = -kTearPause;  ///< step in which a tear advanced
+    long metBefore_ = 0;          ///< strokes that had met the body when the blade was put down
     SessionJournal journal_;
     /// Plays a session with events, or the past, until the user cuts.
     std::optional<SessionPlayback> playback_;

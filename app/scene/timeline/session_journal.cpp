@@ -70,14 +70,14 @@ void SessionJournal::note(int step, const Command& command) {
 void SessionJournal::noteChangeAt(int step) {
     ++deeds_;
     if (!firstChange_ && std::ranges::any_of(entries_, &JournalEntry::failed)) {
-        touchAll();
+        touch(0);
     }
     firstChange_ = std::min(step, firstChange_.value_or(step));
 }
 
 void SessionJournal::touch(const JournalEntry& entry) {
     const auto index = static_cast<std::size_t>(&entry - entries_.data());
-    touch(index, index + 1);
+    touch(index);
 }
 
 void SessionJournal::note(int step, CheckEvent check) {
@@ -88,13 +88,11 @@ void SessionJournal::clear() {
     const int id = lastId_;
     const int revision = revision_;
     const int deeds = deeds_;
-    const ChangedPart changed = changed_;
     *this = SessionJournal{};
     lastId_ = id;
     revision_ = revision + 1;
     deeds_ = deeds;
-    changed_ = changed;
-    touchAll();
+    touch(0);
 }
 
 /// What a slider changes that is dragged while time stands: only its last value counts.
@@ -121,7 +119,7 @@ void SessionJournal::voidLater(const Command& command) {
                                      entries_.end(), isVoid);
     if (rest != entries_.end()) {
         entries_.erase(rest, entries_.end());
-        touch(done_, entries_.size());
+        touch(done_);
     }
 }
 
@@ -182,6 +180,7 @@ void SessionJournal::open(const std::vector<SessionEvent>& events) {
 
 void SessionJournal::restart() {
     const bool changed = firstChange_.has_value();
+    tears_.clear();
     dropTakeOver();
     std::erase_if(entries_, isChange);
     for (JournalEntry& entry : entries_) {
@@ -195,7 +194,7 @@ void SessionJournal::restart() {
     firstChange_.reset();
     lastPose_.reset();
     lastDrags_.clear();
-    touchAll();
+    touch(0);
     ++revision_;
 }
 
@@ -232,6 +231,7 @@ void SessionJournal::goTo(int step, std::size_t commandsDone) {
 
 std::size_t SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
     noteChangeAt(step);
+    tears_.erase(tears_.lower_bound(step), tears_.end());
     takenOver_ = takenOver_.value_or(lastId_);
     const std::size_t own = leaveOutRest();
     for (const PlayedAction& pose : cutShort) {
@@ -250,7 +250,7 @@ std::size_t SessionJournal::leaveOutRest() {
     const auto count = static_cast<std::size_t>(std::count_if(own, entries_.end(), isChange));
     rest_.insert(rest_.begin(), std::make_move_iterator(present), std::make_move_iterator(own));
     entries_.erase(present, entries_.end());
-    touch(done_, entries_.size());
+    touch(done_);
     return count;
 }
 
@@ -268,6 +268,10 @@ void SessionJournal::noteFailure(JournalEntry& entry, bool failed) {
 void SessionJournal::noteFound(JournalEntry& entry, CheckEvent found) {
     entry.found = std::move(found);
     touch(entry);
+}
+
+void SessionJournal::noteTear(int step) {
+    revision_ += tears_.insert(step).second ? 1 : 0;
 }
 
 // --- Pictures, exports and checks --------------------------------------------------------------
@@ -288,7 +292,17 @@ void SessionJournal::remove(int id) {
         done_ -= static_cast<std::size_t>(found - entries_.begin()) < done_ ? 1 : 0;
         const auto index = static_cast<std::size_t>(found - entries_.begin());
         entries_.erase(found);
-        touch(index, index);
+        touch(index);
+        ++deeds_;
+        ++revision_;
+    }
+}
+
+void SessionJournal::rename(int id, const std::string& name) {
+    const auto found = std::ranges::find(entries_, id, &JournalEntry::id);
+    if (found != entries_.end() && std::holds_alternative<MarkEvent>(found->event.action)) {
+        found->event.action = MarkEvent{name};
+        touch(*found);
         ++deeds_;
         ++revision_;
     }
@@ -307,7 +321,7 @@ JournalEntry& SessionJournal::insert(std::size_t index, Origin origin, SessionEv
     const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(index);
     const auto entry = entries_.insert(at, {++lastId_, origin, std::move(event), false, false, {}});
     done_ += index <= done_ ? 1 : 0;
-    touch(index, index + 1);
+    touch(index);
     return *entry;
 }
 

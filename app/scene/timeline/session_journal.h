@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/scene/timeline/changed_part.h"
 #include "app/session/session.h"
 #include "sim/run/simulation.h"
 
@@ -64,18 +63,27 @@ class SessionJournal {
     void noteFailure(JournalEntry& entry, bool failed);
     void noteFound(JournalEntry& entry, CheckEvent found);
 
+    /// Records that a tear began in step `step`.
+    void noteTear(int step);
+    /// The steps in which one began, ascending; those that are played again stay.
+    const std::set<int>& tears() const { return tears_; }
+
     // Pictures, exports and checks.
     /// The present, before step `step`.
     JournalPosition here(int step) const;
     /// Adds a user action.
     void add(const JournalPosition& place, SessionAction action);
     void remove(int id);
+    /// Renames a named place.
+    void rename(int id, const std::string& name);
 
     const std::vector<JournalEntry>& entries() const { return entries_; }
     /// The first step before which the user changed a played session or took over.
     std::optional<int> firstChange() const { return firstChange_; }
-    /// The entries that have changed since the last call, as saved; all if `whole`.
-    ChangedPart::Splice takeChanged(bool whole) { return changed_.take(entries_.size(), whole); }
+    /// The number of entries at the beginning that are, as saved, as at the last call.
+    std::size_t takeUnchanged() { return std::exchange(unchanged_, entries_.size()); }
+    /// Whether all are.
+    bool isUnchanged() const { return unchanged_ == entries_.size(); }
     /// The number of user actions.
     int deeds() const { return deeds_; }
     /// Events of the session that were to come when the user took over.
@@ -97,8 +105,7 @@ class SessionJournal {
     std::size_t leaveOutRest();
     void dropTakeOver();
     void noteChangeAt(int step);
-    void touch(std::size_t begin, std::size_t end) { changed_.touch(begin, end, entries_.size()); }
-    void touchAll() { touch(0, entries_.size()); }
+    void touch(std::size_t index) { unchanged_ = std::min(unchanged_, index); }
     void touch(const JournalEntry& entry);
 
     std::vector<JournalEntry> entries_;  ///< by step
@@ -106,7 +113,8 @@ class SessionJournal {
     int lastId_ = 0;
     int revision_ = 0;
     int deeds_ = 0;
-    ChangedPart changed_;
+    std::size_t unchanged_ = 0;  ///< entries that are as takeUnchanged() left them
+    std::set<int> tears_;
     std::optional<int> noted_;  ///< id of the last command, while it may still be extended
     std::optional<int> firstChange_;
     std::optional<int> takenOver_;           ///< last id before the user took over

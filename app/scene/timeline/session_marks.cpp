@@ -1,5 +1,6 @@
 #include "app/scene/timeline/session_marks.h"
 
+#include "app/scene/timeline/hooks.h"
 #include "sim/base/params.h"
 #include "sim/base/text.h"
 #include "sim/run/undo/undo_history.h"
@@ -30,6 +31,9 @@ std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
     if (std::holds_alternative<CameraEvent>(action)) {
         return ui::SessionMark{entry.id, step, Kind::camera, ""};
     }
+    if (const auto* named = std::get_if<MarkEvent>(&action)) {
+        return ui::SessionMark{entry.id, step, Kind::name, named->name};
+    }
     const auto* check = std::get_if<CheckEvent>(&action);
     if (check == nullptr || entry.origin == JournalEntry::Origin::editor) {
         return std::nullopt;
@@ -43,10 +47,48 @@ std::string nameOf(const SetParam& set) {
     return known ? ui::withRaisedDigits(nameOfChange(set.name, set.value)) : set.name;
 }
 
-/// A slider that is dragged leaves many at a step.
+/// How an action that is no stroke is marked; without a text, not at all.
+struct Told {
+    std::pair<Kind, std::string> operator()(const SetParam& set) const {
+        return {Kind::change, nameOf(set)};
+    }
+    std::pair<Kind, std::string> operator()(const Grab& grab) const {
+        const bool second = isHook(grab.hand) && partnerOf(grab.hand) < grab.hand;
+        return {Kind::hand, second ? "" : isHook(grab.hand) ? "Hold open" : "Pull"};
+    }
+    std::pair<Kind, std::string> operator()(const Pin& pin) const {
+        return {Kind::hand, pin.velocity ? "Move" : pin.pinned ? "Pin" : "Free pins"};
+    }
+    std::pair<Kind, std::string> operator()(const MovePins&) const {
+        return {Kind::hand, "Move pins"};
+    }
+    std::pair<Kind, std::string> operator()(const ApplyForce& force) const {
+        return {Kind::hand, force.newtons.isZero() ? "Remove force" : "Force"};
+    }
+    std::pair<Kind, std::string> operator()(const AddBox&) const {
+        return {Kind::scene, "Box added"};
+    }
+    std::pair<Kind, std::string> operator()(const ChangeBox& box) const {
+        return {Kind::scene, "Box " + std::to_string(box.index) + " changed"};
+    }
+    std::pair<Kind, std::string> operator()(const RemoveBox& box) const {
+        return {Kind::scene, "Box " + std::to_string(box.index) + " removed"};
+    }
+    std::pair<Kind, std::string> operator()(const Place&) const {
+        return {Kind::scene, "Placement"};
+    }
+    std::pair<Kind, std::string> operator()(const Restart&) const {
+        return {Kind::scene, "Restart"};
+    }
+    std::pair<Kind, std::string> operator()(const Undo&) const { return {Kind::scene, "Undo"}; }
+    std::pair<Kind, std::string> operator()(const Redo&) const { return {Kind::scene, "Redo"}; }
+    std::pair<Kind, std::string> operator()(const auto&) const { return {}; }
+};
+
+/// What is dragged leaves many at a step.
 void addChange(std::vector<ui::SessionMark>& marks, ui::SessionMark mark) {
     const auto label = [](const ui::SessionMark& m) { return m.text.substr(0, m.text.find(':')); };
-    const bool again = !marks.empty() && marks.back().kind == Kind::change &&
+    const bool again = !marks.empty() && marks.back().kind == mark.kind &&
                        marks.back().step == mark.step && label(marks.back()) == label(mark);
     if (again) {
         marks.pop_back();
@@ -81,10 +123,15 @@ std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal) {
             if (entry.missed) {
                 std::erase_if(marks, [&](const ui::SessionMark& m) { return m.id == first; });
             }
-        } else if (const auto* set = std::get_if<SetParam>(&action)) {
-            addChange(marks, {entry.id, step, Kind::change, nameOf(*set)});
+        }
+        if (auto [kind, text] = std::visit(Told{}, action); !text.empty()) {
+            addChange(marks, {entry.id, step, kind, std::move(text)});
         }
     }
+    for (const int step : journal.tears()) {
+        marks.push_back({0, step, Kind::tear, "Tear"});
+    }
+    std::ranges::stable_sort(marks, {}, &ui::SessionMark::step);
     return marks;
 }
 

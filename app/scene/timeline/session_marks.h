@@ -9,8 +9,9 @@ namespace kerf::app {
 /// The pictures, exports and checks of a journal for the panels, without those of a recording.
 std::vector<ui::SessionMark> marksOf(const SessionJournal& journal);
 
-/// The strokes of a journal that met the body, or may meet it, each at its first pose, and its
-/// changes of parameters. Of several changes of a parameter at one step, the last.
+/// What was done in a journal, by step: strokes that met the body, or may meet it, each at its
+/// first pose, hands, pins, boxes, placements and parameters. Of several changes of one thing at a
+/// step, the last.
 std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal);
 
 /// NAME-STEP with an ending (".png"), numbered if an event of the journal already writes that file.

@@ -1,4 +1,4 @@
-#include "app/journal/journal_text.h"
+#include "app/journal/journal.h"
 
 namespace kerf::app {
 namespace {
@@ -358,13 +358,15 @@ TEST_F(ReplayVerbOptions, ReferenceLeavesOutWhatComesBehindUntil) {
 TEST_F(ReplayVerbOptions, AJournalIsReplayedLikeTheSessionThatItKeeps) {
     Session whole = readSession(folder_ / "test.kerf.json");
     const std::vector<SessionEvent> events = std::exchange(whole.events, {});
-    writeText(folder_ / "left.journal",
-              journalStart("left", whole) +
-                  journalLine({0, 0, {events.begin(), events.end()}, whole.steps}, true) +
-                  "{\"half a");
+    fs::path journal;
+    {
+        Journal left(folder_ / "journals");
+        left.begin({"left", formatSession(whole), {}, whole.steps, true},
+                   {0, {events.begin(), events.end()}, whole.steps});
+        journal = left.file();
+    }
     EXPECT_EQ(replay("out", {}).exitCode, 0);
-    const ProgramRun left =
-        runKerf({"replay", folder_ / "left.journal", "--out", folder_ / "left"});
+    const ProgramRun left = runKerf({"replay", journal, "--out", folder_ / "left"});
     EXPECT_EQ(left.exitCode, 0) << left.errors;
     EXPECT_EQ(summary("left")["state_hash"], summary("out")["state_hash"]);
 }
