@@ -221,7 +221,7 @@ void Journal::transact(const std::function<void()>& changes) {
         run(database_, "BEGIN");
         changes();
         run(database_, "COMMIT");
-    } catch (const Failure& failure) {
+    } catch (const std::exception& failure) {  // of SQLite, or of what a session can't hold
         problem_ = "Autosave has stopped (" + std::string(failure.what()) + "). Save often.";
         close();
     }
@@ -242,19 +242,28 @@ void Journal::setRest(int steps, bool unsaved, std::time_t when) const {
         .step();
 }
 
-void Journal::begin(const KeptWork& work, const SessionChange& change) {
+void Journal::begin(const KeptWork& work) {
+    transact([&] { replaceScene(work); });
+}
+
+void Journal::begin(const std::string& name, const Session& session, const SessionChange& all,
+                    bool unsaved) {
     transact([&] {
-        run(database_, "DELETE FROM scene; DELETE FROM event; DELETE FROM picture");
-        Statement(database_, "INSERT INTO scene (name, session) VALUES (?, ?)")
-            .with(work.name)
-            .with(work.session)
-            .step();
-        setRest(std::max(work.steps, change.steps), work.unsaved, work.when);
-        for (std::size_t i = 0; i < work.events.size(); ++i) {
-            put(i, work.events[i]);
-        }
-        replaceEvents({work.events.size() + change.from, change.events, change.steps});
+        replaceScene({name, formatSession(session), {}, all.steps, unsaved, std::time(nullptr)});
+        replaceEvents(all);
     });
+}
+
+void Journal::replaceScene(const KeptWork& work) const {
+    run(database_, "DELETE FROM scene; DELETE FROM event; DELETE FROM picture");
+    Statement(database_, "INSERT INTO scene (name, session) VALUES (?, ?)")
+        .with(work.name)
+        .with(work.session)
+        .step();
+    setRest(work.steps, work.unsaved, work.when);
+    for (std::size_t i = 0; i < work.events.size(); ++i) {
+        put(i, work.events[i]);
+    }
 }
 
 void Journal::write(const SessionChange& change, bool unsaved) {
@@ -274,9 +283,10 @@ void Journal::replaceEvents(const SessionChange& change) const {
     }
 }
 
-void Journal::show(const std::string& session, const render::Image& picture) {
+void Journal::show(const Session& session, const render::Image& picture) {
     transact([&] {
-        Statement(database_, "UPDATE scene SET session = ?").with(session).step();
+        const std::string text = formatSession(session);
+        Statement(database_, "UPDATE scene SET session = ?").with(text).step();
         Statement(database_, "REPLACE INTO picture VALUES (1, ?, ?, ?)")
             .with(picture.width)
             .with(picture.height)

@@ -41,12 +41,15 @@ class Journal {
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Begins with a scene, in place of what was kept before. `change` comes on top.
-    void begin(const KeptWork& work, const SessionChange& change = {});
+    /// Begins with work, in place of what was kept before.
+    void begin(const KeptWork& work);
+    /// Begins with a scene of that name: a session without events, and `all` of them.
+    void begin(const std::string& name, const Session& session, const SessionChange& all,
+               bool unsaved);
     /// Replaces the events from a position on.
     void write(const SessionChange& change, bool unsaved);
     /// Another view or other colours, and a small picture of the scene.
-    void show(const std::string& session, const render::Image& picture);
+    void show(const Session& session, const render::Image& picture);
     /// Removes the file, and writes nothing more.
     void remove();
 
@@ -65,6 +68,7 @@ class Journal {
     void open(int flags);
     void close();
     void transact(const std::function<void()>& changes);
+    void replaceScene(const KeptWork& work) const;
     void put(std::size_t place, const std::string& event) const;
     void replaceEvents(const SessionChange& change) const;
     void setRest(int steps, bool unsaved, std::time_t when) const;

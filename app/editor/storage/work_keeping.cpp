@@ -88,13 +88,7 @@ void WorkKeeping::start(EditorScene& scene) {
     const SessionChange all = scene.recorder().takeChange(true);
     unsaved_ = isUnsaved(scene.recorder().deeds());
     steps_ = all.steps;
-    journal_->begin({scene.document().name,
-                     formatSession(session_),
-                     {},
-                     all.steps,
-                     unsaved_,
-                     std::time(nullptr)},
-                    all);
+    journal_->begin(scene.document().name, session_, all, unsaved_);
     if (unsaved_) {
         untilPicture_ = kUntilPicture;
     }
@@ -125,7 +119,7 @@ void WorkKeeping::note(EditorScene& scene) {
 
 void WorkKeeping::keepPicture(const render::Image& picture) {
     untilPicture_.reset();
-    journal_->show(formatSession(session_), smaller(picture));
+    journal_->show(session_, smaller(picture));
 }
 
 void WorkKeeping::noteSaved(int deeds) {

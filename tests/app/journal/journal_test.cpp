@@ -33,13 +33,17 @@ SessionChange stroke(std::size_t from, int step) {
 }
 
 KeptWork ball(std::time_t when = std::time(nullptr)) {
-    return {"ball", formatSession(sphere()), {}, 1, true, when};
+    KeptWork work{"ball", formatSession(sphere()), {}, 3, true, when};
+    for (const std::optional<SessionEvent>& event : stroke(0, 0).events) {
+        work.events.push_back(formatEvent(*event));
+    }
+    return work;
 }
 
 /// Leaves a journal behind.
 fs::path leave(const fs::path& folder, const KeptWork& work = ball()) {
     Journal journal(folder);
-    journal.begin(work, stroke(0, 0));
+    journal.begin(work);
     EXPECT_EQ(journal.takeProblem(), std::nullopt);
     return journal.file();
 }
@@ -59,7 +63,7 @@ class JournalTest : public testing::Test {
 
 TEST_F(JournalTest, IsReadAsAnOrdinarySession) {
     Journal journal(folder.path());
-    journal.begin(ball(), stroke(0, 0));
+    journal.begin("ball", sphere(), stroke(0, 0), true);
     journal.write(stroke(3, 3), false);
     const KeptWork kept = workIn(journal);
     EXPECT_EQ(kept.name, "ball");
@@ -74,7 +78,7 @@ TEST_F(JournalTest, IsReadAsAnOrdinarySession) {
 
 TEST_F(JournalTest, AChangeReplacesWhatStoodThere) {
     Journal journal(folder.path());
-    journal.begin(ball(), stroke(0, 0));
+    journal.begin("ball", sphere(), stroke(0, 0), true);
     journal.write({1, {std::nullopt, lift(1)}, 9}, true);
     Session session = sessionIn(journal);
     ASSERT_EQ(session.events.size(), 2U) << "what is not saved has a place, and is left out";
@@ -86,11 +90,11 @@ TEST_F(JournalTest, AChangeReplacesWhatStoodThere) {
 
 TEST_F(JournalTest, ANewViewTakesThePlaceOfTheOldOne) {
     Journal journal(folder.path());
-    journal.begin(ball(), stroke(0, 0));
+    journal.begin("ball", sphere(), stroke(0, 0), true);
     EXPECT_EQ(journal.picture(), nullptr);
     Session seen = sphere();
     seen.view = render::Camera{};
-    journal.show(formatSession(seen), {2, 1, std::vector<std::uint8_t>(8, 7)});
+    journal.show(seen, {2, 1, std::vector<std::uint8_t>(8, 7)});
     EXPECT_TRUE(sessionIn(journal).view.has_value());
     EXPECT_EQ(sessionIn(journal).events.size(), 3U);
     ASSERT_NE(journal.picture(), nullptr);
@@ -100,7 +104,7 @@ TEST_F(JournalTest, ANewViewTakesThePlaceOfTheOldOne) {
 
 TEST_F(JournalTest, WithoutAnEventTimeGoesByAllTheSame) {
     Journal journal(folder.path());
-    journal.begin(ball(), {0, {}, 40});
+    journal.begin("ball", sphere(), {0, {}, 40}, true);
     EXPECT_EQ(sessionIn(journal).events.size(), 1U);
 }
 
@@ -119,11 +123,9 @@ TEST_F(JournalTest, ANameLeadsIntoNoFolder) {
 
 TEST_F(JournalTest, AnotherSceneTakesThePlaceOfTheOldOneAtOnce) {
     Journal journal(folder.path());
-    journal.begin(ball(), stroke(0, 0));
-    journal.show(formatSession(sphere()), {1, 1, {1, 2, 3, 4}});
-    KeptWork box = ball();
-    box.name = "box";
-    journal.begin(box, stroke(0, 7));
+    journal.begin("ball", sphere(), stroke(0, 0), true);
+    journal.show(sphere(), {1, 1, {1, 2, 3, 4}});
+    journal.begin("box", sphere(), stroke(0, 7), true);
     EXPECT_EQ(workIn(journal).name, "box");
     EXPECT_EQ(sessionIn(journal).events.size(), 3U);
     EXPECT_EQ(journal.picture(), nullptr);
@@ -145,7 +147,7 @@ void dieAfter(const std::function<void()>& write) {
 TEST_F(JournalTest, AKilledProgramLosesNothing) {
     dieAfter([&] {
         Journal& journal = *new Journal(folder.path());  // nobody closes it
-        journal.begin(ball(), stroke(0, 0));
+        journal.begin("ball", sphere(), stroke(0, 0), true);
         for (int i = 1; i < 20; ++i) {
             journal.write(stroke(3U * i, 3 * i), true);
         }
@@ -160,7 +162,7 @@ TEST_F(JournalTest, TornAnywhereItHasTheLastWholeChange) {
     fs::path written;
     dieAfter([&] {
         Journal& journal = *new Journal(folder.path());  // nobody closes it
-        journal.begin(ball(), stroke(0, 0));
+        journal.begin("ball", sphere(), stroke(0, 0), true);
         journal.write(stroke(3, 3), true);
         journal.write(stroke(6, 6), true);
     });
@@ -217,7 +219,7 @@ TEST_F(JournalTest, NobodyTakesTheJournalOfAWindow) {
 
 TEST_F(JournalTest, WhatIsRemovedLeavesNothing) {
     Journal journal(folder.path());
-    journal.begin(ball(), stroke(0, 0));
+    journal.begin("ball", sphere(), stroke(0, 0), true);
     EXPECT_GT(filesIn(folder.path()), 0U);
     journal.remove();
     journal.write(stroke(3, 3), true);
@@ -233,7 +235,7 @@ TEST_F(JournalTest, AFullDiskIsSaidOnceAndWhatWasKeptStays) {
         {
             const test::FileLimit limit(bytes);
             Journal journal(full.path());
-            journal.begin(ball(), stroke(0, 0));
+            journal.begin("ball", sphere(), stroke(0, 0), true);
             for (int i = 1; i < 100; ++i) {
                 journal.write(stroke(3U * i, 3 * i), true);
                 if (auto problem = journal.takeProblem()) {

@@ -361,8 +361,7 @@ TEST_F(ReplayVerbOptions, AJournalIsReplayedLikeTheSessionThatItKeeps) {
     fs::path journal;
     {
         Journal left(folder_ / "journals");
-        left.begin({"left", formatSession(whole), {}, whole.steps, true},
-                   {0, {events.begin(), events.end()}, whole.steps});
+        left.begin("left", whole, {0, {events.begin(), events.end()}, whole.steps}, true);
         journal = left.file();
     }
     EXPECT_EQ(replay("out", {}).exitCode, 0);
