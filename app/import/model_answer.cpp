@@ -267,6 +267,7 @@ std::vector<ImportAnswer> answersTo(const fs::path& file, const std::vector<Impo
         return std::vector<ImportAnswer>(orders.size(), read);
     }
     std::vector<ImportAnswer> answers;
+    answers.reserve(orders.size());
     for (const ImportOrder& order : orders) {
         answers.push_back(guarded([&](ImportAnswer& told) {
             told.model = &order == &orders.back() ? std::move(read.model) : read.model;
