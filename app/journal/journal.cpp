@@ -1,8 +1,6 @@
 #include "app/journal/journal.h"
 
-#include <fcntl.h>
 #include <spdlog/fmt/chrono.h>
-#include <spdlog/spdlog.h>
 #include <sqlite3.h>
 #include <unistd.h>
 
