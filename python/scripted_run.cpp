@@ -108,7 +108,7 @@ void ScriptedRun::apply(const std::string& action) {
     if (!problem.empty()) {
         throw InputError(problem);
     }
-    journal_.note(stepCount(), *command);
+    log_.note(stepCount(), *command);
 }
 
 void ScriptedRun::perform(const Command& command, int event) {
@@ -138,12 +138,12 @@ void ScriptedRun::finish() {
 
 std::shared_ptr<const ScriptedRun::Snapshot> ScriptedRun::snapshot() {
     return std::make_shared<const Snapshot>(
-        Snapshot{running_->here(), journal_, row_, stepCount()});
+        Snapshot{running_->driver().now(), log_, row_, stepCount()});
 }
 
 void ScriptedRun::restore(const Snapshot& snapshot) {
-    running_->goTo(snapshot.checkpoint);
-    journal_ = snapshot.journal;
+    running_->goTo(snapshot.state);
+    log_ = snapshot.log;
     row_ = snapshot.row;
 }
 
@@ -279,7 +279,7 @@ void ScriptedRun::saveSession(const std::filesystem::path& file) {
             "This simulation plays a session, which is a file already; only what a script does "
             "from a model on can be saved.");
     }
-    app::Session saved = app::sessionAsSaved(session_, journal_).session;
+    app::Session saved = app::sessionAsSaved(session_, log_).session;
     saved.steps = std::max(stepCount(), 1);
     const bool ran = stepCount() > 0;
     if (ran) {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/event_log.h"
 #include "app/session/headless_session.h"
 #include "app/session/metrics.h"
 #include "gpu/context.h"
@@ -69,8 +69,8 @@ class ScriptedRun {
 
     /// The current state, to return to; for this run only, as long as it lives.
     struct Snapshot {
-        app::HeadlessSession::Checkpoint checkpoint;
-        app::SessionJournal journal;
+        app::SimulationDriver::State state;
+        app::EventLog log;
         app::MetricsRow row;
         int step = 0;
     };
@@ -134,7 +134,7 @@ class ScriptedRun {
     std::optional<app::SessionSchedule> schedule_;
     gpu::EglContext context_;
     std::unique_ptr<app::HeadlessSession> running_;
-    app::SessionJournal journal_;
+    app::EventLog log_;
     app::MetricsRow row_;
     std::vector<std::string> messages_;
     // What was asked for last, and of which revision it is.

@@ -137,7 +137,7 @@ std::shared_ptr<const FoundFaults> faultsOf(const SurfaceMesh& mesh) {
 MemoryNeed memoryNeedOf(const MeshReport& report) {
     MemorySettings settings = memorySettings(Params{}, false);
     settings.undoBudget = kUndoBudget;
-    settings.keyframeBudget = kKeyframeBudget;
+    settings.checkpointBudget = kCheckpointBudget;
     return memoryNeedOf(
         BodySize{static_cast<double>(report.vertices), static_cast<double>(report.triangles)},
         settings);

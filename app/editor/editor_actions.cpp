@@ -221,7 +221,7 @@ void tellAdded(State& s, const std::string& what, int step, const std::string& f
 
 /// Of this step, or of the one that the screenshot shows which the toast offers.
 void addPicture(State& s, EditorScene& now) {
-    const JournalPosition place = s.toast.takeOffer().value_or(now.recorder().here());
+    const LogPosition place = s.toast.takeOffer().value_or(now.recorder().here());
     const std::string file = now.recorder().addPicture(place);
     tellAdded(s, "a picture", place.step, file);
 }
@@ -562,7 +562,7 @@ struct Answer {
         now.recorder().removeMark(removal.id);
     }
     void onBody(const ui::RenameMark& wanted, EditorScene& now) const {
-        now.timeline().journal().rename(wanted.id, wanted.name);
+        now.timeline().log().rename(wanted.id, wanted.name);
     }
     void onBody(const ui::ExportPieces&, EditorScene& now) const { exportPieces(s, now); }
 };

@@ -96,6 +96,10 @@ void Editor::State::describeScene() {
     if (scene != nullptr) {
         scene->describe(panels.told);
         sceneHistory.describe(*scene, panels.told.changes);
+        if (const std::string& change = sceneHistory.exchanged(); !change.empty()) {
+            auto& past = panels.told.session.past;
+            past.insert(past.begin(), {0, 0, ui::SessionMark::Kind::scene, change});
+        }
     }
     panels.told.help.hint = guide.hint(scene.get(), view);
     panels.experiments.describe(scene.get(), panels.told);

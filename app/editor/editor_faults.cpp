@@ -291,16 +291,14 @@ void Editor::State::followExchange() {
     scene->timeline().playing = false;
     scene->timeline().stopSeeking();
     const int saved = keeping.savedDeeds();
-    std::unique_ptr<EditorScene> now = scene.exchange(nullptr);
-    SceneHistory::Kept kept =
-        back ? sceneHistory.undo(std::move(now), saved) : sceneHistory.redo(std::move(now), saved);
-    scene.exchange(std::move(kept.scene));
+    SceneHistory::Next next = sceneHistory.go(wanted, scene.exchange(nullptr), saved);
+    scene.exchange(std::move(next.scene));
     picture.setBody(scene->simulation().uncut());
     keeping.begin();
-    keeping.noteSaved(kept.savedDeeds);
+    keeping.noteSaved(next.savedDeeds);
     view.beginAgain(*scene);
     beginScene();
-    toast.show((back ? "Undone: " : "Redone: ") + kept.name, false);
+    toast.show((back ? "Undone: " : "Redone: ") + next.exchange, false);
 }
 
 // --- The history -------------------------------------------------------------------------------

@@ -54,9 +54,9 @@ Outcome outcomeOf(const EditorScene& scene) {
 }
 
 /// Drops what could not be done again. Returns how much that was.
-std::size_t dropFailed(SessionJournal& journal) {
+std::size_t dropFailed(EventLog& journal) {
     std::vector<int> failed;
-    for (const JournalEntry& entry : journal.entries()) {
+    for (const LogEntry& entry : journal.entries()) {
         if (entry.failed) {
             failed.push_back(entry.id);
         }
@@ -69,7 +69,7 @@ std::size_t dropFailed(SessionJournal& journal) {
 std::string differences(EditorScene& scene, const Outcome& before) {
     const Outcome now = outcomeOf(scene);
     std::string text;
-    if (const std::size_t failed = dropFailed(scene.timeline().journal()); failed > 0) {
+    if (const std::size_t failed = dropFailed(scene.timeline().log()); failed > 0) {
         text = " " +
                counted(failed, "action no longer fits and was", "actions no longer fit and were") +
                " left out.";

@@ -75,7 +75,7 @@ void EditorScene::startAnew() {
 
 void EditorScene::forgetStroke() {
     stroke().clear();
-    body().driver.setStrokePoses({});
+    body().driver.forgetStroke();
 }
 
 // --- What is done to the body ------------------------------------------------------------------
@@ -163,7 +163,7 @@ void EditorScene::reset() {
 // --- Steps -------------------------------------------------------------------------------------
 
 void EditorScene::step() {
-    timeline().keepKeyframe();
+    timeline().keepCheckpoint();
     const std::optional<Command> pose = stroke().next();
     if (pose) {
         timeline().takeOver();

@@ -52,9 +52,9 @@ class EditorScene {
     /// Back to the uncut body, paused, with the present parameters. An open session will be played
     /// from its start, or a task from its first cut on, and what was done since cannot be undone.
     void reset();
-    /// Seeks to a step of the session or of the past, at once if it is a keyframe; otherwise
-    /// SceneTimeline::seekSteps() are left to do. Later actions play again from there, until the
-    /// user cuts or pulls: then they are discarded.
+    /// Seeks to a step of the session or of the past, before its events, at once if it is
+    /// kept; otherwise SceneTimeline::seekSteps() are left to do. Later actions play again from
+    /// there, until the user cuts or pulls: then they are discarded.
     void seek(int step);
     /// Shows an opened session at its end: at once if that is stored, otherwise by seeking.
     void goToEnd();

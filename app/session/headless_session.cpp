@@ -71,16 +71,8 @@ const StepReport& HeadlessSession::stepBy(const SessionSchedule& schedule) {
     return step();
 }
 
-HeadlessSession::Checkpoint HeadlessSession::here() {
-    return {simulation_.moment(), simulation_.bladeActions(), driver_.strokePoses()};
-}
-
-void HeadlessSession::goTo(const Checkpoint& checkpoint) {
-    simulation_.goTo(checkpoint.moment);
-    for (const BladeAction& action : checkpoint.bladeActions) {
-        std::visit([&](const auto& command) { simulation_.execute(command); }, action);
-    }
-    driver_.setStrokePoses(checkpoint.strokePoses);
+void HeadlessSession::goTo(const SimulationDriver::State& state) {
+    driver_.goTo(state);
     followPlacement();
 }
 

@@ -44,15 +44,8 @@ class HeadlessSession {
     /// The same, and then runs that step.
     const StepReport& stepBy(const SessionSchedule& schedule);
 
-    /// A checkpoint of the present, with the poses of the running stroke and the blade's commands
-    /// for the coming step.
-    struct Checkpoint {
-        Moment moment;
-        std::vector<BladeAction> bladeActions;
-        std::vector<Blade> strokePoses;
-    };
-    Checkpoint here();
-    void goTo(const Checkpoint& checkpoint);
+    /// Goes to a state that driver() gave.
+    void goTo(const SimulationDriver::State& state);
 
     /// The camera of the session, or the default one for the present placement of the model.
     const render::Camera& camera() const { return camera_; }

@@ -14,6 +14,11 @@ const StepReport& SimulationDriver::step() {
     return report;
 }
 
+void SimulationDriver::goTo(const State& state) {
+    simulation_.goTo(state.checkpoint);
+    strokePoses_ = state.strokePoses;
+}
+
 CheckDifference SimulationDriver::compare(const CheckEvent& check) const {
     CheckDifference difference;
     std::string hash = check.hash ? simulation_.stateHash() : "";

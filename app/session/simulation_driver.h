@@ -47,7 +47,16 @@ class SimulationDriver {
 
     /// Poses of the blade after each step of the running stroke, drawn or played.
     const std::vector<Blade>& strokePoses() const { return strokePoses_; }
-    void setStrokePoses(std::vector<Blade> poses) { strokePoses_ = std::move(poses); }
+    void forgetStroke() { strokePoses_.clear(); }
+
+    /// A checkpoint of the simulation, with the poses of the running stroke.
+    struct State {
+        Checkpoint checkpoint;
+        std::vector<Blade> strokePoses;
+    };
+    /// The present.
+    State now() const { return {simulation_.checkpoint(), strokePoses_}; }
+    void goTo(const State& state);
 
   private:
     Simulation& simulation_;

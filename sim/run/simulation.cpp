@@ -373,11 +373,11 @@ void Simulation::setUndoBudget(std::size_t bytes) {
 const UndoHistory& Simulation::history() const {
     return state_->log.history();
 }
-Moment Simulation::moment() {
-    return state_->moment();
+Checkpoint Simulation::checkpoint() {
+    return state_->checkpoint();
 }
-void Simulation::goTo(const Moment& moment) {
-    state_->goTo(moment.content());
+void Simulation::goTo(const Checkpoint& checkpoint) {
+    state_->goTo(checkpoint.content());
 }
 int Simulation::bodyRevision() const {
     return state_->output.bodyRevision;

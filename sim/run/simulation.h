@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/base/params.h"
-#include "sim/run/moment.h"
+#include "sim/run/checkpoint.h"
 #include "sim/run/parts/command.h"
 #include "sim/run/parts/hands.h"
 #include "sim/run/parts/led_blade.h"
@@ -59,11 +59,11 @@ class Simulation {
     void setUndoBudget(std::size_t bytes);
     const UndoHistory& history() const;
 
-    /// A checkpoint of the present: body, time, parameters, blade, history.
-    Moment moment();
-    void goTo(const Moment& moment);
+    /// The present, to come back to: body, time, parameters, blade, undo history.
+    Checkpoint checkpoint();
+    void goTo(const Checkpoint& checkpoint);
     /// Continues from stored bytes (bytesOf()), with nothing to undo. False, and reset, where they
-    /// are of other models or cut short.
+    /// are of other models, cut short, or don't have the state hash that they were written with.
     bool goTo(const std::vector<std::byte>& bytes);
 
     int stepCount() const;  ///< steps done
@@ -77,7 +77,7 @@ class Simulation {
     const StepReport& report() const;
     /// The commanded pose of the blade; none while lifted.
     std::optional<Blade> blade() const;
-    /// Its commands for the coming step, from first to last. A moment lacks these.
+    /// Its commands for the coming step, from first to last.
     const std::vector<BladeAction>& bladeActions() const;
     /// Its pose after the coming step; none if lifted then.
     std::optional<Blade> comingBlade() const;

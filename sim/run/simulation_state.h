@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-struct Moment::Content {
+struct Checkpoint::Content {
     SnapshotPointer body;
     SimulationInput input;
     UndoLog log;
@@ -33,8 +33,8 @@ struct Simulation::State {
 
     std::string execute(const Command& command);
 
-    Moment moment();
-    void goTo(const Moment::Content& then);
+    Checkpoint checkpoint();
+    void goTo(const Checkpoint::Content& then);
     void goTo(const std::vector<std::byte>& bytes);
 
     const SimulationSetup setup;

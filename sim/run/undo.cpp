@@ -1,4 +1,4 @@
-// Taking changes back and bringing them back, and going to other moments.
+// Taking changes back and bringing them back, and going to checkpoints.
 #include "sim/run/simulation_state.h"
 
 namespace kerf {
@@ -69,16 +69,15 @@ void Simulation::State::restoreBody(const SnapshotPointer& snapshot) {
     publish();
 }
 
-Moment Simulation::State::moment() {
-    return Moment(std::make_shared<const Moment::Content>(
-        Moment::Content{log.capture(body), input, log, output.clock, output.report}));
+Checkpoint Simulation::State::checkpoint() {
+    return Checkpoint(std::make_shared<const Checkpoint::Content>(
+        Checkpoint::Content{log.capture(body), input, log, output.clock, output.report}));
 }
 
-void Simulation::State::goTo(const Moment::Content& then) {
+void Simulation::State::goTo(const Checkpoint::Content& then) {
     restoreBody(then.body);
     input = then.input;
     input.paramsChanged = true;
-    input.blade.forgetActions();
     setBoxes(then.input.boxes);
     log = then.log;
     output.clock = then.clock;

@@ -24,7 +24,7 @@
 #include "sim/mesh/triangle_quality.h"
 #include "sim/repair/crossings.h"
 #include "sim/repair/soup_inspection.h"
-#include "sim/run/moment.h"
+#include "sim/run/checkpoint.h"
 #include "sim/run/simulation.h"
 #include "sim/run/start/prepared_body.h"
 #include "sim/run/state_hash.h"

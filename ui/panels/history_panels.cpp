@@ -72,15 +72,22 @@ std::string nameOfStart(const ChangeList& changes) {
                : "Start";
 }
 
+void drawMemoryOf(const char* what, std::size_t bytes, std::size_t most, const char* tooltip) {
+    const auto used = static_cast<double>(bytes);
+    const auto budget = static_cast<double>(most);
+    const std::string text = fmt::format("{}: {:.0f} of {:.0f} MB", what, used / kBytesPerMegabyte,
+                                         budget / kBytesPerMegabyte);
+    ImGui::ProgressBar(static_cast<float>(budget > 0 ? used / budget : 0), {-1, 0}, text.c_str());
+    itemTooltip(tooltip);
+}
+
 void drawMemory(const ChangeList& changes) {
-    const auto used = static_cast<double>(changes.bytes);
-    const auto budget = static_cast<double>(changes.budget);
-    const std::string text = fmt::format("Undo memory: {:.0f} of {:.0f} MB",
-                                         used / kBytesPerMegabyte, budget / kBytesPerMegabyte);
-    const double share = budget > 0 ? used / budget : 0;
-    ImGui::ProgressBar(static_cast<float>(share), {-1, 0}, text.c_str());
-    itemTooltip(
-        "Memory used for undo. When it is full, the oldest changes can no longer be undone.");
+    drawMemoryOf("Undo memory", changes.bytes, changes.budget,
+                 "Memory used for undo. When it is full, the oldest changes can no longer be "
+                 "undone.");
+    drawMemoryOf("Time line memory", changes.checkpoints, changes.checkpointBudget,
+                 "Memory used for going back on the time line. When it is full, every other "
+                 "checkpoint is dropped, and going back takes longer.");
 }
 
 void drawTitles() {

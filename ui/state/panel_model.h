@@ -40,8 +40,11 @@ struct ChangeList {
     std::size_t done = 0;         ///< number of applied ones; the others are undone
     int forgotten = 0;            ///< older ones that were dropped
     bool recallable = false;      ///< undo brings older ones back first, by playing the session
-    std::size_t bytes = 0;
-    std::size_t budget = 0;  ///< [bytes]
+    // Memory [bytes].
+    std::size_t bytes = 0;  ///< of undo, in all scenes that are kept
+    std::size_t budget = 0;
+    std::size_t checkpoints = 0;  ///< of the time line
+    std::size_t checkpointBudget = 0;
 };
 
 /// A figure of how well cuts came out.
@@ -134,7 +137,7 @@ struct SessionMark {
         stroke,
         tear,
         hand,    ///< a pull, hooks or pins
-        scene,   ///< boxes, placements, undo and restart
+        scene,   ///< boxes, placements, exchanges, undo and restart
         change,  ///< of a parameter
     };
 

@@ -1,5 +1,6 @@
 #include "app/editor/steps/scene_history.h"
 
+#include "app/scene/timeline/scene_timeline.h"
 #include "sim/run/simulation.h"
 #include "sim/run/undo/undo_history.h"
 #include "ui/base/unit_text.h"
@@ -37,57 +38,62 @@ double timeOf(const EditorScene& scene) {
 }  // namespace
 
 void SceneHistory::clear() {
-    before_.clear();
-    after_.clear();
+    scenes_ = std::vector<Kept>(1);
+    at_ = 0;
+    letGo_ = 0;
     wanted = Exchange::none;
     mended.reset();
 }
 
 void SceneHistory::add(std::string name, std::unique_ptr<EditorScene> before, int savedDeeds) {
-    after_.clear();
+    scenes_.resize(at_ + 1);
     const int additions = historyOf(*before).additions();
     const std::size_t undone = undoneOf(*before);
-    before_.push_back({std::move(name), std::move(before), savedDeeds, additions, undone});
-    if (before_.size() > kMost) {
-        before_.erase(before_.begin());
+    scenes_[at_].scene = std::move(before);
+    scenes_[at_].savedDeeds = savedDeeds;
+    scenes_.push_back({std::move(name), nullptr, 0, additions, undone});
+    if (scenes_.size() > kMost + 1) {
+        letGo_ += 1 + static_cast<int>(historyOf(*scenes_.front().scene).done());
+        scenes_.erase(scenes_.begin());
+        scenes_.front().repeated = 0;
+        scenes_.front().name.clear();
     }
+    at_ = scenes_.size() - 1;
 }
 
 void SceneHistory::noteRepeated(const UndoHistory& now) {
-    if (!before_.empty()) {
-        before_.back().repeated = static_cast<std::size_t>(now.forgotten()) + now.done();
+    if (at_ > 0) {
+        scenes_[at_].repeated = static_cast<std::size_t>(now.forgotten()) + now.done();
     }
 }
 
 void SceneHistory::follow(const UndoHistory& now) {
-    if (!after_.empty() && after_.back().additions != now.additions()) {
-        after_.clear();
+    if (undone(now) == nullptr) {
+        scenes_.resize(at_ + 1);
     }
 }
 
+const SceneHistory::Kept* SceneHistory::undone(const UndoHistory& now) const {
+    const bool comesBack =
+        at_ + 1 < scenes_.size() && scenes_[at_ + 1].additions == now.additions();
+    return comesBack ? &scenes_[at_ + 1] : nullptr;
+}
+
 bool SceneHistory::undoes(const EditorScene& now) const {
-    return !before_.empty() && historyOf(now).done() <= withoutRows(historyOf(now));
+    return at_ > 0 && historyOf(now).done() <= withoutRows(historyOf(now));
 }
 
 bool SceneHistory::redoes(const EditorScene& now) const {
-    return !after_.empty() && after_.back().additions == historyOf(now).additions() &&
-           after_.back().undone == undoneOf(now);
+    const Kept* next = undone(historyOf(now));
+    return next != nullptr && next->undone == undoneOf(now);
 }
 
-SceneHistory::Kept SceneHistory::undo(std::unique_ptr<EditorScene> now, int savedDeeds) {
-    Kept back = std::move(before_.back());
-    before_.pop_back();
-    after_.push_back(
-        {back.name, std::move(now), savedDeeds, back.additions, back.undone, back.repeated});
-    return back;
-}
-
-SceneHistory::Kept SceneHistory::redo(std::unique_ptr<EditorScene> now, int savedDeeds) {
-    Kept next = std::move(after_.back());
-    after_.pop_back();
-    before_.push_back(
-        {next.name, std::move(now), savedDeeds, next.additions, next.undone, next.repeated});
-    return next;
+SceneHistory::Next SceneHistory::go(Exchange where, std::unique_ptr<EditorScene> now,
+                                    int savedDeeds) {
+    scenes_[at_].scene = std::move(now);
+    scenes_[at_].savedDeeds = savedDeeds;
+    const std::size_t from = where == Exchange::back ? at_-- : ++at_;
+    return {scenes_[from].name, std::move(scenes_[at_].scene), scenes_[at_].savedDeeds};
 }
 
 std::size_t SceneHistory::rowsBefore() const {
@@ -95,7 +101,7 @@ std::size_t SceneHistory::rowsBefore() const {
 }
 
 std::size_t SceneHistory::withoutRows(const UndoHistory& now) const {
-    return keptOf(before_.empty() ? 0 : before_.back().repeated, now);
+    return keptOf(scenes_[at_].repeated, now);
 }
 
 std::vector<ui::ChangeRow> SceneHistory::rowsOfBefore() const {
@@ -103,29 +109,31 @@ std::vector<ui::ChangeRow> SceneHistory::rowsOfBefore() const {
     if (mended) {
         rows.push_back({mended->change, 0});
     }
-    std::size_t repeated = 0;
-    for (const Kept& kept : before_) {
-        addRows(*kept.scene, repeated, kept.undone, rows);
-        rows.push_back({kept.name, timeOf(*kept.scene)});
-        repeated = kept.repeated;
+    for (std::size_t k = 0; k < at_; ++k) {
+        addRows(*scenes_[k].scene, scenes_[k].repeated, scenes_[k + 1].undone, rows);
+        rows.push_back({scenes_[k + 1].name, timeOf(*scenes_[k].scene)});
     }
     return rows;
 }
 
 void SceneHistory::describe(const EditorScene& now, ui::ChangeList& list) const {
     std::vector<ui::ChangeRow> rows = rowsOfBefore();
-    const std::size_t without = withoutRows(historyOf(now));
-    list.done += rows.size() - std::min(without, list.done);
-    const bool comesBack = !after_.empty() && after_.back().additions == historyOf(now).additions();
-    const std::size_t repeated = before_.empty() ? 0 : before_.back().repeated;
-    addRows(now, repeated, comesBack ? after_.back().undone : 0, rows);
-    for (std::size_t k = comesBack ? after_.size() : 0; k-- > 0;) {
-        rows.push_back({after_[k].name, 0});
-        addRows(*after_[k].scene, after_[k].repeated, k > 0 ? after_[k - 1].undone : 0, rows);
+    list.done += rows.size() - std::min(withoutRows(historyOf(now)), list.done);
+    const std::size_t end = undone(historyOf(now)) != nullptr ? scenes_.size() : at_ + 1;
+    for (std::size_t k = at_; k < end; ++k) {
+        if (k > at_) {
+            rows.push_back({scenes_[k].name, 0});
+        }
+        addRows(k > at_ ? *scenes_[k].scene : now, scenes_[k].repeated,
+                k + 1 < end ? scenes_[k + 1].undone : 0, rows);
     }
     list.rows = std::move(rows);
-    for (const Kept& kept : before_) {
-        list.bytes += historyOf(*kept.scene).bytes();
+    list.forgotten += letGo_;
+    for (const Kept& kept : scenes_) {
+        if (kept.scene) {
+            list.bytes += historyOf(*kept.scene).bytes();
+            list.checkpoints += kept.scene->timeline().checkpointBytes();
+        }
     }
 }
 

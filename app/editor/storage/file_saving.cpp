@@ -11,7 +11,7 @@
 #include "app/regression/test_session.h"
 #include "app/session/session.h"
 #include "sim/base/text.h"
-#include "sim/run/moment.h"
+#include "sim/run/checkpoint.h"
 #include "sim/run/start/prepared_body.h"
 
 namespace kerf::app {
@@ -161,9 +161,10 @@ std::string exportBody(const ExportInput& input, WorkProgress& progress) {
 }
 
 /// So that the session reopens at once.
-void keepEnd(const std::filesystem::path& file, const SavedEnd& end, const StoredEnds& ends) {
-    if (std::optional<std::vector<std::byte>> moment = bytesOf(end.moment)) {
-        ends.keep(file, {*std::move(moment), end.hash, end.start.step, end.start.time});
+void keepEnd(const std::filesystem::path& file, const SceneCheckpoint& end,
+             const StoredEnds& ends) {
+    if (std::optional<std::vector<std::byte>> bytes = bytesOf(end.state.checkpoint)) {
+        ends.keep(file, {*std::move(bytes), end.start.step, end.start.time});
     }
 }
 
@@ -208,7 +209,8 @@ std::unique_ptr<FileSaving> startSavingTest(const std::filesystem::path& file, S
 }
 
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved,
-                                        std::optional<SavedEnd> end, const StoredEnds& ends) {
+                                        std::optional<SceneCheckpoint> end,
+                                        const StoredEnds& ends) {
     return std::make_unique<FileSaving>(
         "Saving " + file.filename().string(),
         [file, saved = std::move(saved), end = std::move(end), ends](WorkProgress& progress) {

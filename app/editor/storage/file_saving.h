@@ -3,6 +3,7 @@
 #include "app/files/export/export.h"
 #include "app/files/jobs/background_job.h"
 #include "app/scene/document/editor_document.h"
+#include "app/scene/timeline/checkpoints.h"
 #include "app/scene/timeline/saved_session.h"
 #include "app/session/material.h"
 #include "sim/run/simulation.h"
@@ -25,7 +26,7 @@ std::unique_ptr<FileSaving> startExport(ExportTarget target, const Document& doc
                                         Simulation& simulation, const render::BodyLook& look);
 /// Begins to write a session.
 std::unique_ptr<FileSaving> startSaving(const std::filesystem::path& file, SavedSession saved,
-                                        std::optional<SavedEnd> end, const StoredEnds& ends);
+                                        std::optional<SceneCheckpoint> end, const StoredEnds& ends);
 /// Begins to write a material.
 std::unique_ptr<FileSaving> startSavingMaterial(const std::filesystem::path& file,
                                                 Material material);

@@ -38,7 +38,7 @@ void EditorToast::show(const SavingQueue::Outcome& outcome) {
     }
 }
 
-std::optional<JournalPosition> EditorToast::takeOffer() {
+std::optional<LogPosition> EditorToast::takeOffer() {
     const std::optional<Offer> offer = std::exchange(offer_, std::nullopt);
     const bool shown = choice_ && choice_->id == ui::ActionId::addPicture && visible();
     return offer && shown ? std::optional(offer->place) : std::nullopt;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/files/jobs/saving_queue.h"
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/event_log.h"
 #include "ui/state/panel_model.h"
 
 namespace kerf::app {
@@ -17,10 +17,10 @@ class EditorToast {
     /// Shows the end of a save, which may be that of offerOnceSaved().
     void show(const SavingQueue::Outcome& outcome);
     /// Offers the screenshot taken at `place`, once the save of that number has ended.
-    void offerOnceSaved(const JournalPosition& place, int saving) { offer_ = {place, saving}; }
+    void offerOnceSaved(const LogPosition& place, int saving) { offer_ = {place, saving}; }
     void withdrawOffer() { offer_.reset(); }
     /// Takes the place of the screenshot offered in the view; none if none is.
-    std::optional<JournalPosition> takeOffer();
+    std::optional<LogPosition> takeOffer();
     /// Advances time.
     void elapse(double elapsedSeconds);
     bool visible() const { return remaining_ > 0; }
@@ -36,7 +36,7 @@ class EditorToast {
     std::optional<ui::HintChoice> choice_;  ///< possible action
     double remaining_ = 0;
     struct Offer {
-        JournalPosition place;
+        LogPosition place;
         int saving = 0;  ///< its number
     };
     std::optional<Offer> offer_;

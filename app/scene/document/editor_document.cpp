@@ -149,7 +149,7 @@ MemoryNeed memoryNeedOf(const Document& document) {
     const Session& session = document.session;
     MemorySettings settings = memorySettings(session.params, !session.boxes.empty());
     settings.undoBudget = kUndoBudget;
-    settings.keyframeBudget = kKeyframeBudget;
+    settings.checkpointBudget = kCheckpointBudget;
     return memoryNeedOf(BodySize::ofMesh(document.mesh), settings);
 }
 

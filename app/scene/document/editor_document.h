@@ -64,7 +64,7 @@ Session parted(Session scene, int objects);
 
 /// The memory that undo may take in the editor [bytes].
 inline constexpr std::uint64_t kUndoBudget = 512'000'000;
-/// The memory that keyframes may take there, see Keyframes [bytes].
-inline constexpr std::uint64_t kKeyframeBudget = 256'000'000;
+/// The memory that checkpoints may take there, see Checkpoints [bytes].
+inline constexpr std::uint64_t kCheckpointBudget = 256'000'000;
 
 }  // namespace kerf::app

@@ -24,15 +24,14 @@ class FileCache {
 
 /// The state at the end of a saved session, from which it reopens without being played.
 struct StoredEnd {
-    std::vector<std::byte> moment;  ///< see bytesOf()
-    std::string hash;               ///< the state hash
-    int startStep = 0;              ///< what the panels count from, see CountStart
-    double startTime = 0;           ///< the same [s]
+    std::vector<std::byte> checkpoint;  ///< see bytesOf()
+    int startStep = 0;                  ///< what the panels count from, see CountStart
+    double startTime = 0;               ///< the same [s]
 
     /// Writes or reads all of it (ByteArchive).
     template <class Archive>
     void archive(Archive& io) {
-        io(moment, hash, startStep, startTime);
+        io(checkpoint, startStep, startTime);
     }
 };
 

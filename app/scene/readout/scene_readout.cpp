@@ -1,5 +1,6 @@
 #include "app/scene/readout/scene_readout.h"
 
+#include "app/scene/document/editor_document.h"
 #include "app/scene/document/size_effect.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/hooks.h"
@@ -29,12 +30,12 @@ Params paramsOf(Params params, int model) {
 
 }  // namespace
 
-void MarkTable::follow(const SessionJournal& journal) {
-    const std::size_t entries = journal.entries().size();
-    if (revision_ != journal.revision() || entries_ != entries) {
-        marks_ = marksOf(journal);
-        past_ = pastMarks(journal);
-        revision_ = journal.revision();
+void MarkTable::follow(const EventLog& log) {
+    const std::size_t entries = log.entries().size();
+    if (revision_ != log.revision() || entries_ != entries) {
+        marks_ = marksOf(log);
+        past_ = pastMarks(log);
+        revision_ = log.revision();
         entries_ = entries;
     }
 }
@@ -165,7 +166,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.pieces.rows = pieces_.rows();
     model.plots.history = &readings_.history();
     timeline_.describe(model.session.playback);
-    marks_.follow(timeline_.journal());
+    marks_.follow(timeline_.log());
     model.session.marks = marks_.marks();
     model.session.past = marks_.past();
 }
@@ -180,6 +181,8 @@ void SceneReadout::describeChanges(ui::ChangeList& list) const {
     list.recallable = timeline_.hasForgotten();
     list.bytes = history.bytes();
     list.budget = history.budget();
+    list.checkpoints = timeline_.checkpointBytes();
+    list.checkpointBudget = kCheckpointBudget;
 }
 
 void SceneReadout::describeModels(ui::PanelModel& model) const {

@@ -36,17 +36,17 @@ class PieceTable {
     int triangles_ = -1;
 };
 
-/// The pictures, exports, checks, strokes and changes of a journal, for the timeline.
+/// The pictures, exports, checks, strokes and changes of a log, for the timeline.
 class MarkTable {
   public:
-    /// Updates them if the journal has changed.
-    void follow(const SessionJournal& journal);
+    /// Updates them if the log has changed.
+    void follow(const EventLog& log);
     const std::vector<ui::SessionMark>& marks() const { return marks_; }
     const std::vector<ui::SessionMark>& past() const { return past_; }
 
   private:
     std::vector<ui::SessionMark> marks_, past_;
-    int revision_ = -1;        ///< of the journal
+    int revision_ = -1;        ///< of the log
     std::size_t entries_ = 0;  ///< its length then
 };
 

@@ -19,7 +19,7 @@ bool operator==(const CheckEvent& a, const CheckEvent& b) {
 }
 
 /// A check as it can hold; none where nothing is left of it.
-std::optional<CheckEvent> asItHolds(const JournalEntry& entry, const CheckEvent& check,
+std::optional<CheckEvent> asItHolds(const LogEntry& entry, const CheckEvent& check,
                                     Losses& losses) {
     if (entry.found) {
         losses.renewed += *entry.found == check ? 0 : 1;
@@ -33,7 +33,7 @@ std::optional<CheckEvent> asItHolds(const JournalEntry& entry, const CheckEvent&
 }
 
 /// An event as it is saved; none where it is not.
-std::optional<SessionEvent> asSaved(const JournalEntry& entry, bool changed, Losses& losses) {
+std::optional<SessionEvent> asSaved(const LogEntry& entry, bool changed, Losses& losses) {
     if (entry.failed && changed) {
         ++losses.impossible;
         return std::nullopt;
@@ -49,8 +49,8 @@ std::optional<SessionEvent> asSaved(const JournalEntry& entry, bool changed, Los
     return event;
 }
 
-bool isOwnCheck(const JournalEntry& entry) {
-    return entry.origin == JournalEntry::Origin::editor &&
+bool isOwnCheck(const LogEntry& entry) {
+    return entry.origin == LogEntry::Origin::editor &&
            std::holds_alternative<CheckEvent>(entry.event.action);
 }
 
@@ -71,13 +71,13 @@ std::vector<std::string> partsOf(const Losses& losses) {
     return parts;
 }
 
-std::string remarkOn(const Losses& losses, const SessionJournal& journal) {
+std::string remarkOn(const Losses& losses, const EventLog& log) {
     const std::vector<std::string> parts = partsOf(losses);
-    if (parts.empty() || !journal.firstChange()) {
+    if (parts.empty() || !log.firstChange()) {
         return "";
     }
-    return "Since you " + std::string(journal.leftOut() > 0 ? "took over" : "changed it") +
-           " at step " + std::to_string(*journal.firstChange()) + ", " + joined(parts, ", ") + ".";
+    return "Since you " + std::string(log.leftOut() > 0 ? "took over" : "changed it") +
+           " at step " + std::to_string(*log.firstChange()) + ", " + joined(parts, ", ") + ".";
 }
 
 }  // namespace
@@ -92,26 +92,26 @@ CheckEvent corrected(CheckEvent check, const CheckDifference& difference) {
     return check;
 }
 
-std::optional<SessionEvent> eventAsSaved(const JournalEntry& entry, bool changed) {
+std::optional<SessionEvent> eventAsSaved(const LogEntry& entry, bool changed) {
     Losses untold;
     return asSaved(entry, changed, untold);
 }
 
-SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal, SavedAs purpose) {
+SavedSession sessionAsSaved(const Session& opened, const EventLog& log, SavedAs purpose) {
     SavedSession saved{opened, ""};
     saved.session.warnings.clear();
     saved.session.events.clear();
     Losses losses;
-    losses.leftOut = journal.leftOut();
-    for (const JournalEntry& entry : journal.entries()) {
+    losses.leftOut = log.leftOut();
+    for (const LogEntry& entry : log.entries()) {
         if (purpose == SavedAs::test && isOwnCheck(entry)) {
             continue;
         }
-        if (auto event = asSaved(entry, journal.firstChange().has_value(), losses)) {
+        if (auto event = asSaved(entry, log.firstChange().has_value(), losses)) {
             saved.session.events.push_back(std::move(*event));
         }
     }
-    saved.remark = remarkOn(losses, journal);
+    saved.remark = remarkOn(losses, log);
     return saved;
 }
 

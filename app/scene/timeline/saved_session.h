@@ -1,7 +1,6 @@
 #pragma once
 
-#include "app/scene/timeline/keyframes.h"
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/event_log.h"
 #include "app/session/simulation_driver.h"
 
 namespace kerf::app {
@@ -13,28 +12,21 @@ struct SavedSession {
     std::string remark;
 };
 
-/// The state at the end of a saved session.
-struct SavedEnd {
-    Moment moment;
-    std::string hash;  ///< the state hash
-    CountStart start;
-};
-
 /// The purpose for which a session is saved.
 enum class SavedAs {
     session,
     test,  ///< without the editor's own checks, since there is an expectation
 };
 
-/// A session with the events of its journal, from an opened session or from user actions. Checks
+/// A session with the events of its log, from an opened session or from user actions. Checks
 /// invalidated by an earlier change get the values found if played since; otherwise they lose their
 /// state hash. Commands that failed after a change are omitted.
-SavedSession sessionAsSaved(const Session& opened, const SessionJournal& journal,
+SavedSession sessionAsSaved(const Session& opened, const EventLog& log,
                             SavedAs purpose = SavedAs::session);
 
-/// A journal entry as a saved event; none if it is not saved. `changed`: the user has changed
+/// A log entry as a saved event; none if it is not saved. `changed`: the user has changed
 /// something before or after it.
-std::optional<SessionEvent> eventAsSaved(const JournalEntry& entry, bool changed);
+std::optional<SessionEvent> eventAsSaved(const LogEntry& entry, bool changed);
 
 /// A check with the values found.
 CheckEvent corrected(CheckEvent check, const CheckDifference& difference);

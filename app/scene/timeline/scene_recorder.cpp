@@ -13,7 +13,7 @@ constexpr int kCheckEvery = 50;  // steps of a recording
 void SceneRecorder::checkNowAndThen() {
     const int step = body_.simulation.stepCount();
     if (recording_ && step % kCheckEvery == 0) {
-        timeline_.journal().note(step, checkOfNow());
+        timeline_.log().note(step, checkOfNow());
     }
 }
 
@@ -28,7 +28,7 @@ bool SceneRecorder::isUntouched() const {
 
 SavedSession SceneRecorder::savedSession(const render::Camera& camera,
                                          const render::ChosenColors& colors, SavedAs purpose) {
-    SavedSession saved = sessionAsSaved(body_.document.session, timeline_.journal(), purpose);
+    SavedSession saved = sessionAsSaved(body_.document.session, timeline_.log(), purpose);
     Session& session = saved.session;
     session.steps = stepsAsSaved();
     if (purpose == SavedAs::session && endsNow()) {
@@ -38,12 +38,10 @@ SavedSession SceneRecorder::savedSession(const render::Camera& camera,
     return saved;
 }
 
-std::optional<SavedEnd> SceneRecorder::savedEnd() {
-    Simulation& now = body_.simulation;
-    if (now.stepCount() != stepsAsSaved() || now.blade()) {
-        return std::nullopt;
-    }
-    return SavedEnd{now.moment(), now.stateHash(), timeline_.start()};
+std::optional<SceneCheckpoint> SceneRecorder::savedEnd() {
+    const Simulation& now = body_.simulation;
+    const bool ends = now.stepCount() == stepsAsSaved() && !now.blade();
+    return ends ? std::optional(timeline_.now()) : std::nullopt;
 }
 
 /// With the hashes of its models, so that other files of their names are noticed later.
@@ -74,11 +72,11 @@ Session SceneRecorder::sessionWithoutEvents(const render::Camera& camera,
 }
 
 SessionChange SceneRecorder::takeChange(bool whole) {
-    SessionJournal& journal = timeline_.journal();
-    const std::size_t unchanged = journal.takeUnchanged();
+    EventLog& log = timeline_.log();
+    const std::size_t unchanged = log.takeUnchanged();
     SessionChange change{whole ? 0 : unchanged, {}, stepsAsSaved()};
-    for (std::size_t i = change.from; i < journal.entries().size(); ++i) {
-        change.events.push_back(eventAsSaved(journal.entries()[i], timeline_.hasChanged()));
+    for (std::size_t i = change.from; i < log.entries().size(); ++i) {
+        change.events.push_back(eventAsSaved(log.entries()[i], timeline_.hasChanged()));
         if (std::optional<SessionEvent>& event = change.events.back()) {
             event->action = countedFrom(event->action, -body_.document.session.origin);
         }
@@ -89,7 +87,7 @@ SessionChange SceneRecorder::takeChange(bool whole) {
 int SceneRecorder::stepsAsSaved() const {
     const SessionPlayback* const playback = timeline_.playback();
     if (isUntouched() && (playback == nullptr || playback->isPast())) {
-        return std::max(body_.document.session.steps, timeline_.journal().lastStep());
+        return std::max(body_.document.session.steps, timeline_.log().lastStep());
     }
     return playback != nullptr ? playback->steps() : std::max(1, body_.simulation.stepCount());
 }
@@ -118,30 +116,30 @@ void SceneRecorder::setView(Session& session, const render::Camera& camera,
     session.colors = colors;
 }
 
-JournalPosition SceneRecorder::here() const {
-    return timeline_.journal().here(body_.simulation.stepCount());
+LogPosition SceneRecorder::here() const {
+    return timeline_.log().here(body_.simulation.stepCount());
 }
 
-JournalPosition SceneRecorder::end() const {
-    const auto& entries = timeline_.journal().entries();
+LogPosition SceneRecorder::end() const {
+    const auto& entries = timeline_.log().entries();
     return {stepsAsSaved(), entries.empty() ? 0 : entries.back().id};
 }
 
 bool SceneRecorder::takesPictures() const {
-    return std::ranges::any_of(timeline_.journal().entries(), [](const JournalEntry& entry) {
+    return std::ranges::any_of(timeline_.log().entries(), [](const LogEntry& entry) {
         return std::holds_alternative<ScreenshotEvent>(entry.event.action);
     });
 }
 
-std::string SceneRecorder::addPicture(const JournalPosition& place) {
-    std::string file = freeOutputName(timeline_.journal(), body_.document.name, place.step, ".png");
+std::string SceneRecorder::addPicture(const LogPosition& place) {
+    std::string file = freeOutputName(timeline_.log(), body_.document.name, place.step, ".png");
     addMark(place, ScreenshotEvent{file});
     return file;
 }
 
 std::string SceneRecorder::addExport() {
-    const JournalPosition place = here();
-    std::string file = freeOutputName(timeline_.journal(), body_.document.name, place.step, ".ply");
+    const LogPosition place = here();
+    std::string file = freeOutputName(timeline_.log(), body_.document.name, place.step, ".ply");
     addMark(place, ExportEvent{file, false, Coordinates::model});
     return file;
 }
@@ -158,8 +156,8 @@ void SceneRecorder::addName(const std::string& name) {
     addMark(here(), MarkEvent{name});
 }
 
-void SceneRecorder::addMark(const JournalPosition& place, SessionAction action) {
-    timeline_.journal().add(place, std::move(action));
+void SceneRecorder::addMark(const LogPosition& place, SessionAction action) {
+    timeline_.log().add(place, std::move(action));
     timeline_.extendTo(place.step);
 }
 

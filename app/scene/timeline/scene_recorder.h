@@ -27,7 +27,7 @@ class SceneRecorder {
     SavedSession savedSession(const render::Camera& camera, const render::ChosenColors& colors,
                               SavedAs purpose = SavedAs::session);
     /// The state at the end of that session, if it is the present one, and no blade is placed.
-    std::optional<SavedEnd> savedEnd();
+    std::optional<SceneCheckpoint> savedEnd();
     /// The events of savedSession() that have changed since the last call, without its last check;
     /// all of them if `whole`.
     SessionChange takeChange(bool whole);
@@ -35,20 +35,20 @@ class SceneRecorder {
     Session sessionWithoutEvents(const render::Camera& camera,
                                  const render::ChosenColors& colors) const;
     /// Grows with every user action that a saved session would have.
-    int deeds() const { return timeline_.journal().deeds() + (body_.document.inFile ? 0 : 1); }
+    int deeds() const { return timeline_.log().deeds() + (body_.document.inFile ? 0 : 1); }
     /// The view for the pictures of the session.
     void useView(const render::Camera& camera) { chosenView_ = camera; }
 
     /// The present in the session, to add a picture later.
-    JournalPosition here() const;
+    LogPosition here() const;
     /// The last place in the session as it would be saved now.
-    JournalPosition end() const;
+    LogPosition end() const;
     /// The steps of that session.
     int stepsAsSaved() const;
     /// Whether a replay of the session would take any.
     bool takesPictures() const;
     /// Adds a picture under a new name, which it returns.
-    std::string addPicture(const JournalPosition& place);
+    std::string addPicture(const LogPosition& place);
     /// Adds an export of the present body under a new name, which it returns.
     std::string addExport();
     /// Adds a check of the present state.
@@ -58,7 +58,7 @@ class SceneRecorder {
     /// Names this step on the time line.
     void addName(const std::string& name);
     /// Removes one of these by its ui::SessionMark::id.
-    void removeMark(int id) { timeline_.journal().remove(id); }
+    void removeMark(int id) { timeline_.log().remove(id); }
 
   private:
     bool isUntouched() const;
@@ -66,7 +66,7 @@ class SceneRecorder {
     CheckEvent checkOfNow();
     void setView(Session& session, const render::Camera& camera,
                  const render::ChosenColors& colors) const;
-    void addMark(const JournalPosition& place, SessionAction action);
+    void addMark(const LogPosition& place, SessionAction action);
 
     SceneBody& body_;
     SceneTimeline& timeline_;

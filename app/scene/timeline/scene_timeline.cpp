@@ -12,12 +12,12 @@
 namespace kerf::app {
 namespace {
 
-constexpr int kKeyframes = 48;  // over a session that was opened
+constexpr int kCheckpoints = 48;  // over a session that was opened
 
 }  // namespace
 
 SceneTimeline::SceneTimeline(SceneBody& body) : body_(body) {
-    journal_.open(body_.document.session.events);
+    log_.open(body_.document.session.events);
 }
 
 void SceneTimeline::startAnew() {
@@ -33,20 +33,20 @@ void SceneTimeline::startAnew() {
 void SceneTimeline::beginPlayback() {
     const bool loop = playback_ && playback_->loop;
     playback_.reset();
-    keyframes_ = Keyframes();
-    journal_.restart();
+    checkpoints_ = Checkpoints();
+    log_.restart();
     const Session& session = body_.document.session;
     if (!session.events.empty()) {
         playback_.emplace(session, SessionPlayback::Of::session).loop = loop;
-        playback_->extendTo(journal_.lastStep());
-        keyframes_ = Keyframes(std::max(1, session.steps / kKeyframes));
+        playback_->extendTo(log_.lastStep());
+        checkpoints_ = Checkpoints(std::max(1, session.steps / kCheckpoints));
     }
 }
 
 void SceneTimeline::forgetSession() {
     playback_.reset();
     body_.document.session.events.clear();
-    journal_.clear();
+    log_.clear();
 }
 
 void SceneTimeline::countFromHere() {
@@ -61,16 +61,17 @@ std::string SceneTimeline::perform(const Command& wanted) {
     if (!isDown && std::holds_alternative<MoveBlade>(command)) {
         metBefore_ = strokesThatMet();
     }
+    keepCheckpoint();
     std::string problem = body_.simulation.execute(command);
     if (problem.empty()) {
         const int step = body_.simulation.stepCount();
         if (playback_) {
-            keyframes_.changedAt(step, journal_.commandsDone(step));
+            checkpoints_.changedAt(step, log_.commandsDone(step));
             playback_->extendTo(step);
         }
-        journal_.note(step, command);
+        log_.note(step, command);
         if (misses) {
-            journal_.noteMiss();
+            log_.noteMiss();
         }
         body_.followPlacement();
     }
@@ -113,11 +114,11 @@ void SceneTimeline::takeOver() {
         return;
     }
     const int step = body_.simulation.stepCount();
-    if (journal_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
+    if (log_.takeOver(step, movesOnTheirWay()) > 0 && playback_->isPast()) {
         tell("Everything after step " + std::to_string(step) +
              " was discarded, because you continued from there.");
     }
-    keyframes_.changedAt(step, journal_.commandsDone(step));
+    checkpoints_.changedAt(step, log_.commandsDone(step));
     playback_.reset();
     seekTarget_.reset();
     releaseHandsButHooks();
@@ -162,7 +163,7 @@ void SceneTimeline::tell(std::string message) {
 bool SceneTimeline::playEvents() {
     const int step = body_.simulation.stepCount();
     bool countsAnew = false;
-    while (JournalEntry* entry = journal_.takeDue(step)) {
+    while (LogEntry* entry = log_.takeDue(step)) {
         countsAnew |= play(*entry);
     }
     for (const PlayedAction& pose : playback_->schedule().posesBetweenKeys(step)) {
@@ -172,12 +173,12 @@ bool SceneTimeline::playEvents() {
 }
 
 /// Pictures and exports are a replay's: a person only watches.
-bool SceneTimeline::play(JournalEntry& entry) {
+bool SceneTimeline::play(LogEntry& entry) {
     const SessionAction& action = entry.event.action;
     bool countsAnew = false;
     if (const std::optional<Command> command = commandOf(action)) {
         std::string problem = body_.simulation.execute(*command);
-        journal_.noteFailure(entry, !problem.empty());
+        log_.noteFailure(entry, !problem.empty());
         tell(std::move(problem));
         countsAnew = std::holds_alternative<Restart>(*command) && playback_->isPast();
         if (countsAnew) {
@@ -186,7 +187,7 @@ bool SceneTimeline::play(JournalEntry& entry) {
     } else if (const auto* check = std::get_if<CheckEvent>(&action)) {
         const CheckDifference difference = body_.driver.compare(*check);
         if (entry.doubtful) {
-            journal_.noteFound(entry, corrected(*check, difference));
+            log_.noteFound(entry, corrected(*check, difference));
         } else {
             tell(playback_->compare(*check, difference, body_.simulation.stepCount()));
         }
@@ -196,22 +197,16 @@ bool SceneTimeline::play(JournalEntry& entry) {
 
 // --- Seeking -----------------------------------------------------------------------------------
 
-/// A moment forgets what the blade is told for the coming step.
-void SceneTimeline::keepKeyframe() {
-    const std::size_t bytes = snapshotBytes(body_.simulation.mesh());
-    if (body_.simulation.bladeActions().empty() &&
-        keyframes_.wants(body_.simulation.stepCount(), bytes)) {
-        addKeyframe(bytes);
-    }
+SceneCheckpoint SceneTimeline::now() const {
+    return {body_.driver.now(), log_.commandsDone(body_.simulation.stepCount()), start_};
 }
 
-void SceneTimeline::addKeyframe(std::size_t bytes) {
-    Simulation& simulation = body_.simulation;
-    const int step = simulation.stepCount();
-    keyframes_.keep(
-        step,
-        {simulation.moment(), journal_.commandsDone(step), body_.driver.strokePoses(), start_},
-        bytes);
+void SceneTimeline::keepCheckpoint() {
+    const int step = body_.simulation.stepCount();
+    const std::size_t bytes = snapshotBytes(body_.simulation.meshAsRead());
+    if (checkpoints_.wants(step, bytes)) {
+        checkpoints_.keep(step, now(), bytes);
+    }
 }
 
 std::optional<SceneTimeline::Jump> SceneTimeline::seek(int step) {
@@ -219,50 +214,54 @@ std::optional<SceneTimeline::Jump> SceneTimeline::seek(int step) {
         return std::nullopt;
     }
     step = std::clamp(step, 0, playback_->steps());
-    const int from = keyframes_.stepBefore(step);
+    const int end = playback_->steps();
+    const int from = checkpoints_.stepBefore(step, step == end);
     const int now = body_.simulation.stepCount();
     std::optional<Jump> jump;
     if (from >= 0 && (step < now || from > now)) {
-        jump = goTo(from, *keyframes_.before(step));
+        jump = goTo(from, checkpoints_.at(from));
     }
     seekTarget_ = step;
+    if (jump && from == end) {
+        jump->countsAnew |= playEvents();
+        endPast();
+    }
     return jump;
 }
 
 bool SceneTimeline::goesBack(int step) const {
-    return step < body_.simulation.stepCount() && keyframes_.stepBefore(step) >= 0;
+    return step < body_.simulation.stepCount() && checkpoints_.stepBefore(step, false) >= 0;
 }
 
 void SceneTimeline::playPast() {
-    Session past = sessionAsSaved(body_.document.session, journal_).session;
+    Session past = sessionAsSaved(body_.document.session, log_).session;
     past.steps = body_.simulation.stepCount();
     playback_.emplace(std::move(past), SessionPlayback::Of::past);
 }
 
-SceneTimeline::Jump SceneTimeline::goTo(int step, const Keyframe& keyframe) {
-    const int before = std::exchange(start_, keyframe.start).step;
-    body_.simulation.goTo(keyframe.moment);
+SceneTimeline::Jump SceneTimeline::goTo(int step, const SceneCheckpoint& checkpoint) {
+    const int before = std::exchange(start_, checkpoint.start).step;
+    body_.driver.goTo(checkpoint.state);
     body_.followPlacement();
-    journal_.goTo(step, keyframe.commandsDone);
-    body_.driver.setStrokePoses(keyframe.strokePoses);
-    return {before != keyframe.start.step};
+    log_.goTo(step, checkpoint.commandsDone);
+    return {before != start_.step};
 }
 
 /// Then also the start is kept, to seek back.
 bool SceneTimeline::goTo(const StoredEnd& end) {
-    keepKeyframe();
+    keepCheckpoint();
     Simulation& simulation = body_.simulation;
-    if (!playback_ || !simulation.goTo(end.moment) || simulation.stateHash() != end.hash ||
+    if (!playback_ || !simulation.goTo(end.checkpoint) ||
         simulation.stepCount() != playback_->steps()) {
         simulation.reset();
         return false;
     }
     body_.followPlacement();
     start_ = {end.startStep, end.startTime};
-    journal_.goTo(simulation.stepCount(), journal_.entries().size());
+    log_.goTo(simulation.stepCount(), log_.entries().size());
     undoBegins_ = simulation.stepCount();
-    if (const std::size_t bytes = snapshotBytes(simulation.mesh()); keyframes_.fits(bytes)) {
-        addKeyframe(bytes);
+    if (const std::size_t bytes = snapshotBytes(simulation.mesh()); checkpoints_.fits(bytes)) {
+        checkpoints_.keep(simulation.stepCount(), now(), bytes);
     }
     return true;
 }
@@ -278,8 +277,8 @@ void SceneTimeline::recall() {
         playPast();
     }
     undoBegins_.reset();
-    keyframes_.changedAt(0, std::numeric_limits<std::size_t>::max());
-    goTo(0, *keyframes_.before(0));
+    checkpoints_.changedAt(0, std::numeric_limits<std::size_t>::max());
+    goTo(0, checkpoints_.at(0));
     seekTarget_ = now;
 }
 
@@ -298,7 +297,7 @@ void SceneTimeline::noteTear(const StepReport& report) {
         return;
     }
     if (std::abs(report.step - toreLast_) > kTearPause) {
-        journal_.noteTear(report.step);
+        log_.noteTear(report.step);
     }
     toreLast_ = report.step;
 }

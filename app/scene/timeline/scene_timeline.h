@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/scene/document/scene_body.h"
-#include "app/scene/timeline/keyframes.h"
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/checkpoints.h"
+#include "app/scene/timeline/event_log.h"
 #include "app/scene/timeline/session_playback.h"
 
 namespace kerf::ui {
@@ -28,10 +28,10 @@ class SceneTimeline {
 
     /// Carries out a user command: the only way to the simulation. Returns "" or one sentence.
     std::string perform(const Command& wanted);
-    const SessionJournal& journal() const { return journal_; }
-    SessionJournal& journal() { return journal_; }
+    const EventLog& log() const { return log_; }
+    EventLog& log() { return log_; }
     /// Whether a user has changed anything since the start.
-    bool hasChanged() const { return journal_.firstChange().has_value(); }
+    bool hasChanged() const { return log_.firstChange().has_value(); }
     /// Whether time that runs beyond the end of a session belongs to it: after a change, and where
     /// it was reopened at its end.
     bool goesOn() const { return reopened_ || hasChanged(); }
@@ -63,8 +63,10 @@ class SceneTimeline {
     void toggleLoop();
 
     // Seeking.
-    /// Keeps the present as a keyframe, if due.
-    void keepKeyframe();
+    /// The present as a checkpoint.
+    SceneCheckpoint now() const;
+    /// Keeps it, if one is due.
+    void keepCheckpoint();
     /// Whether an earlier step is kept.
     bool goesBack(int step) const;
     /// Plays back from now on what was done since the start.
@@ -73,8 +75,8 @@ class SceneTimeline {
     struct Jump {
         bool countsAnew = false;  ///< the panels count from another start
     };
-    /// Seeks to `step` of the playback, or to the last keyframe before it: seekSteps() are left to
-    /// do. None if nothing was done at once.
+    /// Seeks to `step` of the playback, before its events, or to the last checkpoint before it:
+    /// seekSteps() are left to do. None if nothing was done at once.
     std::optional<Jump> seek(int step);
     /// Goes to the stored end of the opened session. False, and at its start, if it doesn't fit.
     bool goTo(const StoredEnd& end);
@@ -97,6 +99,8 @@ class SceneTimeline {
     /// At its end a session stops once, or restarts. User changes stay.
     StepEnd endStep();
 
+    /// What the checkpoints take [bytes].
+    std::size_t checkpointBytes() const { return checkpoints_.bytes(); }
     /// Fills in what the panels show of it.
     void describe(ui::PlaybackState& state) const;
 
@@ -105,20 +109,19 @@ class SceneTimeline {
     void beginPlayback();
     long strokesThatMet() const;
     std::vector<PlayedAction> movesOnTheirWay() const;
-    bool play(JournalEntry& entry);
-    void addKeyframe(std::size_t bytes);
+    bool play(LogEntry& entry);
     void tell(std::string message);
-    Jump goTo(int step, const Keyframe& keyframe);
+    Jump goTo(int step, const SceneCheckpoint& checkpoint);
     StepEnd endSession();
     void endPast();
 
     SceneBody& body_;
     int toreLast_ = -kTearPause;  ///< step in which a tear advanced
     long metBefore_ = 0;          ///< strokes that had met the body when the blade was put down
-    SessionJournal journal_;
+    EventLog log_;
     /// Plays a session with events, or the past, until the user cuts.
     std::optional<SessionPlayback> playback_;
-    Keyframes keyframes_;
+    Checkpoints checkpoints_;
     std::optional<int> seekTarget_;
     std::optional<int> undoBegins_;  ///< the step of a stored end
     bool reopened_ = false;          ///< the session was opened at its end

@@ -19,7 +19,7 @@ std::string textOf(const CheckEvent& check) {
     return pieces.empty() ? "state" : pieces + ", state";
 }
 
-std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
+std::optional<ui::SessionMark> markOf(const LogEntry& entry) {
     const SessionAction& action = entry.event.action;
     const int step = entry.event.step;
     if (const auto* picture = std::get_if<ScreenshotEvent>(&action)) {
@@ -35,7 +35,7 @@ std::optional<ui::SessionMark> markOf(const JournalEntry& entry) {
         return ui::SessionMark{entry.id, step, Kind::name, named->name};
     }
     const auto* check = std::get_if<CheckEvent>(&action);
-    if (check == nullptr || entry.origin == JournalEntry::Origin::editor) {
+    if (check == nullptr || entry.origin == LogEntry::Origin::editor) {
         return std::nullopt;
     }
     return ui::SessionMark{entry.id, step, Kind::check, textOf(*check)};
@@ -98,9 +98,9 @@ void addChange(std::vector<ui::SessionMark>& marks, ui::SessionMark mark) {
 
 }  // namespace
 
-std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
+std::vector<ui::SessionMark> marksOf(const EventLog& log) {
     std::vector<ui::SessionMark> marks;
-    for (const JournalEntry& entry : journal.entries()) {
+    for (const LogEntry& entry : log.entries()) {
         if (auto mark = markOf(entry)) {
             marks.push_back(std::move(*mark));
         }
@@ -108,11 +108,11 @@ std::vector<ui::SessionMark> marksOf(const SessionJournal& journal) {
     return marks;
 }
 
-std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal) {
+std::vector<ui::SessionMark> pastMarks(const EventLog& log) {
     std::vector<ui::SessionMark> marks;
     bool down = false;
     int first = 0;  // entry of the stroke
-    for (const JournalEntry& entry : journal.entries()) {
+    for (const LogEntry& entry : log.entries()) {
         const SessionAction& action = entry.event.action;
         const int step = entry.event.step;
         if (std::holds_alternative<MoveBlade>(action) && !std::exchange(down, true)) {
@@ -128,22 +128,22 @@ std::vector<ui::SessionMark> pastMarks(const SessionJournal& journal) {
             addChange(marks, {entry.id, step, kind, std::move(text)});
         }
     }
-    for (const int step : journal.tears()) {
+    for (const int step : log.tears()) {
         marks.push_back({0, step, Kind::tear, "Tear"});
     }
     std::ranges::stable_sort(marks, {}, &ui::SessionMark::step);
     return marks;
 }
 
-std::string freeOutputName(const SessionJournal& journal, const std::string& name, int step,
+std::string freeOutputName(const EventLog& log, const std::string& name, int step,
                            const std::string& ending) {
     const std::string stem = name + "-" + std::to_string(step);
     std::string file = stem + ending;
-    const auto isTaken = [&](const JournalEntry& entry) {
+    const auto isTaken = [&](const LogEntry& entry) {
         const std::string* const taken = fileOf(entry.event.action);
         return taken != nullptr && *taken == file;
     };
-    for (int n = 2; std::ranges::any_of(journal.entries(), isTaken); ++n) {
+    for (int n = 2; std::ranges::any_of(log.entries(), isTaken); ++n) {
         file = stem;
         file.append("-").append(std::to_string(n)).append(ending);
     }

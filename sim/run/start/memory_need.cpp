@@ -244,11 +244,11 @@ std::uint64_t bytesOnGpu(const BodySize& size, const MemorySettings& settings) {
 MemoryNeed memoryNeedOf(const BodySize& size, const MemorySettings& settings) {
     const double copy = bytesOfCopy(settings.ispcsPerVertex).of(size.vertices, size.triangles);
     // What was before a change and what was after it, where the budget lets a copy be kept at all;
-    // the start of the course, and another moment.
+    // the start of the course, and another checkpoint.
     const double undoBudget = static_cast<double>(settings.undoBudget);
     const double undo = copy <= undoBudget ? std::min(undoBudget, (1 + kGrowthByCut) * copy) : 0;
-    const double keyframeBudget = static_cast<double>(settings.keyframeBudget);
-    const double course = keyframeBudget > 0 ? copy + std::min(keyframeBudget, copy) : 0;
+    const double checkpointBudget = static_cast<double>(settings.checkpointBudget);
+    const double course = checkpointBudget > 0 ? copy + std::min(checkpointBudget, copy) : 0;
     const BodySize cut{kGrowthByCut * size.vertices, kGrowthByCut * size.triangles};
     MemoryNeed need;
     need.program = kProgram;

@@ -27,12 +27,12 @@ struct BodySize {
 
 /// The settings that affect memory.
 struct MemorySettings {
-    bool contact = true;               ///< parts of the body collide
-    int ispcsPerVertex = 1;            ///< three with the implicit solver
-    bool obstacles = false;            ///< boxes, or a blade that pushes
-    bool implicit = false;             ///< steps are those of SolverMode::implicit
-    std::uint64_t undoBudget = 0;      ///< of the undo history [bytes]
-    std::uint64_t keyframeBudget = 0;  ///< of checkpoints [bytes]
+    bool contact = true;                 ///< parts of the body collide
+    int ispcsPerVertex = 1;              ///< three with the implicit solver
+    bool obstacles = false;              ///< boxes, or a blade that pushes
+    bool implicit = false;               ///< steps are those of SolverMode::implicit
+    std::uint64_t undoBudget = 0;        ///< of the undo history [bytes]
+    std::uint64_t checkpointBudget = 0;  ///< of checkpoints [bytes]
 };
 MemorySettings memorySettings(const Params& params, bool hasBoxes);
 

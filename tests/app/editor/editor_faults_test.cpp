@@ -212,7 +212,10 @@ TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
     EXPECT_THAT(changes(), ElementsAre("Remesh"));
     EXPECT_EQ(panels().changes.done, 1U);
     EXPECT_NEAR(panels().model.models[0].edge, proposed, 0.1 * proposed);
+    ASSERT_EQ(panels().session.past.size(), 1U) << "marked on the time line";
+    EXPECT_EQ(panels().session.past[0].text, "Remesh");
     undo();
+    EXPECT_THAT(panels().session.past, IsEmpty());
     EXPECT_EQ(hash(), before);
     EXPECT_EQ(panels().body.triangles, triangles);
     EXPECT_THAT(changes(), ElementsAre("Remesh"));

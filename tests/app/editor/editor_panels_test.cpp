@@ -250,7 +250,7 @@ TEST(EditorToast, OffersAScreenshotOnceItIsSaved) {
     EXPECT_FALSE(offers(toast)) << "another file";
     toast.show(SavingQueue::Outcome{2, "Saved kerf.png", false});
     ASSERT_TRUE(offers(toast));
-    const std::optional<JournalPosition> place = toast.takeOffer();
+    const std::optional<LogPosition> place = toast.takeOffer();
     ASSERT_TRUE(place);
     EXPECT_EQ(place->step, 7);
     EXPECT_FALSE(toast.takeOffer()) << "once only";

@@ -297,7 +297,7 @@ TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
 std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
     Simulation simulation(pushedUp(cubeSphere(3), 0.45), params);
     lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
-    const Moment moment = simulation.moment();
+    const Checkpoint then = simulation.checkpoint();
     const auto goOn = [&] {
         lead(simulation, acrossZ(0.03, 0.5), acrossZ(0.03, 0.8), 6);
         lead(simulation, acrossZ(0.03, 0.8), acrossZ(0.2, 0.85), 6);
@@ -307,7 +307,7 @@ std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
     if (!throughAMoment) {
         return hash;
     }
-    simulation.goTo(moment);
+    simulation.goTo(then);
     return goOn();
 }
 

@@ -134,9 +134,9 @@ TEST_F(FallingThinBody, GoesOnFromAMoment) {
         return simulation.stateHash();
     };
     run(30);
-    const Moment moment = simulation.moment();
+    const Checkpoint then = simulation.checkpoint();
     const std::string hash = run(20);
-    simulation.goTo(moment);
+    simulation.goTo(then);
     EXPECT_EQ(run(20), hash);
 }
 

@@ -167,10 +167,10 @@ TEST_F(FlatSphereTest, IsDrawnBackAfterAnUndoOfTheParameter) {
 TEST_F(FlatSphereTest, AMomentKnowsThatItIsDrawnBack) {
     set("ispc_stiffness", 0.5);
     run(40);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     run(60);
     const std::string hash = simulation->stateHash();
-    simulation->goTo(moment);
+    simulation->goTo(then);
     run(60);
     EXPECT_EQ(simulation->stateHash(), hash);
 }

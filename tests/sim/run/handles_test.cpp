@@ -260,11 +260,11 @@ TEST_F(HandlesTest, MistakesAreOneSentenceAndChangeNothing) {
 // What moves, by an empty list, kept a body from sleeping, but not in its replay.
 TEST_F(HandlesTest, AMotionOfNothingLeavesNothingBehind) {
     Simulation simulation(icosphere(1), weightless());
-    const auto before = bytesOf(simulation.moment());
+    const auto before = bytesOf(simulation.checkpoint());
     Pin pin{Ball{{9, 9, 9}, 1}};
     pin.velocity = Vec3(1, 0, 0);
     EXPECT_THAT(simulation.execute(pin), HasSubstr("nothing was pinned"));
-    EXPECT_EQ(bytesOf(simulation.moment()), before);
+    EXPECT_EQ(bytesOf(simulation.checkpoint()), before);
 }
 
 TEST_F(HandlesTest, AHandThatHoldsAgainLetsGoOfWhatItHeld) {

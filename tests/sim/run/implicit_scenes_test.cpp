@@ -102,10 +102,10 @@ TEST_F(ImplicitScenesTest, AMomentGoesOnToTheBit) {
     begin(falling);
     cut(1.0);
     run(10);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     run(20);
     const std::string after = simulation->stateHash();
-    simulation->goTo(moment);
+    simulation->goTo(then);
     run(20);
     EXPECT_EQ(simulation->stateHash(), after);
 }
@@ -115,7 +115,7 @@ TEST_F(ImplicitScenesTest, TheReportTellsOfHowManyStepsATimeStepIsMade) {
     floating.timeStep = 0.02;  // longer than the longest step of any body
     begin(floating);
     EXPECT_EQ(simulation->step().implicitSteps, 2);
-    const auto moment = bytesOf(simulation->moment());
+    const auto moment = bytesOf(simulation->checkpoint());
     ASSERT_EQ(simulation->execute(SetParam{"solver", std::string("pbd")}), "");
     EXPECT_EQ(simulation->step().implicitSteps, 1);
     ASSERT_TRUE(simulation->goTo(*moment));

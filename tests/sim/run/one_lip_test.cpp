@@ -244,7 +244,7 @@ TEST_F(MendingTest, AMomentKnowsHowLongTheBodyHasBeenFolded) {
     const int before = triangles();
     fold();
     run(5);
-    const Moment folded = simulation->moment();
+    const Checkpoint folded = simulation->checkpoint();
     run(40);
     const std::string mended = simulation->stateHash();
     EXPECT_LT(triangles(), before);

@@ -126,7 +126,7 @@ TEST_F(OpenCutTest, TakesEffectWithTheNextStroke) {
 
 TEST_F(OpenCutTest, RepeatsBitForBitAndGoesOnFromAMomentInTheMiddle) {
     sweep(0.03, 0, 14);
-    const Moment middle = simulation->moment();
+    const Checkpoint middle = simulation->checkpoint();
     const std::string then = simulation->stateHash();
     const auto goOn = [&] {
         sweep(0.03, 15, kStrokeSteps);

@@ -139,10 +139,10 @@ TEST_F(PlacementTest, OneWithoutRoomInFloatsIsRefusedAndChangesNothing) {
 }
 
 TEST_F(PlacementTest, MomentsAndResetsKnowTheirOwn) {
-    const Moment first = simulation->moment();
+    const Checkpoint first = simulation->checkpoint();
     const std::string before = simulation->stateHash();
     place(inches);
-    const Moment second = simulation->moment();
+    const Checkpoint second = simulation->checkpoint();
     const std::string after = simulation->stateHash();
     simulation->goTo(first);
     EXPECT_EQ(simulation->stateHash(), before);

@@ -407,7 +407,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     params.skinThickness = 0.005;
     Simulation simulation = fallingHalves(params);
     step(simulation, 30);
-    const Moment moment = simulation.moment();
+    const Checkpoint then = simulation.checkpoint();
     step(simulation, 5);
     const std::string unchanged = simulation.stateHash();
     // Without a blade or a pull these wait for the next stroke, a tear, or another solver.
@@ -423,7 +423,7 @@ TEST_F(SimulationTest, EveryParameterCanBeChangedWhileTheBodyMoves) {
     const std::set<std::string_view> seldom{"iteration_error", "depenetration_speed"};
     for (const ParamInfo& info : paramTable()) {
         SCOPED_TRACE(info.name);
-        simulation.goTo(moment);
+        simulation.goTo(then);
         const ParamValue value = draggedValue(simulation.params(), info);
         ASSERT_EQ(simulation.execute(SetParam{std::string(info.name), value}), "");
         step(simulation, 5);

@@ -105,11 +105,11 @@ TEST_F(SleepTest, ABladeCutsWhatSleeps) {
 TEST_F(SleepTest, TheSameStepsAgainEndInTheSameBits) {
     start(sleeping());
     run(100);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     const int first = stepsUntilItSleeps();
     const std::string hash = simulation->stateHash();
     run(30);
-    simulation->goTo(moment);
+    simulation->goTo(then);
     EXPECT_EQ(stepsUntilItSleeps(), first);
     EXPECT_EQ(simulation->stateHash(), hash);
 }
@@ -208,10 +208,10 @@ TEST_F(TimeStandsTest, AResetLetsItRun) {
 
 TEST_F(TimeStandsTest, AMomentKnowsThatItStood) {
     letTimeRun(false);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     letTimeRun(true);
     run(3);
-    simulation->goTo(moment);
+    simulation->goTo(then);
     EXPECT_FALSE(simulation->timeRuns());
 }
 
@@ -303,11 +303,11 @@ TEST_F(AutoIterationsTest, AMomentAndAReplayGiveTheSameBits) {
     start(autoParams());
     simulation->setUndoBudget(1 << 28);
     run(3);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     const Course first = playScene();
     const auto [least, most] = std::ranges::minmax(first.iterations);
     EXPECT_GT(most, least) << "the number changes";
-    simulation->goTo(moment);
+    simulation->goTo(then);
     EXPECT_EQ(playScene(), first) << "from a checkpoint";
     start(autoParams());
     simulation->setUndoBudget(1 << 28);
@@ -322,9 +322,9 @@ TEST_F(AutoIterationsTest, SeekingBackAcrossACutAndOtherMaterialsGivesTheSameBit
     start(params);
     simulation->setUndoBudget(1 << 28);
     run(10);
-    const Moment before = simulation->moment();
+    const Checkpoint before = simulation->checkpoint();
     const Course first = playScene();
-    const Moment after = simulation->moment();
+    const Checkpoint after = simulation->checkpoint();
     const Course later = play(10);
     simulation->goTo(before);
     EXPECT_EQ(playScene(), first);

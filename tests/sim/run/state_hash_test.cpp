@@ -198,7 +198,7 @@ class StoredMomentTest : public SimulationFixture {
         return {cubeSphere(6, 0.5), newScene(solver)};
     }
     static Bytes bytesNow(Simulation& simulation) {
-        const std::optional<Bytes> bytes = bytesOf(simulation.moment());
+        const std::optional<Bytes> bytes = bytesOf(simulation.checkpoint());
         EXPECT_TRUE(bytes);
         return bytes.value_or(Bytes{});
     }
@@ -258,9 +258,9 @@ TEST_F(StoredMomentTest, EqualStatesHaveEqualBytes) {
             work.cut(played);
             work.change(played);
             played.step();
-            moments.push_back(bytesOf(played.moment()));
+            moments.push_back(bytesOf(played.checkpoint()));
             soil();
-            EXPECT_TRUE(bytesOf(played.moment()) == moments.back()) << "of one state";
+            EXPECT_TRUE(bytesOf(played.checkpoint()) == moments.back()) << "of one state";
             soil();
             Simulation other(icosphere(1), Params());
             Work(seed + 100).cut(other);
@@ -307,12 +307,12 @@ TEST_F(StoredMomentTest, WhatWasDoneBeforeIsNotUndone) {
 TEST_F(StoredMomentTest, NothingIsStoredWhileABladeIsPlaced) {
     Simulation one = begun();
     one.execute(MoveBlade{{{0, 0.8, -1}, {0, 0.8, 1}}});
-    EXPECT_FALSE(bytesOf(one.moment()));
+    EXPECT_FALSE(bytesOf(one.checkpoint()));
     one.step();
-    EXPECT_FALSE(bytesOf(one.moment()));
+    EXPECT_FALSE(bytesOf(one.checkpoint()));
     one.execute(LiftBlade{});
     one.step();
-    EXPECT_TRUE(bytesOf(one.moment()));
+    EXPECT_TRUE(bytesOf(one.checkpoint()));
 }
 
 TEST_F(StoredMomentTest, WhatDoesNotFitIsRefused) {

@@ -95,7 +95,7 @@ TEST_F(UndoTest, GoingToAMomentAndOnGivesTheSameBits) {
     simulation->execute(SetParam{"iterations", 3.0});
     cutAt(0.2);
     stroke(-0.1, 15);
-    const Moment middle = simulation->moment();
+    const Checkpoint middle = simulation->checkpoint();
     const std::string then = simulation->stateHash();
     const auto goOn = [&] {
         for (int i = 16; i <= 30; ++i) {
@@ -130,12 +130,12 @@ TEST_F(UndoTest, AMomentAfterAnyStepOfAStrokeGoesOnAsItDid) {
     for (int i = 0; i < 5; ++i) {
         SCOPED_TRACE(i);
         const std::string here = stepTo(i);
-        const Moment moment = simulation->moment();
+        const Checkpoint then = simulation->checkpoint();
         const std::string next = stepTo(i + 1);
-        simulation->goTo(moment);
+        simulation->goTo(then);
         EXPECT_EQ(simulation->stateHash(), here);
         EXPECT_EQ(stepTo(i + 1), next);
-        simulation->goTo(moment);
+        simulation->goTo(then);
     }
 }
 
@@ -144,10 +144,10 @@ TEST_F(UndoTest, GoingToAMomentKeepsContacts) {
     simulation->execute(SetParam{"contact", 1.0});
     cutAt(0.03);
     const auto expectTheSameAgain = [&] {
-        const Moment moment = simulation->moment();
+        const Checkpoint then = simulation->checkpoint();
         run(4);
         const std::string end = simulation->stateHash();
-        simulation->goTo(moment);
+        simulation->goTo(then);
         run(4);
         EXPECT_EQ(simulation->stateHash(), end) << simulation->stepCount();
     };

@@ -213,9 +213,9 @@ std::string hashAfter(const Params& params, bool throughAMoment = false) {
     };
     lead(kSize + 0.01, 0.06);
     if (throughAMoment) {
-        const Moment moment = simulation.moment();
+        const Checkpoint then = simulation.checkpoint();
         lead(0.06, 0.02);
-        simulation.goTo(moment);
+        simulation.goTo(then);
     }
     lead(0.06, 0.02);
     simulation.execute(LiftBlade{});

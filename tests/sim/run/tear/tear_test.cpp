@@ -206,10 +206,10 @@ TEST_F(TearTest, ContinuesBitForBitFromAMoment) {
         simulation->step();
     }
     run(5);
-    const Moment moment = simulation->moment();
+    const Checkpoint then = simulation->checkpoint();
     run(15);
     const std::string hash = simulation->stateHash();
-    simulation->goTo(moment);
+    simulation->goTo(then);
     run(15);
     EXPECT_EQ(simulation->stateHash(), hash);
 }

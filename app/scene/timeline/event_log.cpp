@@ -1,19 +1,19 @@
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/event_log.h"
 
 namespace kerf::app {
 namespace {
 
-using Origin = JournalEntry::Origin;
+using Origin = LogEntry::Origin;
 
 SessionAction actionOf(const Command& command) {
     return std::visit([](const auto& c) { return SessionAction(c); }, command);
 }
 
-bool isCommand(const JournalEntry& entry) {
+bool isCommand(const LogEntry& entry) {
     return commandOf(entry.event.action).has_value();
 }
 
-bool isChange(const JournalEntry& entry) {
+bool isChange(const LogEntry& entry) {
     return entry.origin == Origin::person && isCommand(entry);
 }
 
@@ -55,7 +55,7 @@ void takeValue(SessionAction& earlier, const Command& later) {
 
 // --- What a person does ------------------------------------------------------------------------
 
-void SessionJournal::note(int step, const Command& command) {
+void EventLog::note(int step, const Command& command) {
     noteChangeAt(step);
     if (!mergeIntoLast(step, command)) {
         notePose(step, command);
@@ -67,28 +67,28 @@ void SessionJournal::note(int step, const Command& command) {
 }
 
 /// From the first change on, what could not be carried out is saved no more.
-void SessionJournal::noteChangeAt(int step) {
+void EventLog::noteChangeAt(int step) {
     ++deeds_;
-    if (!firstChange_ && std::ranges::any_of(entries_, &JournalEntry::failed)) {
+    if (!firstChange_ && std::ranges::any_of(entries_, &LogEntry::failed)) {
         touch(0);
     }
     firstChange_ = std::min(step, firstChange_.value_or(step));
 }
 
-void SessionJournal::touch(const JournalEntry& entry) {
+void EventLog::touch(const LogEntry& entry) {
     const auto index = static_cast<std::size_t>(&entry - entries_.data());
     touch(index);
 }
 
-void SessionJournal::note(int step, CheckEvent check) {
+void EventLog::note(int step, CheckEvent check) {
     insert(done_, Origin::editor, {step, std::move(check)});
 }
 
-void SessionJournal::clear() {
+void EventLog::clear() {
     const int id = lastId_;
     const int revision = revision_;
     const int deeds = deeds_;
-    *this = SessionJournal{};
+    *this = EventLog{};
     lastId_ = id;
     revision_ = revision + 1;
     deeds_ = deeds;
@@ -96,11 +96,11 @@ void SessionJournal::clear() {
 }
 
 /// What a slider changes that is dragged while time stands: only its last value counts.
-bool SessionJournal::mergeIntoLast(int step, const Command& command) {
+bool EventLog::mergeIntoLast(int step, const Command& command) {
     if (done_ == 0 || !continuesGesture(command)) {
         return false;
     }
-    JournalEntry& last = entries_[done_ - 1];
+    LogEntry& last = entries_[done_ - 1];
     const bool merges =
         last.id == noted_ && last.event.step == step && setTheSame(last.event.action, command);
     if (merges) {
@@ -111,8 +111,8 @@ bool SessionJournal::mergeIntoLast(int step, const Command& command) {
 }
 
 /// A slider stays where it was moved to last, whenever in the session that was.
-void SessionJournal::voidLater(const Command& command) {
-    const auto isVoid = [&](const JournalEntry& entry) {
+void EventLog::voidLater(const Command& command) {
+    const auto isVoid = [&](const LogEntry& entry) {
         return isChange(entry) && setTheSame(entry.event.action, command);
     };
     const auto rest = std::remove_if(entries_.begin() + static_cast<std::ptrdiff_t>(done_),
@@ -123,9 +123,9 @@ void SessionJournal::voidLater(const Command& command) {
     }
 }
 
-void SessionJournal::doubtChecksFrom(std::size_t index) {
+void EventLog::doubtChecksFrom(std::size_t index) {
     for (; index < entries_.size(); ++index) {
-        JournalEntry& entry = entries_[index];
+        LogEntry& entry = entries_[index];
         if (std::holds_alternative<CheckEvent>(entry.event.action)) {
             entry.doubtful = true;
             entry.found.reset();
@@ -134,7 +134,7 @@ void SessionJournal::doubtChecksFrom(std::size_t index) {
     }
 }
 
-void SessionJournal::notePose(int step, const Command& command) {
+void EventLog::notePose(int step, const Command& command) {
     if (const auto* move = std::get_if<MoveBlade>(&command)) {
         if (lastPose_) {
             hold(*lastPose_, step);
@@ -145,7 +145,7 @@ void SessionJournal::notePose(int step, const Command& command) {
     }
 }
 
-void SessionJournal::noteHand(int step, const Command& command) {
+void EventLog::noteHand(int step, const Command& command) {
     if (const auto* grab = std::get_if<Grab>(&command)) {
         lastDrags_[grab->hand] = {step, Drag{grab->hand, grab->at}};
     } else if (const auto* drag = std::get_if<Drag>(&command)) {
@@ -162,7 +162,7 @@ void SessionJournal::noteHand(int step, const Command& command) {
 
 /// In a session blade and hands move from each pose to the next. Where one stood still until the
 /// step before, that must be said.
-void SessionJournal::hold(const SessionEvent& last, int step) {
+void EventLog::hold(const SessionEvent& last, int step) {
     if (last.step < step - 1) {
         insert(indexOf({step, 0}), Origin::editor, {step - 1, last.action});
     }
@@ -170,7 +170,7 @@ void SessionJournal::hold(const SessionEvent& last, int step) {
 
 // --- A session that is played ------------------------------------------------------------------
 
-void SessionJournal::open(const std::vector<SessionEvent>& events) {
+void EventLog::open(const std::vector<SessionEvent>& events) {
     clear();
     for (const SessionEvent& event : events) {
         insert(entries_.size(), Origin::session, event);
@@ -178,12 +178,12 @@ void SessionJournal::open(const std::vector<SessionEvent>& events) {
     done_ = 0;
 }
 
-void SessionJournal::restart() {
+void EventLog::restart() {
     const bool changed = firstChange_.has_value();
     tears_.clear();
     dropTakeOver();
     std::erase_if(entries_, isChange);
-    for (JournalEntry& entry : entries_) {
+    for (LogEntry& entry : entries_) {
         const bool check = std::holds_alternative<CheckEvent>(entry.event.action);
         entry.failed = false;
         entry.found.reset();
@@ -198,22 +198,22 @@ void SessionJournal::restart() {
     ++revision_;
 }
 
-void SessionJournal::dropTakeOver() {
+void EventLog::dropTakeOver() {
     if (takenOver_) {
-        std::erase_if(entries_, [&](const JournalEntry& entry) { return entry.id > *takenOver_; });
+        std::erase_if(entries_, [&](const LogEntry& entry) { return entry.id > *takenOver_; });
         std::ranges::move(rest_, std::back_inserter(entries_));
     }
     takenOver_.reset();
     rest_.clear();
 }
 
-JournalEntry* SessionJournal::takeDue(int step) {
+LogEntry* EventLog::takeDue(int step) {
     noted_.reset();
     const bool due = done_ < entries_.size() && entries_[done_].event.step == step;
     return due ? &entries_[done_++] : nullptr;
 }
 
-std::size_t SessionJournal::commandsDone(int step) const {
+std::size_t EventLog::commandsDone(int step) const {
     const std::size_t first = std::min(indexOf({step, 0}), done_);
     const auto begin = entries_.begin();
     return static_cast<std::size_t>(std::count_if(begin + static_cast<std::ptrdiff_t>(first),
@@ -221,7 +221,7 @@ std::size_t SessionJournal::commandsDone(int step) const {
                                                   isCommand));
 }
 
-void SessionJournal::goTo(int step, std::size_t commandsDone) {
+void EventLog::goTo(int step, std::size_t commandsDone) {
     noted_.reset();
     done_ = indexOf({step, 0});
     for (std::size_t commands = 0; commands < commandsDone && done_ < entries_.size(); ++done_) {
@@ -229,7 +229,7 @@ void SessionJournal::goTo(int step, std::size_t commandsDone) {
     }
 }
 
-std::size_t SessionJournal::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
+std::size_t EventLog::takeOver(int step, const std::vector<PlayedAction>& cutShort) {
     noteChangeAt(step);
     tears_.erase(tears_.lower_bound(step), tears_.end());
     takenOver_ = takenOver_.value_or(lastId_);
@@ -242,9 +242,9 @@ std::size_t SessionJournal::takeOver(int step, const std::vector<PlayedAction>& 
 }
 
 /// What is to come of the session comes back when it is restarted, with its pictures.
-std::size_t SessionJournal::leaveOutRest() {
+std::size_t EventLog::leaveOutRest() {
     const auto present = entries_.begin() + static_cast<std::ptrdiff_t>(done_);
-    const auto own = std::stable_partition(present, entries_.end(), [](const JournalEntry& entry) {
+    const auto own = std::stable_partition(present, entries_.end(), [](const LogEntry& entry) {
         return entry.origin == Origin::session || !isCommand(entry);
     });
     const auto count = static_cast<std::size_t>(std::count_if(own, entries_.end(), isChange));
@@ -254,40 +254,39 @@ std::size_t SessionJournal::leaveOutRest() {
     return count;
 }
 
-std::size_t SessionJournal::leftOut() const {
-    return static_cast<std::size_t>(
-        std::ranges::count(rest_, Origin::session, &JournalEntry::origin));
+std::size_t EventLog::leftOut() const {
+    return static_cast<std::size_t>(std::ranges::count(rest_, Origin::session, &LogEntry::origin));
 }
 
-void SessionJournal::noteFailure(JournalEntry& entry, bool failed) {
+void EventLog::noteFailure(LogEntry& entry, bool failed) {
     if (std::exchange(entry.failed, failed) != failed) {
         touch(entry);
     }
 }
 
-void SessionJournal::noteFound(JournalEntry& entry, CheckEvent found) {
+void EventLog::noteFound(LogEntry& entry, CheckEvent found) {
     entry.found = std::move(found);
     touch(entry);
 }
 
-void SessionJournal::noteTear(int step) {
+void EventLog::noteTear(int step) {
     revision_ += tears_.insert(step).second ? 1 : 0;
 }
 
 // --- Pictures, exports and checks --------------------------------------------------------------
 
-JournalPosition SessionJournal::here(int step) const {
+LogPosition EventLog::here(int step) const {
     return {step, done_ == 0 ? 0 : entries_[done_ - 1].id};
 }
 
-void SessionJournal::add(const JournalPosition& place, SessionAction action) {
+void EventLog::add(const LogPosition& place, SessionAction action) {
     insert(indexOf(place), Origin::person, {place.step, std::move(action)});
     ++deeds_;
     ++revision_;
 }
 
-void SessionJournal::remove(int id) {
-    const auto found = std::ranges::find(entries_, id, &JournalEntry::id);
+void EventLog::remove(int id) {
+    const auto found = std::ranges::find(entries_, id, &LogEntry::id);
     if (found != entries_.end()) {
         done_ -= static_cast<std::size_t>(found - entries_.begin()) < done_ ? 1 : 0;
         const auto index = static_cast<std::size_t>(found - entries_.begin());
@@ -298,8 +297,8 @@ void SessionJournal::remove(int id) {
     }
 }
 
-void SessionJournal::rename(int id, const std::string& name) {
-    const auto found = std::ranges::find(entries_, id, &JournalEntry::id);
+void EventLog::rename(int id, const std::string& name) {
+    const auto found = std::ranges::find(entries_, id, &LogEntry::id);
     if (found != entries_.end() && std::holds_alternative<MarkEvent>(found->event.action)) {
         found->event.action = MarkEvent{name};
         touch(*found);
@@ -309,15 +308,15 @@ void SessionJournal::rename(int id, const std::string& name) {
 }
 
 /// Before all that is noted for its step, unless it is to stand behind some of that.
-std::size_t SessionJournal::indexOf(const JournalPosition& place) const {
+std::size_t EventLog::indexOf(const LogPosition& place) const {
     const auto first = std::ranges::lower_bound(
-        entries_, place.step, {}, [](const JournalEntry& entry) { return entry.event.step; });
-    const auto behind = std::ranges::find(entries_, place.behind, &JournalEntry::id);
+        entries_, place.step, {}, [](const LogEntry& entry) { return entry.event.step; });
+    const auto behind = std::ranges::find(entries_, place.behind, &LogEntry::id);
     const auto next = behind == entries_.end() ? first : std::max(first, std::next(behind));
     return static_cast<std::size_t>(next - entries_.begin());
 }
 
-JournalEntry& SessionJournal::insert(std::size_t index, Origin origin, SessionEvent event) {
+LogEntry& EventLog::insert(std::size_t index, Origin origin, SessionEvent event) {
     const auto at = entries_.begin() + static_cast<std::ptrdiff_t>(index);
     const auto entry = entries_.insert(at, {++lastId_, origin, std::move(event), false, false, {}});
     done_ += index <= done_ ? 1 : 0;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "sim/cut/blade.h"
-#include "sim/run/moment.h"
+#include "app/session/simulation_driver.h"
 
 namespace kerf::app {
 
@@ -11,40 +10,44 @@ struct CountStart {
     double time = 0;  ///< [s]
 };
 
-/// A checkpoint of a scene, for seeking.
-struct Keyframe {
-    Moment moment;
-    std::size_t commandsDone = 0;    ///< in the journal, before the coming step
-    std::vector<Blade> strokePoses;  ///< poses of the running stroke
+/// A state of a scene before a step, and its place in the event log.
+struct SceneCheckpoint {
+    SimulationDriver::State state;
+    std::size_t commandsDone = 0;  ///< of the step
     CountStart start;
 };
 
 /// Checkpoints along a scene, more for smaller bodies: when the budget is used up, every other one
 /// is dropped.
-class Keyframes {
+class Checkpoints {
   public:
     /// `spacing`: steps between two of them, at first.
-    explicit Keyframes(int spacing = kSpacing) : spacing_(spacing) {}
+    explicit Checkpoints(int spacing = kSpacing) : spacing_(spacing) {}
 
     /// Whether one is due before step `step`, for a body whose copy takes `bytes`: of a very large
     /// one only the first.
     bool wants(int step, std::size_t bytes) const;
     /// Whether one of such a body fits beside the first.
     bool fits(std::size_t bytes) const;
-    void keep(int step, Keyframe keyframe, std::size_t bytes);
-    bool empty() const { return byStep_.empty(); }
-    /// The last one at or before `step`; null for none.
-    const Keyframe* before(int step) const;
-    /// Step of the last one at or before `step`; -1 for none.
-    int stepBefore(int step) const;
+    void keep(int step, SceneCheckpoint checkpoint, std::size_t bytes);
+    /// The step of the last one before `step`, or at it: there only with no command of that step,
+    /// unless `any`; -1 for none.
+    int stepBefore(int step, bool any) const;
+    const SceneCheckpoint& at(int step) const { return byStep_.at(step).checkpoint; }
     /// After a change before step `step`, with `commandsDone` of its commands: drops later ones.
     void changedAt(int step, std::size_t commandsDone);
+    /// About what they take together [bytes].
+    std::size_t bytes() const;
 
   private:
     static constexpr int kSpacing = 50;
+    struct Kept {
+        SceneCheckpoint checkpoint;
+        std::size_t bytes = 0;
+    };
     void thinOut();
 
-    std::map<int, Keyframe> byStep_;
+    std::map<int, Kept> byStep_;
     int spacing_;
 };
 

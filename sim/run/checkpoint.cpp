@@ -1,4 +1,4 @@
-#include "sim/run/moment.h"
+#include "sim/run/checkpoint.h"
 
 #include <stdexcept>
 
@@ -10,7 +10,7 @@ namespace kerf {
 
 namespace {
 
-/// What a moment continues from besides the body.
+/// What a checkpoint has besides the body.
 template <class Archive, class Input, class Clock>
 void visitRun(Archive& io, Input& input, Clock& clock) {
     io(input.params, input.iterations, input.implicitSteps, input.boxes, input.timeRuns, clock);
@@ -18,8 +18,8 @@ void visitRun(Archive& io, Input& input, Clock& clock) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> bytesOf(const Moment& moment) {
-    const Moment::Content& content = moment.content();
+std::optional<std::vector<std::byte>> bytesOf(const Checkpoint& checkpoint) {
+    const Checkpoint::Content& content = checkpoint.content();
     const Snapshot& body = *content.body;
     if (content.input.blade.isPlaced() || content.input.blade.isTold() || body.cutter.inStroke()) {
         return std::nullopt;
@@ -27,7 +27,8 @@ std::optional<std::vector<std::byte>> bytesOf(const Moment& moment) {
     ByteWriter to;
     to.bytes.reserve(snapshotBytes(body.mesh));
     const StateHash uncut = hashMesh(body.uncut->mesh);
-    to(uncut, body.uncut->models, body.mesh, body.body);
+    const StateHash state = hashScene(body.mesh, content.input.boxes);
+    to(state, uncut, body.uncut->models, body.mesh, body.body);
     body.cutter.write(to);
     to(body.pages, body.memory, body.contact);
     visitRun(to, content.input, content.clock);
@@ -47,6 +48,8 @@ bool Simulation::goTo(const std::vector<std::byte>& bytes) {
 /// Throws std::out_of_range where they don't fit.
 void Simulation::State::goTo(const std::vector<std::byte>& bytes) {
     ByteReader from(bytes);
+    StateHash hash;
+    from(hash);
     const std::shared_ptr<const UncutBody> uncut = uncutOf(from);
     SurfaceMesh mesh;
     from(mesh);
@@ -57,6 +60,9 @@ void Simulation::State::goTo(const std::vector<std::byte>& bytes) {
         std::move(mesh), std::move(updater), Cutter(uncut->cutter, from), {}, {}, {}, uncut};
     from(stored.pages, stored.memory, stored.contact);
     visitRun(from, input, output.clock);
+    if (hashScene(stored.mesh, input.boxes).value() != hash.value()) {
+        throw std::out_of_range("another state");
+    }
     log.clear();
     setBoxes(input.boxes);
     restoreBody(std::make_shared<const Snapshot>(std::move(stored)));

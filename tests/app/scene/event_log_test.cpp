@@ -1,4 +1,4 @@
-#include "app/scene/timeline/session_journal.h"
+#include "app/scene/timeline/event_log.h"
 
 #include "app/scene/timeline/saved_session.h"
 #include "app/scene/timeline/session_marks.h"
@@ -10,16 +10,16 @@ MoveBlade pose(double y) {
     return {{Vec3(-1, y, 0), Vec3(1, y, 0)}};
 }
 
-std::vector<SessionEvent> eventsOf(const SessionJournal& journal) {
+std::vector<SessionEvent> eventsOf(const EventLog& journal) {
     return sessionAsSaved({}, journal).session.events;
 }
-Session sessionOf(const SessionJournal& journal, int steps) {
+Session sessionOf(const EventLog& journal, int steps) {
     Session session;
     session.steps = steps;
     session.events = eventsOf(journal);
     return session;
 }
-std::vector<int> stepsOf(const SessionJournal& journal) {
+std::vector<int> stepsOf(const EventLog& journal) {
     std::vector<int> steps;
     for (const SessionEvent& event : eventsOf(journal)) {
         steps.push_back(event.step);
@@ -27,7 +27,7 @@ std::vector<int> stepsOf(const SessionJournal& journal) {
     return steps;
 }
 /// Lets everything up to a step happen.
-void playTo(SessionJournal& journal, int step) {
+void playTo(EventLog& journal, int step) {
     for (int s = 0; s < step; ++s) {
         while (journal.takeDue(s) != nullptr) {
         }
@@ -37,8 +37,8 @@ const CheckEvent& checkAt(const std::vector<SessionEvent>& events, std::size_t i
     return std::get<CheckEvent>(events.at(index).action);
 }
 
-TEST(SessionJournal, ATestLacksTheChecksThatARecordingMakesAlone) {
-    SessionJournal journal;
+TEST(EventLog, ATestLacksTheChecksThatARecordingMakesAlone) {
+    EventLog journal;
     journal.note(3, pose(1));
     journal.note(5, CheckEvent{"0123456789abcdef", 1});
     journal.add(journal.here(6), CheckEvent{"fedcba9876543210", 2});
@@ -48,8 +48,8 @@ TEST(SessionJournal, ATestLacksTheChecksThatARecordingMakesAlone) {
     EXPECT_EQ(checkAt(events, 1).pieces, 2) << "a person's own";
 }
 
-TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
-    SessionJournal journal;
+TEST(EventLog, ABladeThatStoodStillIsSaidToHave) {
+    EventLog journal;
     journal.note(3, pose(1));
     journal.note(4, pose(0.9));
     journal.note(9, pose(0.8));
@@ -64,8 +64,8 @@ TEST(SessionJournal, ABladeThatStoodStillIsSaidToHave) {
     EXPECT_EQ(std::get<MoveBlade>(schedule.actionsAt(9).at(0).action).blade.a.y(), 0.8);
 }
 
-TEST(SessionJournal, NoHandTookTimeWhereABladeStoodStill) {
-    SessionJournal journal;
+TEST(EventLog, NoHandTookTimeWhereABladeStoodStill) {
+    EventLog journal;
     MoveBlade led = pose(1);
     led.seconds = 0.5;
     journal.note(3, led);
@@ -77,8 +77,8 @@ TEST(SessionJournal, NoHandTookTimeWhereABladeStoodStill) {
     EXPECT_THAT(times, ElementsAre(0.5, 0, 0.5));
 }
 
-TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
-    SessionJournal journal;
+TEST(EventLog, AHandThatStoodStillIsSaidToHave) {
+    EventLog journal;
     journal.note(3, Grab{0, Vec3(1, 0, 0), 0.1});
     journal.note(7, Drag{0, Vec3(2, 0, 0)});
     journal.note(12, Drag{0, Vec3(3, 0, 0)});
@@ -104,8 +104,8 @@ TEST(SessionJournal, AHandThatStoodStillIsSaidToHave) {
     EXPECT_EQ(drags(12), std::vector<double>{3});
 }
 
-TEST(SessionJournal, OfASliderDragAtOneStepOnlyTheLastValueIsKept) {
-    SessionJournal journal;
+TEST(EventLog, OfASliderDragAtOneStepOnlyTheLastValueIsKept) {
+    EventLog journal;
     journal.note(2, SetParam{"friction", 0.1});
     journal.note(2, SetParam{"friction", 0.2, true});
     journal.note(3, SetParam{"friction", 0.3, true});
@@ -117,8 +117,8 @@ TEST(SessionJournal, OfASliderDragAtOneStepOnlyTheLastValueIsKept) {
     EXPECT_TRUE(std::get<SetParam>(events[1].action).continues);
 }
 
-TEST(SessionJournal, WhatAPersonAddsStandsAtThePresentOfThePlayedSession) {
-    SessionJournal journal;
+TEST(EventLog, WhatAPersonAddsStandsAtThePresentOfThePlayedSession) {
+    EventLog journal;
     journal.open({{2, pose(1)}, {5, SetParam{"friction", 0.5}}, {9, pose(0)}});
     playTo(journal, 5);
     journal.note(5, SetParam{"friction", 0.1});
@@ -141,8 +141,8 @@ TEST(SessionJournal, WhatAPersonAddsStandsAtThePresentOfThePlayedSession) {
     EXPECT_FALSE(journal.firstChange());
 }
 
-TEST(SessionJournal, GoesToWhereSoManyCommandsWereDone) {
-    SessionJournal journal;
+TEST(EventLog, GoesToWhereSoManyCommandsWereDone) {
+    EventLog journal;
     journal.open({{2, pose(1)}, {2, CheckEvent{{}, 1}}, {4, pose(0)}, {4, LiftBlade{}}});
     playTo(journal, 4);
     journal.note(4, SetParam{"friction", 0.1});
@@ -160,9 +160,9 @@ TEST(SessionJournal, GoesToWhereSoManyCommandsWereDone) {
     EXPECT_EQ(std::get<SetParam>(journal.takeDue(4)->event.action).name, "friction");
 }
 
-TEST(SessionJournal, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
+TEST(EventLog, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
     const std::string hash(16, 'a');
-    SessionJournal journal;
+    EventLog journal;
     journal.open({{1, CheckEvent{hash, 1}},
                   {3, CheckEvent{hash, {}}},
                   {5, CheckEvent{hash, 2}},
@@ -187,8 +187,8 @@ TEST(SessionJournal, ChecksBehindAChangeAreRenewedOrLoseTheirHash) {
     EXPECT_EQ(checkAt(eventsOf(journal), 3).hash, hash) << "nothing is changed any more";
 }
 
-TEST(SessionJournal, WhatAHoldAddsBeforeAStepDoesNotCountForIt) {
-    SessionJournal journal;
+TEST(EventLog, WhatAHoldAddsBeforeAStepDoesNotCountForIt) {
+    EventLog journal;
     journal.note(2, pose(1));
     journal.note(9, SetParam{"friction", 0.1});
     const std::size_t done = journal.commandsDone(9);
@@ -198,8 +198,8 @@ TEST(SessionJournal, WhatAHoldAddsBeforeAStepDoesNotCountForIt) {
     EXPECT_TRUE(std::holds_alternative<MoveBlade>(journal.takeDue(9)->event.action));
 }
 
-TEST(SessionJournal, APersonsOwnRestIsLeftOutForGood) {
-    SessionJournal journal;
+TEST(EventLog, APersonsOwnRestIsLeftOutForGood) {
+    EventLog journal;
     journal.open({{2, pose(1)}, {10, pose(0)}});
     playTo(journal, 6);
     EXPECT_EQ(journal.takeOver(6, {}), 0U);
@@ -215,8 +215,8 @@ TEST(SessionJournal, APersonsOwnRestIsLeftOutForGood) {
     EXPECT_THAT(stepsOf(journal), ElementsAre(2, 10));
 }
 
-TEST(SessionJournal, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {
-    SessionJournal journal;
+TEST(EventLog, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {
+    EventLog journal;
     journal.open({{2, pose(1)}, {10, pose(0)}, {11, ScreenshotEvent{"end.png"}}});
     playTo(journal, 6);
     journal.note(6, SetParam{"friction", 0.1});
@@ -229,8 +229,8 @@ TEST(SessionJournal, AMoveThatATakeOverCutsShortEndsWhereTheBladeIs) {
     EXPECT_THAT(stepsOf(journal), ElementsAre(2, 10, 11));
 }
 
-TEST(SessionJournal, WhatFailedIsLeftOutOnlyOfAChangedSession) {
-    SessionJournal journal;
+TEST(EventLog, WhatFailedIsLeftOutOnlyOfAChangedSession) {
+    EventLog journal;
     journal.open({{1, RemoveBox{0}}, {2, LiftBlade{}}});
     journal.takeDue(1)->failed = true;
     EXPECT_EQ(eventsOf(journal).size(), 2U);
@@ -239,10 +239,10 @@ TEST(SessionJournal, WhatFailedIsLeftOutOnlyOfAChangedSession) {
     EXPECT_THAT(sessionAsSaved({}, journal).remark, HasSubstr("no longer possible"));
 }
 
-TEST(SessionJournal, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
-    SessionJournal journal;
+TEST(EventLog, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
+    EventLog journal;
     journal.note(3, pose(1));
-    const JournalPosition then = journal.here(3);
+    const LogPosition then = journal.here(3);
     journal.note(3, LiftBlade{});
     journal.note(8, pose(0));
     journal.add(then, ScreenshotEvent{freeOutputName(journal, "ball", 3, ".png")});
@@ -259,15 +259,15 @@ TEST(SessionJournal, PicturesStandWhereTheyWereAskedForAndCanBeRemoved) {
     EXPECT_EQ(marksOf(journal).size(), 1U);
 }
 
-TEST(SessionJournal, ChecksThatARecordingMakesAreNoMarks) {
-    SessionJournal journal;
+TEST(EventLog, ChecksThatARecordingMakesAreNoMarks) {
+    EventLog journal;
     journal.note(50, CheckEvent{std::string(16, 'a'), 1});
     EXPECT_THAT(marksOf(journal), IsEmpty());
     EXPECT_EQ(eventsOf(journal).size(), 1U);
 }
 
-TEST(SessionJournal, PicturesSurviveARestartAndChecksBehindChangesAreInDoubtThen) {
-    SessionJournal journal;
+TEST(EventLog, PicturesSurviveARestartAndChecksBehindChangesAreInDoubtThen) {
+    EventLog journal;
     journal.open({{2, pose(1)}});
     journal.note(0, SetParam{"friction", 0.1});
     playTo(journal, 4);

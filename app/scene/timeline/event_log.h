@@ -5,8 +5,8 @@
 
 namespace kerf::app {
 
-/// An event in a journal.
-struct JournalEntry {
+/// An event in a log.
+struct LogEntry {
     enum class Origin {
         session,  ///< that is played
         person,
@@ -23,8 +23,8 @@ struct JournalEntry {
     bool missed = false;  ///< the end of a stroke that met no body
 };
 
-/// A place in a journal: before a step, after an entry (its id, 0 for none).
-struct JournalPosition {
+/// A place in a log: before a step, after an entry (its id, 0 for none).
+struct LogPosition {
     int step = 0;
     int behind = 0;
 };
@@ -32,7 +32,7 @@ struct JournalPosition {
 /// Records all that is done to a simulation since its start, so that it can be saved as a session
 /// that replays to the same bits. For a played session it also holds all of its events, and user
 /// commands are inserted at the present.
-class SessionJournal {
+class EventLog {
   public:
     /// Records a user command before step `step`, which never decreases without a played session.
     /// Later user settings of that parameter or box are dropped.
@@ -47,7 +47,7 @@ class SessionJournal {
     /// Restarts it without user commands. Pictures, exports and checks stay.
     void restart();
     /// The next event if due before `step`, which then counts as done; else null.
-    JournalEntry* takeDue(int step);
+    LogEntry* takeDue(int step);
     /// The number of commands done so far before the coming step `step`, for goTo().
     std::size_t commandsDone(int step) const;
     /// Sets the present: before `step`, with `commandsDone` of its commands.
@@ -60,8 +60,8 @@ class SessionJournal {
     /// Records that the stroke which the last command ended met no body.
     void noteMiss() { entries_[done_ - 1].missed = true; }
     /// Records the playback of an entry: whether it failed, or what a doubtful check found.
-    void noteFailure(JournalEntry& entry, bool failed);
-    void noteFound(JournalEntry& entry, CheckEvent found);
+    void noteFailure(LogEntry& entry, bool failed);
+    void noteFound(LogEntry& entry, CheckEvent found);
 
     /// Records that a tear began in step `step`.
     void noteTear(int step);
@@ -70,14 +70,14 @@ class SessionJournal {
 
     // Pictures, exports and checks.
     /// The present, before step `step`.
-    JournalPosition here(int step) const;
+    LogPosition here(int step) const;
     /// Adds a user action.
-    void add(const JournalPosition& place, SessionAction action);
+    void add(const LogPosition& place, SessionAction action);
     void remove(int id);
     /// Renames a named place.
     void rename(int id, const std::string& name);
 
-    const std::vector<JournalEntry>& entries() const { return entries_; }
+    const std::vector<LogEntry>& entries() const { return entries_; }
     /// The first step before which the user changed a played session or took over.
     std::optional<int> firstChange() const { return firstChange_; }
     /// The number of entries at the beginning that are, as saved, as at the last call.
@@ -94,8 +94,8 @@ class SessionJournal {
     int revision() const { return revision_; }
 
   private:
-    JournalEntry& insert(std::size_t index, JournalEntry::Origin origin, SessionEvent event);
-    std::size_t indexOf(const JournalPosition& place) const;
+    LogEntry& insert(std::size_t index, LogEntry::Origin origin, SessionEvent event);
+    std::size_t indexOf(const LogPosition& place) const;
     bool mergeIntoLast(int step, const Command& command);
     void voidLater(const Command& command);
     void doubtChecksFrom(std::size_t index);
@@ -106,10 +106,10 @@ class SessionJournal {
     void dropTakeOver();
     void noteChangeAt(int step);
     void touch(std::size_t index) { unchanged_ = std::min(unchanged_, index); }
-    void touch(const JournalEntry& entry);
+    void touch(const LogEntry& entry);
 
-    std::vector<JournalEntry> entries_;  ///< by step
-    std::size_t done_ = 0;               ///< the number done
+    std::vector<LogEntry> entries_;  ///< by step
+    std::size_t done_ = 0;           ///< the number done
     int lastId_ = 0;
     int revision_ = 0;
     int deeds_ = 0;
@@ -118,7 +118,7 @@ class SessionJournal {
     std::optional<int> noted_;  ///< id of the last command, while it may still be extended
     std::optional<int> firstChange_;
     std::optional<int> takenOver_;           ///< last id before the user took over
-    std::vector<JournalEntry> rest_;         ///< dropped rest of the session
+    std::vector<LogEntry> rest_;             ///< dropped rest of the session
     std::optional<SessionEvent> lastPose_;   ///< while the user's blade is placed
     std::map<int, SessionEvent> lastDrags_;  ///< of hands that hold something, by number
 };
