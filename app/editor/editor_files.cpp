@@ -121,14 +121,17 @@ void followPlacing(State& s) {
 /// Handles the end of a save.
 void onSaved(State& s, const SavingQueue::Outcome& outcome) {
     constexpr int kNoNumber = 0;  // not of FileWork::saveBehind()
-    if (outcome.number != kNoNumber || !s.work.onceSaved) {
+    if (outcome.number != kNoNumber) {
         return;
     }
-    const auto then = std::exchange(s.work.onceSaved, nullptr);
-    if (outcome.failed) {
+    const auto saved = std::exchange(s.work.onceSaved, nullptr);
+    const auto notSaved = std::exchange(s.work.ifNotSaved, nullptr);
+    if (const auto& next = outcome.failed ? notSaved : saved) {
+        next();
+    }
+    if (outcome.failed || !saved) {
         return;
     }
-    then();
     if (!s.chooser.isOpen() && s.work.afterSaving) {
         std::exchange(s.work.afterSaving, nullptr)();
     }
@@ -264,7 +267,11 @@ void Editor::State::take(const ChosenFile& chosen) {
         }
         return;
     }
+    const bool begins = work.saving() == nullptr;
     save(chosen);
+    if (begins) {
+        work.ifNotSaved = [this, chosen] { chooser.browseAgain(chosen); };
+    }
     if (chosen.purpose == ui::FilePurpose::saveSession ||
         chosen.purpose == ui::FilePurpose::saveTest) {
         chooser.addRecent(chosen.file);
@@ -328,6 +335,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         toast.show("Still busy: " + before->title + ". Save again when it is done.", true);
         return;
     }
+    work.ifNotSaved = nullptr;
     if (scene == nullptr) {
         return;
     }

@@ -32,11 +32,11 @@ BusyScene sceneInHand(State& s, bool presses = false) {
     return s.scene.meanwhile();
 }
 
+/// In a dialog only the window can be closed, as by its button.
 void onKey(State& s, ui::Key key, const ui::Modifiers& modifiers) {
-    if (s.panels.interface.ownsKeyboard() || s.panels.interface.ownsKey(key)) {
-        return;
-    }
-    if (const std::optional<ui::ActionId> id = ui::findAction(key, modifiers)) {
+    const std::optional<ui::ActionId> id = ui::findAction(key, modifiers);
+    const bool taken = s.panels.interface.ownsKeyboard() || s.panels.interface.ownsKey(key);
+    if (id && (!taken || *id == ui::ActionId::quit)) {
         s.apply(*id);
     }
 }

@@ -112,6 +112,12 @@ void FileChooser::browse(ui::FilePurpose purpose, const std::string& document, B
     preview_.select({});
 }
 
+void FileChooser::browseAgain(const ChosenFile& chosen) {
+    what_ = chosen.what;
+    browser_.emplace(chosen.purpose, chosen.file.parent_path(), chosen.file.filename().string(),
+                     bookmarks(chosen.purpose));
+}
+
 void FileChooser::setSource(const std::filesystem::path& file) {
     sourceFolder_ = isOurs(file) ? "" : file.parent_path();
 }

@@ -39,6 +39,8 @@ class FileChooser {
     /// Opens the dialog. It proposes a name for the open `document`, "" while there is none.
     void browse(ui::FilePurpose purpose, const std::string& document,
                 BrowseFor what = BrowseFor::itself);
+    /// Opens the dialog again with what was chosen in it, since the file could not be written.
+    void browseAgain(const ChosenFile& chosen);
     /// The open file, beside which saving begins until another folder is chosen. An empty path for
     /// none; what comes with Kerf counts as none.
     void setSource(const std::filesystem::path& file);

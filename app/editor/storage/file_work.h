@@ -43,6 +43,8 @@ class FileWork {
     ModelWatch models;  ///< of the open scene
     /// Called once the file being saved exists; may be null.
     std::function<void()> onceSaved;
+    /// Called if the file being saved can't be written; may be null.
+    std::function<void()> ifNotSaved;
     /// Called once the session being named or saved is saved; may be null.
     std::function<void()> afterSaving;
 

@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "app/editor/storage/file_work.h"
+#include "tests/support/file_limit.h"
 #include "tests/support/model_defects.h"
 
 namespace kerf::app {
@@ -217,6 +218,34 @@ TEST_F(EditorFilesTest, KeysMeanNothingElseWhileADialogIsOpen) {
     EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
     dragAndSettle(kTop, kBottom, 5);
     EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces") << "and afterwards all is as before";
+}
+
+TEST_F(EditorFilesTest, QuittingIsHeardInADialogAndInAQuestion) {
+    dragAndSettle(kTop, kBottom, 5);
+    tap(Key::s, {.control = true}, 2);
+    tap(Key::q, {.control = true}, 2);
+    EXPECT_EQ(panels().files.purpose, ui::FilePurpose::none);
+    EXPECT_THAT(panels().question.title, HasSubstr("Quit"));
+    tap(Key::q, {.control = true}, 2);
+    EXPECT_THAT(panels().question.title, HasSubstr("Quit"));
+    click("question.1");
+    EXPECT_TRUE(editor->closing());
+}
+
+TEST_F(EditorFilesTest, ANameStaysTypedUntilItsFileIsWritten) {
+    dragAndSettle(kTop, kBottom, 5);
+    tap(Key::s, {.control = true}, 2);
+    tap(Key::a, {.control = true});
+    {
+        const test::FileLimit limit(0);
+        enter("mine.kerf.json");
+        frames(2);
+    }
+    EXPECT_TRUE(panels().toast.isError);
+    ASSERT_EQ(panels().files.purpose, ui::FilePurpose::saveSession);
+    EXPECT_EQ(panels().files.name, "mine.kerf.json");
+    confirm();
+    EXPECT_TRUE(fs::exists(folder / "mine.kerf.json"));
 }
 
 // Dear ImGui kept what it could undo when the name was changed elsewhere, and aborted.

@@ -180,7 +180,6 @@ class EditorWalkTest : public EditorTest {
         settle(2);
         EXPECT_EQ(hash(), before);
         changes_.list.resize(changes_.done);  // to redo is now to exchange it again
-        unsaved_ = true;
     }
     void fillDisk() {
         {
@@ -196,9 +195,9 @@ class EditorWalkTest : public EditorTest {
     void begin() {
         courses_.clear();
         changes_ = {};
-        arrive();
     }
 
+    /// What is shown at a step, before what is done there.
     struct Course {
         std::string hash;
         Changes changes;
