@@ -94,14 +94,14 @@ void WorkKeeping::start(EditorScene& scene) {
     }
 }
 
-/// What is done is noted at once, or where the list is long, as often as that takes a tenth of the
-/// time. That time goes by is noted now and then.
+/// What is done is noted at once, or while steps run, as often as that takes a tenth of the time.
+/// That time goes by is noted now and then.
 bool WorkKeeping::isDue(EditorScene& scene) const {
     const bool isDone =
         !scene.timeline().log().isUnchanged() || isUnsaved(scene.recorder().deeds()) != unsaved_;
     const bool goesBy = scene.recorder().stepsAsSaved() != steps_ &&
                         (!scene.running() || sinceWrite_.seconds() > kBetweenSteps);
-    return goesBy || (isDone && sinceWrite_.seconds() > 10 * lastWrite_);
+    return goesBy || (isDone && (!scene.running() || sinceWrite_.seconds() > 10 * lastWrite_));
 }
 
 void WorkKeeping::note(EditorScene& scene) {

@@ -3,6 +3,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "app/session/material.h"
+#include "sim/base/size_params.h"
 #include "sim/base/text.h"
 
 namespace kerf::app {
@@ -38,11 +39,33 @@ std::vector<fs::path> modelsInside(const fs::path& folder) {
     return models;
 }
 
+/// A model for whose implicit steps the driver's buffers are too small is solved by pbd, which
+/// needs smaller ones. Sessions stay as they are, since they would have other bits.
+void fitToBuffers(Document& document, const MemoryMeans& means) {
+    const std::uint64_t wanted = memoryNeedOf(document).largestBuffer;
+    if (!document.guess || wanted <= means.largestBuffer) {
+        return;
+    }
+    Params& params = document.session.params;
+    const Params implicit = params;
+    params.solver = SolverMode::pbd;
+    params = suitedTo(document.restBounds.diagonal(), params);
+    if (memoryNeedOf(document).largestBuffer > means.largestBuffer) {
+        params = implicit;
+        return;
+    }
+    document.note += fmt::format(
+        " Its implicit steps would need a buffer of {:.0f} MB, and this driver allows {:.0f} MB at "
+        "most, so its solver is pbd, with smaller steps.",
+        static_cast<double>(wanted) / 1e6, static_cast<double>(means.largestBuffer) / 1e6);
+}
+
 }  // namespace
 
 PreparedDocument prepareDocument(Document document, WorkProgress* progress,
                                  const std::optional<MemoryMeans>& means) {
     if (means) {
+        fitToBuffers(document, *means);
         requireMemory(document.name, memoryNeedOf(document), *means);
     }
     PreparedBody body(

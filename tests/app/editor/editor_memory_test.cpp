@@ -111,6 +111,25 @@ TEST_F(EditorOutOfMemoryTest, ADriverWithoutMemoryIsToldInItsOwnWords) {
     EXPECT_EQ(state->title(), "Kerf - ball - 1 piece") << "another model can be opened";
 }
 
+TEST_F(EditorMemoryTest, WhereBuffersAreTooSmallForImplicitStepsTheSolverIsPbd) {
+    writeText(folder / "ball.obj", objText(icosphereSoup(2)));
+    const Document model = openDocument(folder / "ball.obj");
+    MemoryMeans means{.free = MemoryMeans::kNoLimit,
+                      .largestBuffer = memoryNeedOf(model).largestBuffer};
+    EXPECT_EQ(prepareDocument(model, nullptr, means).document.session.params.solver,
+              SolverMode::implicit);
+    --means.largestBuffer;
+    const Document fitted = prepareDocument(model, nullptr, means).document;
+    EXPECT_EQ(fitted.session.params.solver, SolverMode::pbd);
+    EXPECT_LT(fitted.session.params.timeStep, model.session.params.timeStep);
+    EXPECT_THAT(fitted.note, HasSubstr("so its solver is pbd, with smaller steps."));
+    Document session = model;
+    session.guess.reset();
+    EXPECT_THROW(prepareDocument(session, nullptr, means), MemoryShortage) << "keeps its bits";
+    means.largestBuffer = 1;
+    EXPECT_THROW(prepareDocument(model, nullptr, means), MemoryShortage);
+}
+
 /// A model that is too large to follow its placement at once.
 class EditorPlacingTest : public EditorTest {
   protected:

@@ -1,6 +1,10 @@
 // A walk through time at random, beside a model that keeps all states: what is done, undone,
 // sought, saved, reopened, exchanged, lost and recovered has the state hashes that it had.
 
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <csignal>
 #include <random>
 
 #include "app/journal/journal.h"
@@ -24,6 +28,14 @@ struct Changes {
     std::size_t done = 0;
 };
 
+/// What is done, and how often beside other things.
+struct Act {
+    int share;
+    const char* name;
+    std::function<void()> run;
+    int count = 0;
+};
+
 class EditorWalkTest : public EditorTest {
   protected:
     void SetUp() override {
@@ -36,7 +48,7 @@ class EditorWalkTest : public EditorTest {
     void startWith(const fs::path& file) {
         EditorOptions options = EditorTest::options();
         options.settingsFile = folder / "settings.json";
-        options.journals = journals.path();
+        options.journals = kept_;
         options.storedEnds = ends.path();
         start(options, openDocument(file));
         settle(1);
@@ -52,10 +64,24 @@ class EditorWalkTest : public EditorTest {
 
     /// What was kept of a later course is played otherwise now.
     void forgetLater() {
+        tell("doing");
         courses_.erase(courses_.upper_bound(step()), courses_.end());
         unsaved_ = true;
     }
-    void arrive() { courses_[step()] = {hash(), changes_}; }
+    void arrive() {
+        courses_[step()] = {hash(), changes_};
+        tell("done");
+    }
+    /// Tells who kills this walk what it has come to: what is shown now, and at this step before
+    /// what is done there.
+    void tell(const std::string& what) {
+        if (record_.is_open()) {
+            const auto then = courses_.find(step());
+            record_ << what << (unsaved_ ? " unsaved " : " saved ") << step() << " "
+                    << (then != courses_.end() ? then->second.hash : "-") << " " << hash()
+                    << std::endl;
+        }
+    }
     void add(Change change) {
         changes_.list.resize(changes_.done);
         changes_.list.push_back(std::move(change));
@@ -85,6 +111,7 @@ class EditorWalkTest : public EditorTest {
         add({});
         frames(1);
         EXPECT_EQ(hash(), before);
+        tell("done");
     }
     void play() {
         goToEnd();
@@ -105,6 +132,7 @@ class EditorWalkTest : public EditorTest {
         Change& change = changes_.list[--changes_.done];
         change.after = change.before.empty() ? "" : now;
         EXPECT_EQ(hash(), change.before.empty() ? now : change.before);
+        tell("done");
     }
     void bringBack() {
         if (changes_.done == changes_.list.size() || !scene().simulation().history().canRedo()) {
@@ -116,6 +144,7 @@ class EditorWalkTest : public EditorTest {
         settle(1);
         const Change& change = changes_.list[changes_.done++];
         EXPECT_EQ(hash(), change.after.empty() ? now : change.after);
+        tell("done");
     }
     void seekBack() {
         if (courses_.empty()) {
@@ -140,6 +169,12 @@ class EditorWalkTest : public EditorTest {
             courses_.clear();
             changes_ = {};
         }
+    }
+    void save() {
+        goToEnd();
+        saveByKeys();
+        unsaved_ = false;
+        tell("done");
     }
     void saveAndReopen() {
         goToEnd();
@@ -173,11 +208,13 @@ class EditorWalkTest : public EditorTest {
     void exchange() {
         goToEnd();
         const std::string before = hash();
+        tell("exchanging");
         tap(Key::o, {.shift = true, .control = true}, 2);
         enter("box.obj");
         settle(2);
         undo();
         settle(2);
+        tell("done");
         EXPECT_EQ(hash(), before);
         changes_.list.resize(changes_.done);  // to redo is now to exchange it again
     }
@@ -197,6 +234,25 @@ class EditorWalkTest : public EditorTest {
         changes_ = {};
     }
 
+    /// What needs no other window.
+    std::vector<Act> actsOfAWindow() {
+        return {{18, "cut", [this] { cut(); }},        {14, "set", [this] { set(); }},
+                {14, "play", [this] { play(); }},      {20, "undo", [this] { takeBack(); }},
+                {12, "redo", [this] { bringBack(); }}, {10, "seek", [this] { seekBack(); }},
+                {3, "save", [this] { save(); }},       {3, "exchange", [this] { exchange(); }}};
+    }
+    Act& oneOf(std::vector<Act>& acts) {
+        int sum = 0;
+        for (const Act& act : acts) {
+            sum += act.share;
+        }
+        auto act = acts.begin();
+        for (int chance = below(sum); chance >= act->share; ++act) {
+            chance -= act->share;
+        }
+        return *act;
+    }
+
     /// What is shown at a step, before what is done there.
     struct Course {
         std::string hash;
@@ -206,7 +262,79 @@ class EditorWalkTest : public EditorTest {
     Changes changes_;
     bool unsaved_ = false;
     std::mt19937 random_;
+    std::ofstream record_;  ///< of a walk that is killed
     test::TemporaryFolder journals, ends;
+    fs::path kept_ = journals.path();
+};
+
+class EditorKilledWalkTest : public EditorWalkTest {
+  protected:
+    /// Of a walk: what it told last.
+    struct Told {
+        std::string what, kept, before, shown;
+        int step = 0;
+    };
+    static Told lastOf(const fs::path& record) {
+        std::ifstream lines(record);
+        Told told;
+        for (Told next;
+             lines >> next.what >> next.kept >> next.step >> next.before >> next.shown;) {
+            told = next;
+        }
+        return told;
+    }
+    /// Goes on until it is killed, in the folder of who kills it.
+    void walk(const fs::path& shared) {
+        random_.seed(static_cast<unsigned>(std::atoi(std::getenv("KERF_FUZZ_SEED"))));
+        kept_ = shared / "journals";
+        fs::copy(folder / "ball.obj", shared / "ball.obj");
+        fs::copy(folder / "box.obj", shared / "box.obj");
+        startWith(shared / "ball.obj");
+        record_.open(shared / "record");
+        begin();
+        for (std::vector<Act> acts = actsOfAWindow(); !HasFailure();) {
+            oneOf(acts).run();
+        }
+    }
+    /// Starts this test in another process, kills it at some time, and returns what it told last.
+    Told killWalk(const fs::path& shared, unsigned seed) {
+        const test::Variable at("KERF_WALK_IN", shared.string());
+        const test::Variable with("KERF_FUZZ_SEED", std::to_string(seed));
+        std::string program = "/proc/self/exe";
+        std::string filter = "--gtest_filter=EditorKilledWalkTest.*";
+        const std::array<char*, 3> arguments{program.data(), filter.data(), nullptr};
+        pid_t walk = 0;
+        EXPECT_EQ(
+            ::posix_spawn(&walk, program.c_str(), nullptr, nullptr, arguments.data(), environ), 0);
+        const int lines = 2 + below(20);
+        for (int n = 0; n < lines && ::waitpid(walk, nullptr, WNOHANG) == 0;) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(below(40)));
+            n = static_cast<int>(std::ranges::count(readBytes(shared / "record"), '\n'));
+        }
+        ::kill(walk, SIGKILL);
+        ::waitpid(walk, nullptr, 0);
+        return lastOf(shared / "record");
+    }
+    /// What the next start offers has all but the action that was under way.
+    void expectRecovered(const Told& told, const fs::path& shared) {
+        kept_ = shared / "journals";
+        startWith(folder / "ball.obj");
+        frames(5);
+        ASSERT_FALSE(told.kept == "unsaved" && panels().question.text.empty());
+        if (panels().question.text.empty() || told.what == "exchanging") {
+            return;
+        }
+        clickAndWait("question.0");
+        settle(2);
+        ASSERT_GE(step(), told.step);
+        if (step() == told.step) {
+            EXPECT_TRUE(told.what == "doing" || hash() == told.shown);
+        } else if (told.before != "-") {
+            scene().seek(told.step);
+            settle(1);
+            EXPECT_EQ(hash(), told.before);
+        }
+    }
 };
 
 TEST_F(EditorWalkTest, AllStatesComeBackAsTheyWere) {
@@ -216,33 +344,35 @@ TEST_F(EditorWalkTest, AllStatesComeBackAsTheyWere) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     random_.seed(seed);
     begin();
-    struct Act {
-        int share;  ///< of a hundred
-        const char* name;
-        std::function<void()> run;
-        int count = 0;
-    };
-    std::vector<Act> acts{{18, "cut", [this] { cut(); }},
-                          {14, "set", [this] { set(); }},
-                          {14, "play", [this] { play(); }},
-                          {20, "undo", [this] { takeBack(); }},
-                          {12, "redo", [this] { bringBack(); }},
-                          {10, "seek", [this] { seekBack(); }},
-                          {4, "save and reopen", [this] { saveAndReopen(); }},
-                          {3, "crash", [this] { crash(); }},
-                          {3, "exchange", [this] { exchange(); }},
-                          {2, "full disk", [this] { fillDisk(); }}};
+    std::vector<Act> acts = actsOfAWindow();
+    acts.push_back({4, "save and reopen", [this] { saveAndReopen(); }});
+    acts.push_back({3, "crash", [this] { crash(); }});
+    acts.push_back({2, "full disk", [this] { fillDisk(); }});
     for (int i = 0; i < actions && !HasFailure(); ++i) {
-        auto act = acts.begin();
-        for (int chance = below(100); chance >= act->share; ++act) {
-            chance -= act->share;
-        }
-        SCOPED_TRACE("action " + std::to_string(i) + ": " + act->name);
-        act->run();
-        ++act->count;
+        Act& act = oneOf(acts);
+        SCOPED_TRACE("action " + std::to_string(i) + ": " + act.name);
+        act.run();
+        ++act.count;
     }
     for (const Act& act : acts) {
         std::cout << act.name << ": " << act.count << "\n";
+    }
+}
+
+TEST_F(EditorKilledWalkTest, OnlyTheActionUnderWayIsLost) {
+    if (const char* const shared = std::getenv("KERF_WALK_IN")) {
+        walk(shared);
+        return;
+    }
+    const std::uint32_t seed = fuzzSeed(std::random_device()() % 30000);
+    random_.seed(seed);
+    for (int n = 0; n < runs("KERF_KILLS", 2, 200) && !HasFailure(); ++n) {
+        const test::TemporaryFolder shared;
+        SCOPED_TRACE("kill " + std::to_string(n) + " of seed " + std::to_string(seed));
+        const Told told = killWalk(shared.path(), seed + static_cast<unsigned>(n));
+        std::cout << "kill " << n << ": " << told.what << " at step " << told.step << ", "
+                  << told.kept << std::endl;
+        expectRecovered(told, shared.path());
     }
 }
 
