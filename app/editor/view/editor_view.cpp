@@ -218,7 +218,10 @@ bool EditorView::rightClicks() const {
     return tools.inHand().takesRightClicks() && (pointer - rightPress_).norm() < kClick;
 }
 
-void EditorView::zoom(double notches, const BusyScene& scene) {
+void EditorView::turnWheel(double notches, const BusyScene& scene) {
+    if (scene && tools.inHand().turnWheel(notches, context(scene))) {
+        return;
+    }
     const ViewFrame seen = frame();
     camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
     if (scene) {

@@ -68,7 +68,8 @@ struct EditorView {
     std::string press(const ui::ButtonChange& change, const BusyScene& scene);
     /// Ends the drag of that button. Returns "" or one sentence.
     std::string release(ui::Button button, const BusyScene& scene);
-    void zoom(double notches, const BusyScene& scene);
+    /// Zooms, unless the tool uses the wheel.
+    void turnWheel(double notches, const BusyScene& scene);
 
     // The tools of its left button.
     /// The context of tools at the present pointer.
