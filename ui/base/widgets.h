@@ -20,12 +20,16 @@ bool beginModalAside(const std::string& title, const Rect& view, bool wanted);
 struct BannerStyle {
     unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
     float opacity = 1;
-    bool takesInput = false;
 };
-/// Begins a dark rounded background around `content` [px]; end with endBanner().
+/// Begins a dark rounded background around `content` [px]; end with endBanner(). A press on it is
+/// the view's: controls go into beginControl().
 void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
 /// Ends the banner that beginBanner() began.
 void endBanner();
+/// Begins a place over the view, of that size [px], for a control, which alone takes presses; end
+/// with endControl().
+void beginControl(const std::string& name, const Rect& place);
+void endControl();
 /// The gap between the content of a banner and its sides [px].
 float bannerPadding();
 /// Draws a text without interaction on a dark rounded background, centred at (x, y) [px], wrapped

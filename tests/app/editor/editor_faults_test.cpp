@@ -238,6 +238,11 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     EXPECT_THAT(panels().toast.text, HasSubstr(" instead of 12, 0 slivers left"));
     EXPECT_EQ(editor->scene()->document().session.model.edge, 0.0693);
     undo();
+    const ui::Rect offer = editor->itemRects().at("toast.Shift+R");
+    moveTo(offer.x + offer.width / 2, offer.y - 8, 1);
+    press(true, 1);
+    EXPECT_TRUE(editor->scene()->stroke().drawing()) << "beside the button the view is pressed";
+    press(false, 1);
     EXPECT_EQ(panels().body.triangles, 12);
 }
 
