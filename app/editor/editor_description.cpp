@@ -130,6 +130,7 @@ void Editor::State::describe(bool withOverlay) {
     model.transport.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);
+    model.help.start.opening = work.opening() != nullptr;
     model.work = work.state();
     if (model.work.title.empty()) {
         model.work = sceneWork(*this);

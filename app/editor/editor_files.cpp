@@ -150,7 +150,10 @@ void Editor::State::openStartScene(std::size_t card) {
     OpeningOrder order = orderOf(startSession(wanted.name), sessionFile.ends);
     order.title = "Opening " + wanted.title;
     order.file.clear();  // none of the recent files
-    order.shown = [this, tip = wanted.tip] { guide.suggest(tip); };
+    order.shown = [this, tip = wanted.tip, tool = wanted.tool] {
+        guide.suggest(tip);
+        view.tools.settings().tool = tool;
+    };
     askBefore("Open " + wanted.title, [this, order] { open(order); });
 }
 

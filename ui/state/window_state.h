@@ -31,6 +31,7 @@ struct StartState {
 };
 
 /// An action that a hint offers, with its label there.
+    ToolKind tool = kFirstTool;                              ///< with which
 struct HintChoice {
     ActionId id{};
     std::string label;
@@ -38,6 +39,7 @@ struct HintChoice {
 
 /// A sentence on what to do next.
 struct Hint {
+    bool opening = false;                                 ///< something is being opened
     std::string text;  ///< empty for no hint
     std::vector<HintChoice> choices;
 };
