@@ -30,12 +30,6 @@ constexpr int kBallPoints = 300;       // of a ball to spare
 constexpr double kTrail = 0.7;         // of the expert's hand [s]
 constexpr double kPause = 1.5;         // before the expert begins again [s]
 constexpr std::uintmax_t kMostScoreBytes = 1 << 20;
-constexpr const char* kScoreEnding = ".score.json";
-
-/// Where the score of a session lies, if it has one.
-std::filesystem::path scoreFile(const std::filesystem::path& session) {
-    return session.parent_path() / (shortName(session) + kScoreEnding);
-}
 
 /// How the files of a person's tries begin, in letters that any file system takes.
 std::string fileNameOf(const std::string& task, const std::string& person) {
@@ -160,7 +154,7 @@ Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Ve
     try {
         read.hand = handOf(withOrigin(readSession(file), origin));
         read.share = handShare(read.hand, middle);
-        read.figures = textsOf(parseJson(readInputFile(scoreFile(file), kMostScoreBytes)));
+        read.figures = textsOf(parseJson(readInputFile(scoreFileOf(file), kMostScoreBytes)));
     } catch (const InputError& error) {  // A copy may lie alone: then less is shown.
         read.problem = error.what();
     }
@@ -336,7 +330,7 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     try {
         std::filesystem::create_directories(folder_);
         writeOutputFile(file, formatSession(played, folder_));
-        writeOutputFile(scoreFile(file), toJson(*score_, *played.task).dump(2) + "\n");
+        writeOutputFile(scoreFileOf(file), toJson(*score_, *played.task).dump(2) + "\n");
     } catch (const std::exception& problem) {
         return std::string("The try was not kept: ") + problem.what();
     }
