@@ -97,7 +97,7 @@ void Editor::State::describeScene() {
         scene->describe(panels.told);
         sceneHistory.describe(*scene, panels.told.changes);
     }
-    panels.told.help.hint = guide.hint(scene.get(), view);
+    panels.told.help.hint = guide.hint(scene.get(), view, panels.practice.isScored());
     panels.experiments.describe(scene.get(), panels.told);
 }
 

@@ -174,6 +174,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     view.begin(*scene);
     if (scene->document().session.editor) {
         view.show(*scene->document().session.editor);
+    if (scene->document().session.task) {
+        view.takeToolsOf(*scene->document().session.task);
+    }
     }
     beginScene();
     panels.startOpen = false;

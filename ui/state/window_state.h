@@ -92,7 +92,7 @@ struct ScoreRow {
     std::string now;
     std::string last;    ///< of one's own last try
     std::string expert;  ///< of the session that shows it
-    std::string limit;   ///< "at most 2.00 mm"
+    std::string limit;   ///< "\u2264 2"
     bool broken = false;
 };
 
@@ -108,3 +108,4 @@ struct PracticeState {
 };
 
 }  // namespace kerf::ui
+    std::string advice;                   ///< for the next one; "" if it passed

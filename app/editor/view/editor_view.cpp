@@ -49,6 +49,13 @@ void EditorView::begin(const EditorScene& scene) {
     restBounds_ = scene.rest().bounds();
 }
 
+void EditorView::takeToolsOf(const Task& task) {
+    ui::ToolSettings& settings = tools.settings();
+    settings.tool = task.depth ? ui::ToolKind::scalpel : ui::ToolKind::stroke;
+    settings.stroke.throughAll = true;
+    settings.scalpel.depth = task.depth.value_or(settings.scalpel.depth);
+}
+
 SavedView EditorView::saved() const {
     const ui::DisplaySettings& shown = display.settings;
     return {camera.destination(),

@@ -47,6 +47,8 @@ struct EditorView {
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
+    /// Takes the tool of a task, at its depth.
+    void takeToolsOf(const Task& task);
     /// What a saved session keeps of it.
     SavedView saved() const;
     void show(const SavedView& saved);
