@@ -30,7 +30,9 @@ void followOpening(State& s) {
         return;
     }
     const OpeningOrder order = s.work.opening()->order();
-    const bool asItIs = s.work.opening()->mending() == Mending{};
+    const Mending& mending = s.work.opening()->mending();
+    const bool asksAgain =
+        mending == Mending{} || mending.thicken;  // perhaps for another thickness
     s.redraw.panels();
     try {
         const bool rests = order.change.empty() || (!s.scene.underWay() && s.scene.waiting.empty());
@@ -58,7 +60,7 @@ void followOpening(State& s) {
         }
     } catch (const ModelFault& fault) {
         showFaults(s, fault, order);
-        if (asItIs) {
+        if (asksAgain) {
             s.work.lookForRepair(order);
         }
     } catch (const std::bad_alloc&) {

@@ -131,9 +131,12 @@ void EditorPanels::describe() {
     }
 }
 
-void EditorPanels::answer(int choice) {
-    if (asked) {
-        std::exchange(asked, std::nullopt)->answer(choice);
+void EditorPanels::answer(int choice, double number) {
+    if (const std::optional<Asked> open = std::exchange(asked, std::nullopt)) {
+        if (open->takeNumber) {
+            open->takeNumber(number);
+        }
+        open->answer(choice);
     }
 }
 
