@@ -135,6 +135,9 @@ void Editor::State::describe(bool withOverlay) {
     if (model.work.title.empty()) {
         model.work = sceneWork(*this);
     }
+    if (closing && work.saving() != nullptr) {
+        model.work.title = work.saving()->title + " first, then Kerf closes";
+    }
     panels.timeLeft.follow(model.work);
     toast.describe(model);
     if (!work.models.changed().empty() && !panels.startOpen) {

@@ -174,11 +174,11 @@ void Editor::State::show(UploadedDocument uploaded) {
     sceneHistory.mended = std::exchange(sceneHistory.beingMended, std::nullopt);
     keeping.begin();
     view.begin(*scene);
-    if (scene->document().session.editor) {
-        view.show(*scene->document().session.editor);
     if (scene->document().session.task) {
         view.takeToolsOf(*scene->document().session.task);
     }
+    if (scene->document().session.editor) {
+        view.show(*scene->document().session.editor);
     }
     beginScene();
     panels.startOpen = false;
@@ -200,7 +200,7 @@ void Editor::State::beginScene() {
     const std::filesystem::path& session = sessionFile.path();
     chooser.setSource(session.empty() ? scene->document().session.model.path : session);
     panels.plotView = {};
-    clock.stop();
+    clock.begin();
     toast.withdrawOffer();
     describeScene();  // It may begin to work at once, and what was told is of the one before.
     redraw.scene();

@@ -231,7 +231,11 @@ void textRight(std::string_view text) {
 }
 
 void textShortened(std::string_view text, float width) {
-    ImGui::TextUnformatted(shortenedTo(width, text).c_str());
+    const std::string shown = shortenedTo(width, text);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != text) {
+        itemTooltip(text);
+    }
 }
 
 void rowLabel(std::string_view text) {

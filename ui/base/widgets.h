@@ -73,7 +73,8 @@ std::string shortenedTo(float width, std::string_view text);
 /// Draws a text at the right end of the line or the table's cell.
 void textRight(std::string_view text);
 
-/// Draws a text, with an ellipsis where it is wider than `width` [px].
+/// Draws a text, with an ellipsis where it is wider than `width` [px]; then a tooltip has all of
+/// it.
 void textShortened(std::string_view text, float width);
 
 /// Draws the left part of a row, with an ellipsis if too long. The right part comes next on the
