@@ -144,6 +144,7 @@ TEST_F(ScoreVerb, WritesFilesAndJson) {
 TEST_F(ScoreVerb, TakesTheScoreThatLiesBesideASession) {
     app::Session session;
     session.model.builtin = "sphere80";
+    session.steps = 1;
     session.task.emplace().name = "Incision";
     session.task->lines = {{{Vec3::Zero(), Vec3::UnitX()}}};
     session.task->person = "eve";
