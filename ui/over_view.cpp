@@ -15,8 +15,8 @@ void drawHint(const PanelModel& model, const Rect& view, std::vector<Action>& ac
     const float line = ImGui::GetFontSize();
     const float y = view.y + view.height - 2 * line;
     if (!hint.choices.empty()) {
-        drawOffer("hint", hint, view, y + line / 2,
-                  {.accent = palette().blade, .opacity = 1, .takesInput = true}, actions);
+        drawOffer("hint", hint, view, y + line / 2, {.accent = palette().blade, .opacity = 1},
+                  actions);
         return;
     }
     drawBanner("hint", hint.text, view.x + view.width / 2, y, view.width,
@@ -30,11 +30,13 @@ void drawPanelsHint(const Settings& settings, const Rect& view, std::vector<Acti
     const std::string label = "Show panels   " + std::string(keyOf(ActionId::togglePanels));
     const Rect place{view.x + bannerPadding(), view.y + bannerPadding(), buttonWidth(label),
                      ImGui::GetFrameHeight()};
-    beginBanner("panels", place, {.opacity = 1, .takesInput = true});
+    beginBanner("panels", place, {.opacity = 1});
+    endBanner();
+    beginControl("panels.show", place);
     if (button(label.c_str(), "panels.show", "Show the menu and the panels")) {
         actions.emplace_back(ActionId::togglePanels);
     }
-    endBanner();
+    endControl();
 }
 
 void drawToast(const ToastState& toast, const Rect& view, std::vector<Action>& actions) {
@@ -42,10 +44,9 @@ void drawToast(const ToastState& toast, const Rect& view, std::vector<Action>& a
         return;
     }
     const float line = ImGui::GetFontSize();
-    BannerStyle style{.accent = palette().of(toast.isError ? Hue::vermillion : Hue::blue),
-                      .opacity = toast.opacity};
+    const BannerStyle style{.accent = palette().of(toast.isError ? Hue::vermillion : Hue::blue),
+                            .opacity = toast.opacity};
     if (toast.choice) {
-        style.takesInput = true;
         drawOffer("toast", {toast.text, {*toast.choice}}, view, view.y + 5 * line, style, actions);
     } else {
         drawBanner("toast", toast.text, view.x + view.width / 2, view.y + 2.5F * line, view.width,
@@ -64,9 +65,10 @@ class ChoiceButton {
     float width() const {
         return buttonWidth(label_) + gap() + ImGui::CalcTextSize(key_.c_str()).x;
     }
-    void draw(const char* offer, std::vector<Action>& actions) const {
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        if (button(("##" + key_).c_str(), std::string(offer) + "." + key_, "", width())) {
+    void draw(const char* offer, const ImVec2& low, std::vector<Action>& actions) const {
+        const std::string name = std::string(offer) + "." + key_;
+        beginControl(name, {low.x, low.y, width(), ImGui::GetFrameHeight()});
+        if (button(("##" + key_).c_str(), name, "", width())) {
             actions.emplace_back(id_);
         }
         const ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -75,6 +77,7 @@ class ChoiceButton {
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         draw.AddText(at, palette().text, label_.c_str());
         draw.AddText({at.x + behind, at.y}, palette().dimText, key_.c_str());
+        endControl();
     }
 
   private:
@@ -106,14 +109,14 @@ class ButtonLines {
     float height() const {
         return static_cast<float>(lines_.size()) * ImGui::GetFrameHeightWithSpacing();
     }
-    void draw(const char* offer, std::vector<Action>& actions) const {
+    void draw(const char* offer, const ImVec2& low, std::vector<Action>& actions) const {
+        ImVec2 at = low;
         for (const std::vector<ChoiceButton>& line : lines_) {
             for (const ChoiceButton& button : line) {
-                if (&button != line.data()) {
-                    ImGui::SameLine();
-                }
-                button.draw(offer, actions);
+                button.draw(offer, at, actions);
+                at.x += button.width() + ImGui::GetStyle().ItemSpacing.x;
             }
+            at = {low.x, at.y + ImGui::GetFrameHeightWithSpacing()};
         }
     }
 
@@ -134,8 +137,11 @@ void drawOffer(const char* name, const Hint& hint, const Rect& view, float botto
     const float height = text.y + buttons.height();
     beginBanner(name, {view.x + (view.width - width) / 2, bottom - height, width, height}, style);
     ImGui::TextUnformatted(lines.c_str());
-    buttons.draw(name, actions);
+    const ImVec2 below = ImGui::GetCursorScreenPos();
     endBanner();
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, style.opacity);
+    buttons.draw(name, below, actions);
+    ImGui::PopStyleVar();
 }
 
 }  // namespace kerf::ui

@@ -1,6 +1,7 @@
 #include "ui/question_box.h"
 
 #include <imgui.h>
+#include <spdlog/fmt/fmt.h>
 
 #include "ui/base/panel_context.h"
 #include "ui/base/widgets.h"
@@ -10,7 +11,7 @@ namespace {
 
 constexpr char kQuestionWindow[] = "###question";
 
-void drawChoices(const Question& question, std::vector<Action>& actions) {
+void drawChoices(const Question& question, double number, std::vector<Action>& actions) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = -style.ItemSpacing.x;
     for (const std::string& choice : question.choices) {
@@ -21,7 +22,7 @@ void drawChoices(const Question& question, std::vector<Action>& actions) {
         const ImGuiCol color = i == 0 ? ImGuiCol_ButtonActive : ImGuiCol_Button;  // 0: Enter's
         ImGui::PushStyleColor(ImGuiCol_Button, style.Colors[color]);
         if (button(question.choices[i].c_str(), "question." + std::to_string(i))) {
-            actions.emplace_back(AnswerQuestion{static_cast<int>(i)});
+            actions.emplace_back(AnswerQuestion{static_cast<int>(i), number});
         }
         ImGui::PopStyleColor();
         if (i > 0) {
@@ -47,6 +48,18 @@ void QuestionBox::drawPicture() {
     ImGui::Spacing();
 }
 
+void QuestionBox::drawNumber(const AskedNumber& asked) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(asked.label.c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
+    ImGui::InputDouble(asked.unit.c_str(), &number_, 0, 0, "%.4g");
+    noteItem("question.number");
+    itemTooltip(fmt::format("From {:.3g} to {:.3g}", asked.least, asked.most));
+    number_ = std::isnan(number_) ? asked.value : std::clamp(number_, asked.least, asked.most);
+    ImGui::Spacing();
+}
+
 bool QuestionBox::leavesOpen(float x, float y) const {
     const bool inside = x >= place_.x && x < place_.x + place_.width && y >= place_.y &&
                         y < place_.y + place_.height;
@@ -62,6 +75,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     }
     if (justOpened) {
         picture_ = question.picture ? textureOf(*question.picture) : gpu::Texture();
+        number_ = question.number ? question.number->value : 0;
         ImGui::OpenPopup(kQuestionWindow);
     }
     aside_ = question.aside;
@@ -77,9 +91,12 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
     }
     textWrapped(question.text);
     ImGui::Spacing();
-    drawChoices(question, actions);
+    if (question.number) {
+        drawNumber(*question.number);
+    }
+    drawChoices(question, number_, actions);
     if (!justOpened && keyPressed(ImGuiKey_Enter)) {
-        actions.emplace_back(AnswerQuestion{0});
+        actions.emplace_back(AnswerQuestion{0, number_});
     } else if (!justOpened && keyPressed(ImGuiKey_Escape)) {
         actions.emplace_back(AnswerQuestion{static_cast<int>(question.choices.size()) - 1});
     }

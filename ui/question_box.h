@@ -20,8 +20,10 @@ class QuestionBox {
 
   private:
     void drawPicture();
+    void drawNumber(const AskedNumber& asked);
 
     gpu::Texture picture_;
+    double number_ = 0;  ///< as it was typed
     bool open_ = false;
     bool aside_ = false;
     Rect place_;  ///< of the last box [px]

@@ -12,7 +12,8 @@
 namespace kerf::ui {
 namespace {
 
-constexpr int kColumns = 7;
+constexpr int kCardColumns = 7;
+constexpr float kLeastCard = 7;          // the width of one, in lines
 constexpr float kPictureShape = 0.625F;  // height over width
 
 void drawText(const ImVec2& at, ImU32 color, const std::string& text, float wrap = 0) {
@@ -55,8 +56,26 @@ void drawPlus(const ImVec2& middle, float radius) {
     draw.AddLine({middle.x, middle.y - arm}, {middle.x, middle.y + arm}, color, radius / 9);
 }
 
+float heightOf(const std::string& text, float wrap) {
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
+}
+
+/// Over the picture of a card that was chosen, at once.
+void drawOpening(const ImVec2& low, const ImVec2& high) {
+    const ImVec2 size = ImGui::CalcTextSize("Opening...");
+    const float line = ImGui::GetFontSize();
+    const ImVec2 at{(low.x + high.x - size.x) / 2, (low.y + high.y - size.y) / 2};
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x - line / 2, at.y - line / 3},
+                                              {at.x + size.x + line / 2, at.y + size.y + line / 3},
+                                              palette().of(Hue::blue), line / 3);
+    drawText(at, IM_COL32_WHITE, "Opening...");
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy(size);
+    noteItem("start.opening");
+}
+
 /// In the rectangle of its item.
-void drawCard(const Rect& rect, const StartCard& card, const gpu::Texture& picture) {
+void drawCard(const Rect& rect, const StartCard& card, const gpu::Texture& picture, bool opening) {
     const float line = ImGui::GetFontSize();
     const ImVec2 low{rect.x + line / 3, rect.y + line / 3};
     const ImVec2 high{rect.x + rect.width - line / 3, rect.y + kPictureShape * rect.width};
@@ -66,14 +85,19 @@ void drawCard(const Rect& rect, const StartCard& card, const gpu::Texture& pictu
     } else {
         drawPlus({(low.x + high.x) / 2, (low.y + high.y) / 2}, 0.28F * (high.y - low.y));
     }
-    drawText({rect.x + line / 2, high.y + 0.4F * line}, palette().text, card.title);
-    drawText({rect.x + line / 2, high.y + 1.7F * line}, palette().dimText, card.tip,
-             rect.width - line);
+    const float wrap = rect.width - line;
+    const float title = high.y + 0.4F * line;
+    drawText({rect.x + line / 2, title}, palette().text, card.title, wrap);
+    drawText({rect.x + line / 2, title + heightOf(card.title, wrap) + 0.3F * line},
+             palette().dimText, card.tip, wrap);
+    if (opening) {
+        drawOpening(low, high);
+    }
 }
 
 }  // namespace
 
-/// Where all is, in its box: two rows of cards, and recent files at their right.
+/// Where all is, in its box: rows of cards, and recent files at their right.
 struct StartPage::Sheet {
     Sheet(const std::vector<StartCard>& cards, bool withRecent) {
         const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -81,14 +105,19 @@ struct StartPage::Sheet {
         const float whole = box.width - 2 * padding;
         aside = withRecent && whole > 44 * line ? std::clamp(whole / 5, 10 * line, 15 * line) : 0;
         width = aside > 0 ? whole - aside - 2 * gap : whole;
-        card.width = std::floor((width - (kColumns - 1) * gap) / kColumns);
-        float tips = 0;
+        columns = std::clamp(static_cast<int>((width + gap) / (kLeastCard * line + gap)), 2,
+                             kCardColumns);
+        const int rows = (static_cast<int>(cards.size()) + columns - 1) / columns;
+        card.width = std::floor((width - static_cast<float>(columns - 1) * gap) /
+                                static_cast<float>(columns));
+        float texts = 0;
         for (const StartCard& each : cards) {
-            tips = std::max(
-                tips, ImGui::CalcTextSize(each.tip.c_str(), nullptr, false, card.width - line).y);
+            const float wrap = card.width - line;
+            texts = std::max(texts, heightOf(each.title, wrap) + heightOf(each.tip, wrap));
         }
-        card.height = kPictureShape * card.width + tips + 2.3F * line;
-        box.height = std::min(display.y - 2 * line, heading + 2 * (card.height + padding) + gap);
+        card.height = kPictureShape * card.width + texts + 1.3F * line;
+        all = static_cast<float>(rows) * (card.height + gap) - gap;
+        box.height = std::min(display.y - 2 * line, heading + all + 2 * padding);
         box.x = std::floor((display.x - box.width) / 2);
         box.y = std::floor((display.y - box.height) / 2);
     }
@@ -99,7 +128,9 @@ struct StartPage::Sheet {
     float heading = std::floor(3.2F * line);
     float width = 0;  ///< of all cards
     float aside = 0;  ///< of the recent files; 0: there is no room
-    Rect card;        ///< its size
+    int columns = kCardColumns;
+    float all = 0;  ///< height of the cards
+    Rect card;      ///< its size
     Rect box;
 };
 
@@ -107,6 +138,7 @@ void StartPage::draw(const StartState& state, std::span<const std::filesystem::p
                      std::vector<Action>& actions) {
     load(state);
     takeKeys();
+    opened_ = state.opening ? opened_ : "";
     const Sheet sheet(cards_, !recent.empty());
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImVec4 dim = ImGui::GetStyleColorVec4(ImGuiCol_ModalWindowDimBg);
@@ -197,8 +229,8 @@ void StartPage::drawCards(const Sheet& sheet, std::vector<Action>& actions) {
     ImGui::GetWindowDrawList()->AddText(font, font->FontSize, top, palette().text,
                                         "What do you want to cut?");
     for (std::size_t i = 0; i < cards_.size(); ++i) {
-        const auto column = static_cast<float>(i % kColumns);
-        const std::size_t line = i / kColumns;
+        const auto column = static_cast<float>(i % sheet.columns);
+        const std::size_t line = i / sheet.columns;
         const auto row = static_cast<float>(line);
         const Rect rect{top.x + column * (sheet.card.width + sheet.gap),
                         top.y + sheet.heading + row * (sheet.card.height + sheet.gap),
@@ -206,8 +238,9 @@ void StartPage::drawCards(const Sheet& sheet, std::vector<Action>& actions) {
         if (chooses(rect, cards_[i].name)) {
             const bool own = i + 1 == cards_.size();
             actions.push_back(own ? Action(ActionId::openFile) : Action(OpenStartScene{i}));
+            opened_ = own ? "" : cards_[i].name;
         }
-        drawCard(rect, cards_[i], pictures_[i]);
+        drawCard(rect, cards_[i], pictures_[i], opened_ == cards_[i].name);
     }
 }
 
@@ -217,22 +250,24 @@ void StartPage::drawRecent(const Sheet& sheet, std::span<const std::filesystem::
         return;
     }
     const float line = sheet.line;
-    Rect rect{items_[kColumns - 1].x + sheet.card.width + 2 * sheet.gap, items_[0].y, sheet.aside,
-              2.9F * line};
+    Rect rect{items_[sheet.columns - 1].x + sheet.card.width + 2 * sheet.gap, items_[0].y,
+              sheet.aside, 2.9F * line};
     drawText({rect.x, rect.y - 1.6F * line}, palette().dimText, "Recent files");
-    const float bottom = rect.y + 2 * sheet.card.height + sheet.gap;
+    const float bottom = rect.y + sheet.all;
     for (const std::filesystem::path& file : recent) {
         if (rect.y + rect.height > bottom) {
             break;
         }
-        if (chooses(rect, "recent." + file.filename().string())) {
+        const std::string name = "recent." + file.filename().string();
+        if (chooses(rect, name)) {
             actions.emplace_back(FileAction(OpenFile{file}));
+            opened_ = name;
         }
         itemTooltip(file.string());
         drawText({rect.x + line / 2, rect.y + 0.3F * line}, palette().text,
                  shortenedTo(rect.width - line, file.filename().string()));
         drawText({rect.x + line / 2, rect.y + 1.5F * line}, palette().dimText,
-                 shortenedTo(rect.width - line, folderText(file)));
+                 opened_ == name ? "Opening..." : shortenedTo(rect.width - line, folderText(file)));
         rect.y += rect.height + sheet.gap / 2;
     }
 }

@@ -26,6 +26,7 @@ class StartPage {
     std::vector<StartCard> cards_;        ///< of the scenes, and that of a file of one's own
     std::vector<gpu::Texture> pictures_;  ///< of `cards_`
     std::vector<Rect> items_;             ///< all that can be chosen, as last drawn [px]
+    std::string opened_;                  ///< what is being opened, by its name here; "" for none
     std::size_t chosen_ = 0;              ///< of `items_`, by the pointer or the arrow keys
     bool moved_ = false;                  ///< by a key, in this update
     bool enters_ = false;                 ///< Enter was pressed in this update

@@ -24,19 +24,12 @@ void drawRunner(double seconds) {
     ImGui::Dummy({width, height});
 }
 
-/// In a window of its own, over the box at `place`: what is pressed beside it is the view's.
 void drawCancel(const ImVec2& place, std::vector<Action>& actions) {
-    ImGui::SetNextWindowPos(place);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::Begin("work.cancel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    beginControl("work.cancel", {place.x, place.y, buttonWidth("Cancel"), ImGui::GetFrameHeight()});
     if (button("Cancel", "work.cancel")) {
         actions.emplace_back(CancelWork{});
     }
-    ImGui::End();
-    ImGui::PopStyleVar();
+    endControl();
 }
 
 }  // namespace

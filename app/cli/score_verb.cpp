@@ -30,11 +30,29 @@ struct ScoreArguments {
     bool mustPass = false;
 };
 
-/// The score of a session, which is run for it; none if it has no task, or no stroke.
+/// What a file with a score holds: itself, or as a replay wrote it. None if it holds none.
+std::optional<Scored> scoreIn(const fs::path& file) {
+    const Json read = parseOrderedJson(readInputFile(file, kMaxSummaryBytes));
+    const Json& score = read.is_object() && read.contains("score") ? read["score"] : read;
+    return isScore(score) ? std::optional(Scored{file.string(), score}) : std::nullopt;
+}
+
+bool isOf(const Task& task, const Json& score) {
+    return score["task"] == task.name && score["person"] == task.person &&
+           score["date"] == task.date;
+}
+
+/// The score that lies beside a session, if it is of that try, or else of a run; none if it has no
+/// task, or no stroke.
 std::optional<Scored> scoreSession(const fs::path& session) {
     const Session read = readSession(session);
     if (!read.task) {
         return std::nullopt;
+    }
+    const fs::path beside = scoreFileOf(session);
+    if (const auto found = fs::exists(beside) ? scoreIn(beside) : std::nullopt;
+        found && isOf(*read.task, found->score)) {
+        return Scored{session.string(), found->score};
     }
     const gpu::EglContext context;
     const std::optional<Score> score = runForScore(read);
@@ -42,19 +60,10 @@ std::optional<Scored> scoreSession(const fs::path& session) {
                  : std::nullopt;
 }
 
-/// What a replay wrote of a try; none if its session has no task.
-std::optional<Scored> scoreOfSummary(const fs::path& file) {
-    const Json summary = parseOrderedJson(readInputFile(file, kMaxSummaryBytes));
-    if (!summary.is_object() || !summary.contains("score") || !isScore(summary["score"])) {
-        return std::nullopt;
-    }
-    return Scored{file.string(), summary["score"]};
-}
-
 /// With the file in what it throws.
 std::optional<Scored> scoreOfFile(const fs::path& file) {
     try {
-        return file.string().ends_with(kSessionEnding) ? scoreSession(file) : scoreOfSummary(file);
+        return file.string().ends_with(kSessionEnding) ? scoreSession(file) : scoreIn(file);
     } catch (const InputError& error) {
         const std::string problem = error.what();
         throw InputError(problem.find(file.string()) != std::string::npos
@@ -97,7 +106,9 @@ std::vector<Scored> scoreAll(const std::vector<fs::path>& files) {
         if (!scored) {
             throw InputError(file.string() + ": there is no score; give a session (*" +
                              std::string(kSessionEnding) +
-                             ") with a task and a stroke, or the summary.json of its replay.");
+                             ") with a task and a stroke, the summary.json of its replay, or a "
+                             "*" +
+                             std::string(kScoreEnding) + ".");
         }
         tries.push_back(std::move(*scored));
     }
@@ -149,7 +160,8 @@ int runScore(const ScoreArguments& arguments, std::ostream& out) {
 std::function<int()> describeScore(CLI::App& verb) {
     const auto arguments = std::make_shared<ScoreArguments>();
     verb.add_option("PATH", arguments->paths,
-                    "A session, the summary.json of its replay, or a folder to search for these")
+                    "A session, its score, the summary.json of its replay, or a folder to search "
+                    "for sessions and summaries")
         ->required()
         ->check(refuseEmpty);
     verb.add_option("--csv", arguments->csv, "Write the table as CSV here, not to standard output")

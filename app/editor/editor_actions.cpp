@@ -488,7 +488,9 @@ struct Answer {
     void operator()(const ui::SetSpeed& wanted) const { s.clock.setSpeed(wanted.factor); }
     void operator()(const ui::SetDisplay& to) const { s.view.display.settings = to.settings; }
     void operator()(const ui::CancelWork&) const { cancelWork(s); }
-    void operator()(const ui::AnswerQuestion& given) const { s.panels.answer(given.choice); }
+    void operator()(const ui::AnswerQuestion& given) const {
+        s.panels.answer(given.choice, given.number);
+    }
     void operator()(const ui::FileAction& action) const {
         if (const std::optional<ChosenFile> chosen = s.chooser.take(action)) {
             s.take(*chosen);

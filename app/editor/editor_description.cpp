@@ -101,7 +101,7 @@ void Editor::State::describeScene() {
             past.insert(past.begin(), {0, 0, ui::SessionMark::Kind::scene, change});
         }
     }
-    panels.told.help.hint = guide.hint(scene.get(), view);
+    panels.told.help.hint = guide.hint(scene.get(), view, panels.practice.isScored());
     panels.experiments.describe(scene.get(), panels.told);
 }
 
@@ -134,9 +134,13 @@ void Editor::State::describe(bool withOverlay) {
     model.transport.speed = clock.speed();
     chooser.describe(model);
     materials.describe(model);
+    model.help.start.opening = work.opening() != nullptr;
     model.work = work.state();
     if (model.work.title.empty()) {
         model.work = sceneWork(*this);
+    }
+    if (closing && work.saving() != nullptr) {
+        model.work.title = work.saving()->title + " first, then Kerf closes";
     }
     panels.timeLeft.follow(model.work);
     toast.describe(model);

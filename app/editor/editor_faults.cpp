@@ -7,6 +7,7 @@
 #include "app/files/import/model_units.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/scene_timeline.h"
+#include "app/tools/gizmo.h"
 #include "sim/base/math.h"
 #include "sim/base/text.h"
 #include "ui/base/unit_text.h"
@@ -59,18 +60,30 @@ struct Help {
     std::string button;
 };
 
-/// A length in the file's unit, for people; of sessions the unit is not told.
-std::string fileLength(double length, const ModelFault& fault, const OpeningOrder& order) {
-    if (!isModelFile(order.file) || fault.found() == nullptr) {
-        return fmt::format("{:g} file units", length);
+/// A thickness that is asked for, and how many of its units make one of the file.
+struct AskedThickness {
+    ui::AskedNumber field;
+    double scale = 1;
+};
+
+/// In millimetres; of sessions the unit is not told. A round number comes first.
+AskedThickness thicknessFor(const ModelFault& fault, const OpeningOrder& order) {
+    AskedThickness asked{{.label = "Thickness", .unit = "file units"}};
+    if (isModelFile(order.file) && fault.found() != nullptr) {
+        const UnitGuess guess =
+            guessUnits(order.file, boxOf(fault.found()->soup.positions), fault.found()->units);
+        asked.field.unit = "mm";
+        asked.scale = infoOf(guess.unit).metres / 1e-3;
     }
-    const UnitGuess guess =
-        guessUnits(order.file, boxOf(fault.found()->soup.positions), fault.found()->units);
-    return lengthText(length * infoOf(guess.unit).metres);
+    const double most = fault.help().thickness * asked.scale;
+    asked.field.value = roundStep(0.4 * most);  // at most all of it
+    asked.field.least = 0.01 * asked.field.value;
+    asked.field.most = 5 * most;
+    return asked;
 }
 
 /// What suits the model best comes first.
-std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
+std::vector<Help> helpFor(const ModelFault& fault) {
     const ModelHelp& model = fault.help();
     std::vector<Help> helps;
     if (model.holes > 0) {
@@ -83,11 +96,10 @@ std::vector<Help> helpFor(const ModelFault& fault, const OpeningOrder& order) {
                          kRepair});
     }
     if (model.thickness > 0) {
-        helps.insert(
-            model.isSheet ? helps.begin() : helps.end(),
-            {{.repair = true, .thicken = model.thickness},
-             "With a thickness of " + fileLength(model.thickness, fault, order) + " it can be cut",
-             kThicken});
+        helps.insert(model.isSheet ? helps.begin() : helps.end(),
+                     {{.repair = true, .thicken = model.thickness},
+                      "With a thickness it can be cut",
+                      kThicken});
     }
     return helps;
 }
@@ -165,26 +177,33 @@ void Editor::State::hideFaulty() {
 
 /// Only what would really help is offered.
 void Editor::State::askAboutMending(const ModelFault& fault, const OpeningOrder& order) {
-    const std::vector<Help> helps = helpFor(fault, order);
+    const std::vector<Help> helps = helpFor(fault);
     if (helps.empty()) {
         return;
     }
     std::vector<std::string> choices;
     std::ranges::transform(helps, std::back_inserter(choices), &Help::button);
     choices.emplace_back("Cancel");
+    const AskedThickness thickness = thicknessFor(fault, order);
+    const bool thickens = fault.help().thickness > 0;
+    const auto wanted = std::make_shared<double>(0);
     panels.asked = {
         {.title = "This model can't be cut as it is",
          .text = shortSentence(fault, order) + ". " + kerf::joined(helps, ". ", &Help::sentence) +
                  ". The file itself is not changed.",
          .choices = std::move(choices),
-         .aside = view.faulty.has_value()},
-        [this, fault, order, helps](int choice) {
+         .aside = view.faulty.has_value(),
+         .number = thickens ? std::optional(thickness.field) : std::nullopt},
+        [this, fault, order, helps, wanted](int choice) {
             hideFaulty();
             if (choice < static_cast<int>(helps.size())) {
-                open(order, helps[choice].mending);
+                Mending mending = helps[choice].mending;
+                mending.thicken = mending.thicken ? std::optional(*wanted) : std::nullopt;
+                open(order, mending);
                 sceneHistory.beingMended = Mended{fault, order, helps[choice].button};
             }
-        }};
+        },
+        [wanted, scale = thickness.scale](double number) { *wanted = number / scale; }};
 }
 
 // --- Remeshing, pieces that cross --------------------------------------------------------------

@@ -30,7 +30,9 @@ void followOpening(State& s) {
         return;
     }
     const OpeningOrder order = s.work.opening()->order();
-    const bool asItIs = s.work.opening()->mending() == Mending{};
+    const Mending& mending = s.work.opening()->mending();
+    const bool asksAgain =
+        mending == Mending{} || mending.thicken;  // perhaps for another thickness
     s.redraw.panels();
     try {
         const bool rests = order.change.empty() || (!s.scene.underWay() && s.scene.waiting.empty());
@@ -58,7 +60,7 @@ void followOpening(State& s) {
         }
     } catch (const ModelFault& fault) {
         showFaults(s, fault, order);
-        if (asItIs) {
+        if (asksAgain) {
             s.work.lookForRepair(order);
         }
     } catch (const std::bad_alloc&) {
@@ -153,7 +155,10 @@ void Editor::State::openStartScene(std::size_t card) {
     OpeningOrder order = orderOf(startSession(wanted.name), sessionFile.ends);
     order.title = "Opening " + wanted.title;
     order.file.clear();  // none of the recent files
-    order.shown = [this, tip = wanted.tip] { guide.suggest(tip); };
+    order.shown = [this, tip = wanted.tip, tool = wanted.tool] {
+        guide.suggest(tip);
+        view.tools.settings().tool = tool;
+    };
     askBefore("Open " + wanted.title, [this, order] { open(order); });
 }
 
@@ -172,6 +177,9 @@ void Editor::State::show(UploadedDocument uploaded) {
     sceneHistory.mended = std::exchange(sceneHistory.beingMended, std::nullopt);
     keeping.begin();
     view.begin(*scene);
+    if (scene->document().session.task) {
+        view.takeToolsOf(*scene->document().session.task);
+    }
     if (scene->document().session.editor) {
         view.show(*scene->document().session.editor);
     }
@@ -195,7 +203,7 @@ void Editor::State::beginScene() {
     const std::filesystem::path& session = sessionFile.path();
     chooser.setSource(session.empty() ? scene->document().session.model.path : session);
     panels.plotView = {};
-    clock.stop();
+    clock.begin();
     toast.withdrawOffer();
     describeScene();  // It may begin to work at once, and what was told is of the one before.
     redraw.scene();

@@ -68,7 +68,7 @@ void dispatch(State& s, const ui::InputEvent& event) {
         onButton(s, *change);
     } else if (const auto* wheel = std::get_if<ui::Wheel>(&event);
                wheel != nullptr && pointsAtView(s)) {
-        s.view.zoom(wheel->y, s.view.faulty ? BusyScene{} : s.scene.meanwhile());
+        s.view.turnWheel(wheel->y, s.view.faulty ? BusyScene{} : s.scene.meanwhile());
     } else if (const auto* key = std::get_if<ui::KeyChange>(&event); key != nullptr && key->down) {
         onKey(s, key->key, key->modifiers);
     } else if (const auto* typed = std::get_if<ui::Character>(&event);

@@ -137,7 +137,7 @@ void measureLines(const TaskBody& body, CutScore& score) {
             continue;
         }
         deviation.add(*part.deviation.most, length);
-        if (task.depth && part.toEnd >= *task.depth) {  // nearer to an end a blade swings in
+        if (task.depth && part.toEnd >= *task.depth) {  // nearer to an end a blade goes in
             const double below = *part.height.most - *part.height.least;
             depth.add(below, length);
             inBand.add(std::abs(below - *task.depth) <= task.band ? 1 : 0, length);

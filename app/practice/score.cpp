@@ -39,12 +39,12 @@ constexpr FigureRow kRows[] = {
     {"deviation_max", "Largest deviation", kLength, -1, &Score::deviationMax, &Limits::deviation,
      kForLines},
     {"depth_mean", "Mean depth", kLength, 0, &Score::depthMean},
-    {"depth_in_band", "Depth in its band", kShare, 1, &Score::depthInBand, &Limits::inBand,
+    {"depth_in_band", "Depth within limits", kShare, 1, &Score::depthInBand, &Limits::inBand,
      kForDepth},
-    {"length_under", "Not cut", kLength, -1, &Score::lengthUnder, &Limits::ends, kForLines},
-    {"length_over", "Cut elsewhere", kLength, -1, &Score::lengthOver, &Limits::ends, kForLines},
+    {"length_under", "Line missed", kLength, -1, &Score::lengthUnder, &Limits::ends, kForLines},
+    {"length_over", "Cut off the line", kLength, -1, &Score::lengthOver, &Limits::ends, kForLines},
     {"margin_least", "Least margin", kLength, 1, &Score::marginLeast, &Limits::margin, kForMargin},
-    {"spared_cut", "Spared parts cut", kCount, -1, &Score::sparedCut, nullptr, kForAll, 0},
+    {"spared_cut", "Structures damaged", kCount, -1, &Score::sparedCut, nullptr, kForAll, 0},
     {"taken", "Taken out whole", kFlag, 1, &Score::taken, nullptr, kForTaking, 1},
     {"excised_volume", "Volume taken out", kVolume, -1, &Score::excisedVolume},
     {"time", "Time", kTime, -1, &Score::time, &Limits::seconds},
@@ -98,6 +98,12 @@ std::optional<double> limitOf(const FigureRow& row, const Task& task) {
     return row.isAsked(task) ? limit : std::nullopt;
 }
 
+bool isKept(const FigureRow& row, const Score& score, const Task& task) {
+    const std::optional<double> limit = limitOf(row, task);
+    const std::optional<double> value = valueOf(row, score);
+    return !limit || (value && (row.better > 0 ? *value >= *limit : *value <= *limit));
+}
+
 Bounds boxOfLines(const Task& task) {
     return boxOf(task.lines, [](const TaskLine& line) { return boxOf(line.points); });
 }
@@ -114,9 +120,7 @@ Score scoreOf(const TaskRun& run) {
     for (const FigureRow& row : kRows) {
         const std::optional<double> limit = limitOf(row, task);
         const std::optional<double> value = valueOf(row, score);
-        const bool isKept =
-            !limit || (value && (row.better > 0 ? *value >= *limit : *value <= *limit));
-        if (!isKept) {
+        if (!isKept(row, score, task)) {
             score.violations.push_back(fmt::format(
                 "{}: {} ({}).", row.label, value ? withUnit(row.unit, *value) : "not measured",
                 limitText(row, *limit)));
@@ -130,6 +134,12 @@ std::string formatFigure(const FigureUnit& unit, std::optional<double> value) {
         return *value > 0 ? "yes" : "no";
     }
     return value ? fmt::format("{:.{}f}", *value * unit.factor, unit.digits) : "";
+}
+
+std::string shortLimit(const FigureRow& row, double limit) {
+    const char* const most = row.better > 0 ? "\u2265 " : "\u2264 ";
+    return row.unit.isFlag ? formatFigure(row.unit, limit)
+                           : fmt::format("{}{:.3g}", most, limit * row.unit.factor);
 }
 
 std::string limitText(const FigureRow& row, double limit) {

@@ -70,8 +70,13 @@ std::optional<double> valueOf(const FigureRow& row, const Score& score);
 /// None where the task has no limit, or does not ask for the figure.
 std::optional<double> limitOf(const FigureRow& row, const Task& task);
 
+/// Whether a try kept the limit of a figure, if the task has one.
+bool isKept(const FigureRow& row, const Score& score, const Task& task);
+
 /// A value for people, without its unit; "" for none.
 std::string formatFigure(const FigureUnit& unit, std::optional<double> value);
+/// "\u2264 2"
+std::string shortLimit(const FigureRow& row, double limit);
 /// "at least 2.00 mm"
 std::string limitText(const FigureRow& row, double limit);
 /// `score` of summary.json (docs/session-format.md).

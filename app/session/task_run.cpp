@@ -161,6 +161,13 @@ std::optional<Score> runForScore(const Session& session) {
     return scoreOf(running.session(), running.simulation(), forces);
 }
 
+std::filesystem::path scoreFileOf(const std::filesystem::path& session) {
+    const std::string name = session.string();
+    const std::size_t ending = name.ends_with(kSessionEnding) ? kSessionEnding.size()
+                                                              : session.extension().string().size();
+    return name.substr(0, name.size() - ending) + std::string(kScoreEnding);
+}
+
 std::vector<RimDeviation> rimDeviations(const Task& task, const Simulation& simulation) {
     return rimDeviations(BothBodies(simulation).of(task));
 }

@@ -34,6 +34,9 @@ std::optional<Score> scoreOf(const Session& session, const Simulation& simulatio
 /// Runs a session of a model's file for its score, in the current OpenGL context. Throws as
 /// loadSessionModel() and HeadlessSession do.
 std::optional<Score> runForScore(const Session& session);
+/// Where the score of a session lies, if it has one: beside it, with an ending of its own.
+std::filesystem::path scoreFileOf(const std::filesystem::path& session);
+inline constexpr std::string_view kScoreEnding = ".score.json";
 /// The rim of what was cut of the body of a task.
 std::vector<RimDeviation> rimDeviations(const Task& task, const Simulation& simulation);
 

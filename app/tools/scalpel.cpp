@@ -2,12 +2,21 @@
 
 #include "app/scene/editor_scene.h"
 #include "app/scene/editor_stroke.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
 #include "app/tools/tool_marks.h"
+#include "sim/base/text.h"
 
 namespace kerf::app {
 
 namespace {
+
+constexpr double kNotches = 1000;  // of the wheel, through the longest depth
+
+SurfacePoint onTheWay(const SurfacePoint& from, const SurfacePoint& to, double share) {
+    return {from.triangle, from.position + share * (to.position - from.position),
+            (from.normal + share * (to.normal - from.normal)).stableNormalized()};
+}
 
 /// Leads a Scalpel over the surface under the pointer.
 class ScalpelTool : public Tool {
@@ -56,6 +65,23 @@ class ScalpelTool : public Tool {
     void cancel(const ToolContext& /*c*/) override { *this = {}; }
     bool holds() const override { return held_; }
 
+    /// While it cuts, the wheel changes its depth.
+    bool turnWheel(double notches, const ToolContext& c) override {
+        if (held_) {
+            const double step = roundStep(c.settings.longest / kNotches);
+            double& depth = c.settings.scalpel.depth;
+            depth =
+                std::clamp(step * (std::round(depth / step) + notches), step, c.settings.longest);
+            if (scalpel_) {
+                scalpel_->setDepth(depth);
+            }
+        }
+        return held_;
+    }
+    std::string figure(const ui::ToolSettings& settings) const override {
+        return held_ ? millimetreText(settings.scalpel.depth) : "";
+    }
+
     std::vector<Blade> wayAhead(const ToolContext& c) const override {
         if (const auto point = c.scene->pick(c.view.rayThrough(c.pixel))) {
             return {Scalpel(c.settings.scalpel.depth).at(*point)};
@@ -81,30 +107,31 @@ class ScalpelTool : public Tool {
 
 }  // namespace
 
-Blade Scalpel::at(const SurfacePoint& point) const {
-    return {point.position + lift() * point.normal, point.position - depth_ * point.normal};
+Blade Scalpel::at(const SurfacePoint& point, double depth) const {
+    return {point.position + lift() * point.normal, point.position - depth * point.normal};
 }
 
 std::vector<Blade> Scalpel::moveTo(const SurfacePoint& point) {
-    if (in_) {
-        return {at(point)};
-    }
-    if (!first_) {
-        first_ = point;
+    if (!last_) {
+        last_ = point;
         return {};
     }
-    const Vec3 way = point.position - first_->position;
-    const Vec3 ahead = way - way.dot(first_->normal) * first_->normal;
-    if (ahead.norm() < kTell * depth_) {
+    const double step = (point.position - last_->position).norm();
+    if (way_ == 0 && step < kTell * depth_) {
         return {};
     }
-    in_ = true;
-    const Blade upright = at(*first_);
-    const Vec3 back = -(lift() + depth_) * ahead.normalized();
-    // Level and behind, then steep, then upright: the edge swings down through the skin.
-    const Blade level{upright.a, upright.a + back};
-    const Blade steep{upright.a, upright.a + 0.7071 * (back + (upright.b - upright.a))};
-    return {level, steep, upright, at(point)};
+    std::vector<Blade> poses;
+    if (way_ == 0) {
+        poses.push_back(at(*last_, -kAbove * depth_));
+    }
+    const double end = way_ + step;
+    if (way_ < wayIn() && end > wayIn()) {
+        poses.push_back(at(onTheWay(*last_, point, (wayIn() - way_) / step)));
+    }
+    poses.push_back(at(point, std::min(depth_, end / kWayIn)));
+    last_ = point;
+    way_ = end;
+    return poses;
 }
 
 std::unique_ptr<Tool> makeScalpelTool() {

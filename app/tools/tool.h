@@ -60,6 +60,11 @@ class Tool {
     /// Esc while it holds nothing. Returns whether the tool used it.
     virtual bool escape(ui::ToolSettings& /*settings*/) { return false; }
 
+    /// The wheel was turned over the view. Returns whether the tool used it.
+    virtual bool turnWheel(double /*notches*/, const ToolContext& /*c*/) { return false; }
+    /// A figure beside the pointer, such as a depth; "" for none.
+    virtual std::string figure(const ui::ToolSettings& /*settings*/) const { return ""; }
+
     /// The poses that the blade would take from here, while no stroke is in progress.
     virtual std::vector<Blade> wayAhead(const ToolContext& /*c*/) const { return {}; }
     /// Adds its overlay. The path of the blade is there already.

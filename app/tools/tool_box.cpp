@@ -55,6 +55,9 @@ void ToolBox::addTo(ui::Overlay& overlay, const ToolContext& c) const {
     if (c.scene != nullptr) {
         inHand().addTo(overlay, c);
     }
+    if (std::string figure = inHand().figure(c.settings); !figure.empty()) {
+        overlay.labels.push_back({{c.pixel.x(), c.pixel.y()}, std::move(figure)});
+    }
 }
 
 }  // namespace kerf::app

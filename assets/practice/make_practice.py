@@ -79,8 +79,8 @@ def incision():
         "params": {**PARAMS, "skin_thickness": 0.0015, "skin_modulus": 8500},
         "task": {
             "name": "Incision",
-            "about": "Cut along the line with the scalpel (S), its depth set to 0.005 m. Begin 6 "
-                     "mm inside: it swings in from behind. Spare the vessel below.",
+            "about": "Cut along the line with the scalpel, 5 mm deep: press at one end, and lift "
+                     "at the other. Spare the vessel below.",
             "lines": [{"points": [[-0.035, TOP, 0], [0.035, TOP, 0]]}],
             "depth": 0.005, "band": 0.001, "spare": [1]},
         "limits": {"deviation": 0.002, "ends": 0.006, "in_band": 0.9, "margin": 0.001,
@@ -106,8 +106,8 @@ def excision():
         "params": PARAMS,
         "task": {
             "name": "Excision",
-            "about": "Cut out the lump in one piece with the stroke (C), which goes right "
-                     "through: once round along the line, and a quarter farther to close it.",
+            "about": "Cut out the lump in one piece with the stroke, which goes right through: "
+                     "one and a quarter turns along the line, so that the cut closes.",
             "lines": [{"points": [rounded(p) for p in points], "closed": True}],
             "reach": 0.008, "spare": [1], "take": 1},
         "limits": {"deviation": 0.003, "ends": 0.004, "margin": 0.007, "seconds": 40, "idle": 5,
@@ -131,7 +131,7 @@ def slice_():
         "params": {**PARAMS, "floor": 0},
         "task": {
             "name": "Slice",
-            "about": "Cut off a slice of even thickness with the stroke (C): down through the "
+            "about": "Cut off a slice of even thickness with the stroke: down through the "
                      "right line, then the left one.",
             "lines": lines},
         "limits": {"deviation": 0.002, "ends": 0.004, "seconds": 30, "idle": 5, "economy": 0.7},

@@ -31,6 +31,11 @@ std::string lengthText(double metres) {
     return textIn(kUnits, metres);
 }
 
+std::string millimetreText(double metres) {
+    static constexpr std::array kUnits{Unit{1, "m"}, Unit{1e-3, "mm"}};
+    return textIn(kUnits, metres);
+}
+
 std::string areaText(double squareMetres) {
     static constexpr std::array kUnits{Unit{1e6, "km\u00b2"}, Unit{1, "m\u00b2"},
                                        Unit{1e-4, "cm\u00b2"}, Unit{1e-6, "mm\u00b2"}};

@@ -71,6 +71,8 @@ inline std::string lowerCase(std::string text) {
 
 /// A length [m] in the unit that suits it, with up to three digits: "9.66 m", "12 cm", "3.5 mm".
 std::string lengthText(double metres);
+/// A length that is set, in millimetres below a metre: "5 mm", "120 mm".
+std::string millimetreText(double metres);
 /// An area [m^2] likewise: "1.5 m\u00b2", "12 cm\u00b2".
 std::string areaText(double squareMetres);
 /// A volume [m^3] likewise, from a tenth of a unit on: "4.19 m\u00b3", "12.3 l", "0.52 ml".

@@ -265,12 +265,12 @@ class PracticeFilm {
             const Vec2 at = line.front() + share * (line.back() - line.front());
             window_.editor().post(ui::PointerMove{at.x(), at.y(), {}});
         };
-        lead(kBegin);
+        lead(0);
         hold(1);
         window_.editor().post(ui::ButtonChange{ui::Button::left, true, {}});
         for (double time = 0; time < kSeconds; time += kStep) {
             const double t = time / kSeconds;
-            lead(kBegin + (1 - kBegin) * t * t * t * (10 - 15 * t + 6 * t * t));  // least jerk
+            lead(t * t * t * (10 - 15 * t + 6 * t * t));  // least jerk
             hold(kStep);
         }
         window_.editor().post(ui::ButtonChange{ui::Button::left, false, {}});
@@ -289,11 +289,10 @@ class PracticeFilm {
     }
 
   private:
-    static constexpr double kStep = 0.02;    // of the task [s]
-    static constexpr int kEach = 4;          // of the pictures is in the film
-    static constexpr int kRate = 12;         // pictures a second of the film: about as fast
-    static constexpr double kSeconds = 4;    // of the cut
-    static constexpr double kBegin = 0.085;  // of the line: the scalpel swings in from behind
+    static constexpr double kStep = 0.02;  // of the task [s]
+    static constexpr int kEach = 4;        // of the pictures is in the film
+    static constexpr int kRate = 12;       // pictures a second of the film: about as fast
+    static constexpr double kSeconds = 4;  // of the cut
 
     static ui::Settings settings() {
         ui::Settings settings;
@@ -303,14 +302,9 @@ class PracticeFilm {
         settings.piecesShare = 0;
         return settings;
     }
-    /// The scalpel, as deep as the task wants it.
     void prepare() {
         window_.open(gpu::dataPath("assets/practice/incision.kerf.json"));
         window_.settle();
-        window_.tap(ui::Key::s);
-        window_.click("section.practice");
-        window_.type("blade.Depth", "0.005");
-        window_.click("section.practice");
         window_.moveAway();
     }
     std::vector<Vec2> lineShown() {

@@ -97,9 +97,8 @@ void beginBanner(const char* name, const Rect& content, const BannerStyle& style
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, 0.7F * padding});
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     (style.takesInput ? ImGuiWindowFlags_None : ImGuiWindowFlags_NoInputs) |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_NoNav);
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     if (style.accent != 0) {
         const ImVec2 low = ImGui::GetWindowPos();
         ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -113,6 +112,23 @@ void beginBanner(const char* name, const Rect& content, const BannerStyle& style
 void endBanner() {
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+void beginControl(const std::string& name, const Rect& place) {
+    ImGui::SetNextWindowPos({place.x, place.y});
+    ImGui::SetNextWindowSize({place.width, place.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin(name.c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+}
+
+void endControl() {
+    ImGui::End();
+    ImGui::PopStyleVar(3);
 }
 
 float bannerPadding() {
@@ -215,7 +231,11 @@ void textRight(std::string_view text) {
 }
 
 void textShortened(std::string_view text, float width) {
-    ImGui::TextUnformatted(shortenedTo(width, text).c_str());
+    const std::string shown = shortenedTo(width, text);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown != text) {
+        itemTooltip(text);
+    }
 }
 
 void rowLabel(std::string_view text) {

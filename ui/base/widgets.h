@@ -20,12 +20,16 @@ bool beginModalAside(const std::string& title, const Rect& view, bool wanted);
 struct BannerStyle {
     unsigned accent = 0;  ///< colour of the bar at its left, 0 for none
     float opacity = 1;
-    bool takesInput = false;
 };
-/// Begins a dark rounded background around `content` [px]; end with endBanner().
+/// Begins a dark rounded background around `content` [px]; end with endBanner(). A press on it is
+/// the view's: controls go into beginControl().
 void beginBanner(const char* name, const Rect& content, const BannerStyle& style);
 /// Ends the banner that beginBanner() began.
 void endBanner();
+/// Begins a place over the view, of that size [px], for a control, which alone takes presses; end
+/// with endControl().
+void beginControl(const std::string& name, const Rect& place);
+void endControl();
 /// The gap between the content of a banner and its sides [px].
 float bannerPadding();
 /// Draws a text without interaction on a dark rounded background, centred at (x, y) [px], wrapped
@@ -69,7 +73,8 @@ std::string shortenedTo(float width, std::string_view text);
 /// Draws a text at the right end of the line or the table's cell.
 void textRight(std::string_view text);
 
-/// Draws a text, with an ellipsis where it is wider than `width` [px].
+/// Draws a text, with an ellipsis where it is wider than `width` [px]; then a tooltip has all of
+/// it.
 void textShortened(std::string_view text, float width);
 
 /// Draws the left part of a row, with an ellipsis if too long. The right part comes next on the

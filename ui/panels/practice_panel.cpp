@@ -10,6 +10,14 @@ namespace {
 
 constexpr std::size_t kMostName = 60;
 
+struct Column {
+    const char* title;
+    std::string ScoreRow::*text;
+};
+constexpr std::array kScoreColumns{Column{"Now", &ScoreRow::now}, Column{"Limit", &ScoreRow::limit},
+                                   Column{"Last", &ScoreRow::last},
+                                   Column{"Expert", &ScoreRow::expert}};
+
 void drawPerson(const Settings& settings, std::vector<Action>& actions) {
     char buffer[kMostName + 1] = {};
     settings.person.copy(buffer, kMostName);
@@ -36,57 +44,70 @@ void drawCell(const std::string& text) {
     textRight(text);
 }
 
-void drawScoreRow(const ScoreRow& row) {
+void drawScoreRow(const ScoreRow& row, std::span<const Column> columns) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    textShortened((row.broken ? "! " : "") + row.figure, ImGui::GetContentRegionAvail().x);
-    itemTooltip(row.limit.empty() ? row.figure : row.figure + ": " + row.limit);
-    drawCell(row.now);
+    textWrapped((row.broken ? "! " : "") + row.figure);
+    for (const Column& column : columns) {
+        drawCell(row.*column.text);
+    }
     noteItem("practice." + row.figure);
-    drawCell(row.last);
-    drawCell(row.expert);
+}
+
+/// Those with anything to show.
+std::vector<Column> columnsOf(const PracticeState& practice) {
+    std::vector<Column> columns(kScoreColumns.begin(), kScoreColumns.end());
+    std::erase_if(columns, [&](const Column& column) {
+        return std::ranges::all_of(practice.rows, &std::string::empty, column.text);
+    });
+    return columns;
 }
 
 void drawScore(const PracticeState& practice) {
-    if (!ImGui::BeginTable("score", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+    const std::vector<Column> columns = columnsOf(practice);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {ImGui::GetFontSize() / 5, ImGui::GetStyle().CellPadding.y});
+    const bool open =
+        ImGui::BeginTable("score", 1 + static_cast<int>(columns.size()), ImGuiTableFlags_RowBg);
+    ImGui::PopStyleVar();
+    if (!open) {
         return;
     }
     ImGui::TableSetupColumn("figure", ImGuiTableColumnFlags_WidthStretch);
-    for (const auto& [title, member] : {std::pair{"Now", &ScoreRow::now},
-                                        {"Last", &ScoreRow::last},
-                                        {"Expert", &ScoreRow::expert}}) {
-        float width = ImGui::CalcTextSize(title).x;
+    for (const Column& column : columns) {
+        float width = ImGui::CalcTextSize(column.title).x;
         for (const ScoreRow& row : practice.rows) {
-            width = std::max(width, ImGui::CalcTextSize((row.*member).c_str()).x);
+            width = std::max(width, ImGui::CalcTextSize((row.*column.text).c_str()).x);
         }
-        ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed, width);
+        ImGui::TableSetupColumn(column.title, ImGuiTableColumnFlags_WidthFixed, width);
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::TableNextColumn();
-    for (const char* title : {"Now", "Last", "Expert"}) {
-        drawCell(title);
+    for (const Column& column : columns) {
+        drawCell(column.title);
     }
     for (const ScoreRow& row : practice.rows) {
-        drawScoreRow(row);
+        drawScoreRow(row, columns);
     }
     ImGui::EndTable();
 }
 
+/// Advice before figures.
 void drawVerdict(const PracticeState& practice) {
     if (practice.violations.empty()) {
-        ImGui::TextWrapped("Passed: every limit was kept.");
+        textWrapped("Passed: every limit was kept.");
+        return;
     }
-    for (const std::string& violation : practice.violations) {
-        ImGui::TextWrapped("! %s", violation.c_str());
-    }
+    textWrapped("Next time: " + practice.advice);
+    noteItem("practice.advice");
 }
 
 }  // namespace
 
 void drawPractice(const PracticeState& practice, const Settings& settings,
                   std::vector<Action>& actions) {
-    ImGui::TextWrapped("%s", practice.name.c_str());
-    ImGui::TextWrapped("%s", practice.about.c_str());
+    textWrapped(practice.name);
+    textWrapped(practice.about);
     drawPerson(settings, actions);
     if (practice.hasExpert) {
         drawSwitch("Expert's blade", "practice.expert", "Shows how an expert leads the blade.",
@@ -98,8 +119,8 @@ void drawPractice(const PracticeState& practice, const Settings& settings,
     }
     for (const ActionId id : {ActionId::finishTry, ActionId::reset}) {
         const bool finishes = id == ActionId::finishTry;
-        if (button(finishes ? "Finish" : "Again", finishes ? "practice.finish" : "practice.again",
-                   describeAction(id))) {
+        if (button(finishes ? "Finish" : "Try again",
+                   finishes ? "practice.finish" : "practice.again", describeAction(id))) {
             actions.emplace_back(id);
         }
         if (finishes) {

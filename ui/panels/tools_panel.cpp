@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kToolsInARow = 3;
 constexpr double kLargestRadius = 0.2;  // of a hand or brush, of the longest blade
+constexpr double kMetres = 1;           // longer ones are shown in metres [m]
 
 /// A button with a name of its own, which asks for an action.
 void drawButton(const char* label, const std::string& item, float width, ActionId id,
@@ -42,16 +43,25 @@ void drawToolButtons(const PanelModel& model, std::vector<Action>& actions) {
     }
 }
 
-/// A length from a hundredth of the longest one up. `beside`: width of what follows in its row.
+/// A length from a hundredth of the longest one up, in millimetres where that is short. `beside`:
+/// width of what follows in its row.
 bool slideLength(const char* label, double& value, double longest, const char* tooltip,
                  float beside = 0) {
-    const double least = 0.01 * longest;
+    const bool small = longest < kMetres;
+    const double scale = small ? 1e3 : 1;
+    const double most = scale * longest;
+    const double least = 0.01 * most;
     const float gap = beside > 0 ? ImGui::GetStyle().ItemInnerSpacing.x : 0;
-    return slideRow({label, tooltip, std::string("blade.") + label},
-                    {ImGuiDataType_Double, &value, &least, &longest,
-                     std::string(lengthFormat(longest)) + " m"},
-                    ImGui::GetContentRegionAvail().x - beside - gap)
-        .changed;
+    double shown = scale * value;
+    const bool changed =
+        slideRow({label, tooltip, std::string("blade.") + label},
+                 {ImGuiDataType_Double, &shown, &least, &most,
+                  small && most > 10 ? "%.1f mm"
+                                     : std::string(lengthFormat(most)) + (small ? " mm" : " m")},
+                 ImGui::GetContentRegionAvail().x - beside - gap)
+            .changed;
+    value = changed ? shown / scale : value;
+    return changed;
 }
 
 /// What the rows of a tool go by, change and answer.

@@ -77,6 +77,7 @@ struct SetDisplay {
 /// Answers the open question.
 struct AnswerQuestion {
     int choice = 0;
+    double number = 0;  ///< of Question::number
 };
 
 /// Changes the settings of the window.

@@ -189,6 +189,7 @@ std::vector<PointerHint> pointerTable(MouseScheme scheme) {
         {dragsThat(ViewMotion::orbit, scheme), "Rotate view"},
         {dragsThat(ViewMotion::pan, scheme), "Pan view"},
         {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom at pointer"},
+        {"Wheel while the scalpel cuts", "Change its depth"},
         {"Click a number", "Type a value: Enter accepts it, Esc keeps the old one"},
         {"Wheel, drag over a plot", "Zoom and scroll in time"},
         {"Double-click a plot", "Show from the start"},

@@ -6,6 +6,15 @@
 
 namespace kerf::ui {
 
+/// A number that a question asks for, too.
+struct AskedNumber {
+    std::string label;
+    std::string unit;
+    double value = 0;  ///< that is proposed
+    double least = 0;
+    double most = 0;
+};
+
 /// A choice that a user has to make before anything else; none where the text is empty.
 struct Question {
     std::string title;
@@ -14,6 +23,7 @@ struct Question {
     std::shared_ptr<const render::Image> picture = nullptr;  ///< its subject; may be null
     /// It is at the lower edge of the view, which shows its subject and can be turned meanwhile.
     bool aside = false;
+    std::optional<AskedNumber> number = std::nullopt;
 };
 
 /// A scene that the start page offers.
@@ -21,6 +31,7 @@ struct StartCard {
     std::string name;  ///< of its file
     std::string title;
     std::string tip;                                         ///< what to try, one sentence
+    ToolKind tool = kFirstTool;                              ///< with which
     std::shared_ptr<const render::Image> picture = nullptr;  ///< null if it can't be read
 };
 
@@ -28,6 +39,7 @@ struct StartCard {
 struct StartState {
     std::shared_ptr<const std::vector<StartCard>> cards;  ///< null while the page is closed
     bool overScene = false;                               ///< a scene is open behind it
+    bool opening = false;                                 ///< something is being opened
 };
 
 /// An action that a hint offers, with its label there.
@@ -90,7 +102,7 @@ struct ScoreRow {
     std::string now;
     std::string last;    ///< of one's own last try
     std::string expert;  ///< of the session that shows it
-    std::string limit;   ///< "at most 2.00 mm"
+    std::string limit;   ///< "\u2264 2"
     bool broken = false;
 };
 
@@ -103,6 +115,7 @@ struct PracticeState {
     bool finished = false;
     std::vector<ScoreRow> rows;
     std::vector<std::string> violations;  ///< of the finished try; it passed without any
+    std::string advice;                   ///< for the next one; "" if it passed
 };
 
 }  // namespace kerf::ui

@@ -65,6 +65,11 @@ void StepClock::stop() {
     ranBefore_ = false;
 }
 
+void StepClock::begin() {
+    stop();
+    secondsPerStep_ = 0;
+}
+
 FrameTime StepClock::measure() {
     const double seconds = std::exchange(sinceShown_, 0);
     const double steps = std::exchange(stepSeconds_, 0);

@@ -41,6 +41,8 @@ class StepClock {
     double secondsPerStep() const { return secondsPerStep_; }
     /// Pauses: nothing is due, and the next visible steps end no frame.
     void stop();
+    /// Another scene is open: how long its steps take is not known.
+    void begin();
 
     /// Whether nothing was measured since the last pause.
     bool starts() const { return !ranBefore_; }

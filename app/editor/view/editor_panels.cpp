@@ -36,25 +36,27 @@ constexpr float kPanelRounding = 8;      // [px] at scale 1, at least that of th
 using Cards = std::vector<ui::StartCard>;
 
 std::shared_ptr<const Cards> readCards() {
+    using ui::ToolKind;
     auto cards = std::make_shared<Cards>(Cards{
         {"citrus", "Citrus", "Drag all the way across it, then press Shift+Space."},
         {"banana", "Banana", "Cut off a few slices, then press Shift+Space."},
         {"octopus", "Octopus", "Cut off an arm, then press D and pull at another."},
-        {"liver", "Liver",
-         "Press S and draw an incision, then Y and drag across it to hold it open."},
+        {"liver", "Liver", "Draw an incision, then press Y and drag across it to hold it open.",
+         ToolKind::scalpel},
         {"jelly", "Jelly cube", "Press Shift+Space: it falls and wobbles. Then cut it."},
-        {"tear", "Jelly to tear", "Press D and pull its right half away from the slit."},
-        {"orange", "Orange to open", "Press D, double the Hand, and pull its right half far off."},
+        {"tear", "Jelly to tear", "Pull its right half away from the slit.", ToolKind::grab},
+        {"orange", "Orange to open", "Double the hand size, then drag the right half far away.",
+         ToolKind::grab},
         {"incision", "Incision to tear",
-         "Press Y and drag across the slit to hold it open. Too far, and it tears on."},
+         "Drag across the slit to hold it open. Too far, and it tears on.", ToolKind::retract},
         {"egg", "Hollow egg", "Cut it in two, then press Shift+Space: it falls open."},
         {"cloth", "Cloth", "Press Shift+Space: it drapes itself. Then cut it."},
         {"../practice/incision", "Practise: incision",
-         "Press S, set 5 mm, and draw along the line. Shift+Enter scores it."},
+         "Draw along the line. Shift+Enter shows the score.", ToolKind::scalpel},
         {"../practice/excision", "Practise: excision",
-         "Press C and lead the blade once round, and a little farther. Then Shift+Enter."},
+         "Lead the blade one and a quarter turns along the line. Then Shift+Enter."},
         {"../practice/slice", "Practise: slice",
-         "Press C and cut down through the right line, then the left one. Then Shift+Enter."},
+         "Cut down through the right line, then the left one. Then Shift+Enter."},
     });
     for (ui::StartCard& card : *cards) {
         try {
@@ -129,9 +131,12 @@ void EditorPanels::describe() {
     }
 }
 
-void EditorPanels::answer(int choice) {
-    if (asked) {
-        std::exchange(asked, std::nullopt)->answer(choice);
+void EditorPanels::answer(int choice, double number) {
+    if (const std::optional<Asked> open = std::exchange(asked, std::nullopt)) {
+        if (open->takeNumber) {
+            open->takeNumber(number);
+        }
+        open->answer(choice);
     }
 }
 

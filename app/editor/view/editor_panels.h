@@ -35,6 +35,7 @@ class ExperimentBoard {
 struct Asked {
     ui::Question question;
     std::function<void(int choice)> answer;
+    std::function<void(double number)> takeNumber = nullptr;  ///< before that; may be null
 };
 
 /// The panels with their content, and the user's choices: the settings, the time range of the
@@ -64,8 +65,8 @@ struct EditorPanels {
     float scale(int width, int height) const;
     /// Restarts the model with the scene's description and what is known here.
     void describe();
-    /// Handles that choice; does nothing without a question.
-    void answer(int choice);
+    /// Handles that choice, and the number that came with it; does nothing without a question.
+    void answer(int choice, double number);
     /// Lays the panels out with the input of one batch, in a frame of this size [px]. Returns the
     /// user's actions.
     std::vector<ui::Action> update(std::span<const ui::InputEvent> batch, int width, int height,

@@ -49,6 +49,13 @@ void EditorView::begin(const EditorScene& scene) {
     restBounds_ = scene.rest().bounds();
 }
 
+void EditorView::takeToolsOf(const Task& task) {
+    ui::ToolSettings& settings = tools.settings();
+    settings.tool = task.depth ? ui::ToolKind::scalpel : ui::ToolKind::stroke;
+    settings.stroke.throughAll = true;
+    settings.scalpel.depth = task.depth.value_or(settings.scalpel.depth);
+}
+
 SavedView EditorView::saved() const {
     const ui::DisplaySettings& shown = display.settings;
     return {camera.destination(),
@@ -218,7 +225,10 @@ bool EditorView::rightClicks() const {
     return tools.inHand().takesRightClicks() && (pointer - rightPress_).norm() < kClick;
 }
 
-void EditorView::zoom(double notches, const BusyScene& scene) {
+void EditorView::turnWheel(double notches, const BusyScene& scene) {
+    if (scene && tools.inHand().turnWheel(notches, context(scene))) {
+        return;
+    }
     const ViewFrame seen = frame();
     camera.zoom(notches, seen.toNdc(pointer) - seen.camera.middle, seen.aspect());
     if (scene) {

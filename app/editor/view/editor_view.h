@@ -47,6 +47,8 @@ struct EditorView {
     bool resize(int newWidth, int newHeight);
     /// Shows a document that was just opened.
     void begin(const EditorScene& scene);
+    /// Takes the tool of a task, at its depth.
+    void takeToolsOf(const Task& task);
     /// What a saved session keeps of it.
     SavedView saved() const;
     void show(const SavedView& saved);
@@ -68,7 +70,8 @@ struct EditorView {
     std::string press(const ui::ButtonChange& change, const BusyScene& scene);
     /// Ends the drag of that button. Returns "" or one sentence.
     std::string release(ui::Button button, const BusyScene& scene);
-    void zoom(double notches, const BusyScene& scene);
+    /// Zooms, unless the tool uses the wheel.
+    void turnWheel(double notches, const BusyScene& scene);
 
     // The tools of its left button.
     /// The context of tools at the present pointer.

@@ -64,9 +64,30 @@ void FirstSteps::follow(const Situation& now) {
     fell_ |= falls && now.parted();
 }
 
+/// While a task runs, hints lead to its score and nowhere else: an undo would break a limit.
+static Hint ofTask(const Situation& now) {
+    if (now.scored) {
+        return {"Your blade and the expert's, side by side.", {{ActionId::reset, "Try again"}}};
+    }
+    if (now.outcome == StrokeOutcome::missed) {
+        return {"The blade missed. Press on the purple line, and follow it.", {}};
+    }
+    if (now.cut) {
+        return {"Done? Then see how well you cut:", {{ActionId::finishTry, "Finish"}}};
+    }
+    const bool scalpel = now.tool == ui::ToolKind::scalpel;
+    return {scalpel ? "Press at one end of the purple line, and draw along it. The wheel changes "
+                      "the depth meanwhile."
+                    : "Lead the blade along the purple line.",
+            {}};
+}
+
 Hint FirstSteps::hint(const Situation& now) const {
     if (!now.open || now.touching || now.cutting) {
         return {};
+    }
+    if (now.task && !now.past) {
+        return ofTask(now);
     }
     if (now.playing) {
         const bool still = now.weightless && !now.session && !weighed_;
@@ -158,6 +179,8 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.session = scene->timeline().playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
     now.touching = view.tools.holdsBody();
+    now.task = scene->document().session.task.has_value();
+    now.cut = !scene->simulation().strokes().empty();
     now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;
     now.outcome = cutWatch_.outcome();
@@ -186,7 +209,7 @@ std::string NewcomerGuide::whyItTears(const EditorScene& scene, const EditorView
     return pulls ? tearSentence(now.report(), now.params(), lately) : "";
 }
 
-ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) const {
+ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view, bool scored) const {
     if (!tip_.empty()) {
         return {tip_, {}};
     }
@@ -196,7 +219,12 @@ ui::Hint NewcomerGuide::hint(const EditorScene* scene, const EditorView& view) c
                 fmt::format("The body follows in slow motion: the hand is {} ahead.",
                             lengthText(scene->hands().ahead()));
     }
-    return told.empty() ? firstSteps_.hint(situationOf(scene, view)) : ui::Hint{told, {}};
+    if (!told.empty()) {
+        return {told, {}};
+    }
+    Situation now = situationOf(scene, view);
+    now.scored = scored;
+    return firstSteps_.hint(now);
 }
 
 }  // namespace kerf::app

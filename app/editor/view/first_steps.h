@@ -44,6 +44,9 @@ struct Situation {
     bool past = false;        ///< the person went back in time
     bool cutting = false;     ///< a stroke is drawn or still to be cut
     bool touching = false;    ///< a tool pulls or pins
+    bool task = false;        ///< one is practised
+    bool cut = false;         ///< a stroke was cut since the body was whole
+    bool scored = false;      ///< the try was
     ui::ToolKind tool = ui::kFirstTool;
     int pieces = 1;
     int piecesAtFirst = 1;  ///< when opened: a file may hold several shells
@@ -87,7 +90,8 @@ class NewcomerGuide {
     /// Suggests what to try in this document, until something was tried. "" suggests nothing.
     void suggest(std::string tip) { tip_ = std::move(tip); }
     /// The present hint; `scene` is null if nothing is open.
-    ui::Hint hint(const EditorScene* scene, const EditorView& view) const;
+    /// `scored`: the try at its task was.
+    ui::Hint hint(const EditorScene* scene, const EditorView& view, bool scored) const;
 
   private:
     Situation situationOf(const EditorScene* scene, const EditorView& view) const;

@@ -8,6 +8,7 @@
 
 #include "app/files/io/errors.h"
 #include "app/files/io/file_io.h"
+#include "app/practice/advice.h"
 #include "app/scene/document/editor_document.h"
 #include "app/scene/editor_stroke.h"
 #include "app/scene/readout/scene_readout.h"
@@ -30,12 +31,6 @@ constexpr int kBallPoints = 300;       // of a ball to spare
 constexpr double kTrail = 0.7;         // of the expert's hand [s]
 constexpr double kPause = 1.5;         // before the expert begins again [s]
 constexpr std::uintmax_t kMostScoreBytes = 1 << 20;
-constexpr const char* kScoreEnding = ".score.json";
-
-/// Where the score of a session lies, if it has one.
-std::filesystem::path scoreFile(const std::filesystem::path& session) {
-    return session.parent_path() / (shortName(session) + kScoreEnding);
-}
 
 /// How the files of a person's tries begin, in letters that any file system takes.
 std::string fileNameOf(const std::string& task, const std::string& person) {
@@ -160,7 +155,7 @@ Practice::OtherTry Practice::readTry(const std::filesystem::path& file, const Ve
     try {
         read.hand = handOf(withOrigin(readSession(file), origin));
         read.share = handShare(read.hand, middle);
-        read.figures = textsOf(parseJson(readInputFile(scoreFile(file), kMostScoreBytes)));
+        read.figures = textsOf(parseJson(readInputFile(scoreFileOf(file), kMostScoreBytes)));
     } catch (const InputError& error) {  // A copy may lie alone: then less is shown.
         read.problem = error.what();
     }
@@ -307,7 +302,7 @@ bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
     if (moved) {
         layLines(scene);
     }
-    return moved || other || (settings.showExpert && !expert_.hand.empty() && !score_);
+    return moved || other || score_ || (settings.showExpert && !expert_.hand.empty());
 }
 
 bool Practice::isDue(const EditorScene& scene) const {
@@ -327,6 +322,9 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     }
     deeds_ = scene.recorder().deeds();
     revision_ = -1;
+    scored_.hand = handOf(played);
+    scored_.share = handShare(scored_.hand, pivotOf(*task_, uncut_->mesh));
+    watch_.restart();
     if (folder_.empty()) {
         return "";
     }
@@ -336,31 +334,38 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     try {
         std::filesystem::create_directories(folder_);
         writeOutputFile(file, formatSession(played, folder_));
-        writeOutputFile(scoreFile(file), toJson(*score_, *played.task).dump(2) + "\n");
+        writeOutputFile(scoreFileOf(file), toJson(*score_, *played.task).dump(2) + "\n");
     } catch (const std::exception& problem) {
         return std::string("The try was not kept: ") + problem.what();
     }
     return "";
 }
 
-void Practice::addHand(ui::Overlay& overlay, const ViewFrame& view) const {
-    const double length = expert_.hand.back().time + kPause;
-    const double time = std::fmod(watch_.seconds(), length);
+/// Both blades begin together, and the longer try says when again.
+void Practice::addHand(const OtherTry& shown, Kind kind, ui::Overlay& overlay,
+                       const ViewFrame& view) const {
+    const auto lengthOf = [](const std::vector<HandPose>& hand) {
+        return hand.empty() ? 0 : hand.back().time - hand.front().time;
+    };
+    const double length =
+        std::max(lengthOf(expert_.hand), score_ ? lengthOf(scored_.hand) : 0) + kPause;
+    const double first = shown.hand.front().time;
+    const double time = first + std::fmod(watch_.seconds(), length);
     const auto add = [&](const Vec3& from, const Vec3& to) {
-        addLines(Kind::expert, from, to, view, overlay);
+        addLines(kind, from, to, view, overlay);
     };
     std::optional<Vec3> before;
-    for (double at = std::max(0.0, time - kTrail); at <= time; at += kTrail / 20) {
-        const std::optional<Blade> pose = poseAt(expert_.hand, at);
-        const auto point = pose ? std::optional(handPoint(*pose, expert_.share)) : std::nullopt;
+    for (double at = std::max(first, time - kTrail); at <= time; at += kTrail / 20) {
+        const std::optional<Blade> pose = poseAt(shown.hand, at);
+        const auto point = pose ? std::optional(handPoint(*pose, shown.share)) : std::nullopt;
         if (point && before) {
             add(*before, *point);
         }
         before = point;
     }
-    if (const std::optional<Blade> pose = poseAt(expert_.hand, time)) {
+    if (const std::optional<Blade> pose = poseAt(shown.hand, time)) {
         add(pose->a, pose->b);
-        if (const auto pixel = view.toPixel(handPoint(*pose, expert_.share))) {
+        if (const auto pixel = view.toPixel(handPoint(*pose, shown.share))) {
             overlay.dots.push_back(*pixel);
         }
     }
@@ -395,8 +400,11 @@ void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
                      handPoint(last_.hand[i].blade, last_.share), view, overlay);
         }
     }
-    if (settings.showExpert && !expert_.hand.empty() && !score_) {
-        addHand(overlay, view);
+    if (settings.showExpert && !expert_.hand.empty()) {
+        addHand(expert_, Kind::expert, overlay, view);
+    }
+    if (score_) {
+        addHand(scored_, Kind::last, overlay, view);
     }
 }
 
@@ -410,17 +418,16 @@ void Practice::describe(ui::PracticeState& state) const {
     state.hasLast = !last_.hand.empty();
     state.finished = score_.has_value();
     state.violations = score_ ? score_->violations : std::vector<std::string>{};
+    state.advice = score_ ? adviceOn(*score_, *task_) : "";
     auto last = last_.figures;
     auto expert = expert_.figures;
     for (const FigureRow& row : figureRows()) {
         const std::string unit = *row.unit.name == 0 ? "" : fmt::format(" [{}]", row.unit.name);
-        const bool broken = std::ranges::any_of(state.violations, [&](const std::string& sentence) {
-            return sentence.starts_with(std::string(row.label) + ":");
-        });
+        const bool broken = score_ && !isKept(row, *score_, *task_);
         const std::optional<double> value = score_ ? valueOf(row, *score_) : std::nullopt;
         const std::optional<double> limit = limitOf(row, *task_);
-        ui::ScoreRow shown{row.label + unit, formatFigure(row.unit, value),       last[row.key],
-                           expert[row.key],  limit ? limitText(row, *limit) : "", broken};
+        ui::ScoreRow shown{row.label + unit, formatFigure(row.unit, value),        last[row.key],
+                           expert[row.key],  limit ? shortLimit(row, *limit) : "", broken};
         if (!shown.now.empty() || !shown.last.empty() || !shown.expert.empty()) {
             state.rows.push_back(std::move(shown));
         }

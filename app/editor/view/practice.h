@@ -17,7 +17,7 @@ struct UncutBody;
 namespace kerf::app {
 
 /// The task of the open session: its lines on the body, the expert's blade, one's own last try, and
-/// the score once the try is finished. Nothing without a task.
+/// once the try is finished its score, and both blades together. Nothing without a task.
 class Practice {
   public:
     /// Finished tries are kept in `folder`; empty keeps none.
@@ -35,6 +35,7 @@ class Practice {
 
     void addTo(ui::Overlay& overlay, const ViewFrame& view, const ui::Settings& settings) const;
     void describe(ui::PracticeState& state) const;
+    bool isScored() const { return score_.has_value(); }
 
   private:
     /// A line of the world [m].
@@ -59,7 +60,8 @@ class Practice {
     void layLines(EditorScene& scene);
     void layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceMesh& mesh, bool closed);
     void layRim(EditorScene& scene);
-    void addHand(ui::Overlay& overlay, const ViewFrame& view) const;
+    void addHand(const OtherTry& shown, ui::Overlay::Trace::Kind kind, ui::Overlay& overlay,
+                 const ViewFrame& view) const;
 
     std::filesystem::path folder_;
     std::optional<Task> task_;
@@ -72,7 +74,8 @@ class Practice {
     OtherTry expert_;
     OtherTry last_;
     std::string lastPerson_;  ///< whose that is
-    Stopwatch watch_;         ///< of the expert's blade
+    OtherTry scored_;         ///< the one that was scored: its hand
+    Stopwatch watch_;         ///< of the blades that are shown
     bool cutting_ = false;
     bool finishing_ = false;
     std::optional<Score> score_;

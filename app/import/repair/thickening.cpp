@@ -76,13 +76,24 @@ struct NormalsAround {
     }
 };
 
-/// Adds a triangle with what these corners of triangle t have.
-void add(TriangleSoup& soup, const Triangle& corners, int t, const std::array<int, 3>& like) {
-    const TriangleAttributes own = attributesOf(soup.skin, t);
+/// Adds a triangle with what these corners have.
+void add(TriangleSoup& soup, const Triangle& corners, const TriangleAttributes& own,
+         const std::array<int, 3>& like) {
     repair::addTriangle(soup, corners,
                         {{own.uvs[like[0]], own.uvs[like[1]], own.uvs[like[2]]},
                          {own.colors[like[0]], own.colors[like[1]], own.colors[like[2]]},
                          own.material});
+}
+
+/// With the image half way from the corners of triangle t to its middle: at the border of a sheet
+/// it may repeat.
+TriangleAttributes insideOf(const TriangleSoup& soup, int t) {
+    TriangleAttributes own = attributesOf(soup.skin, t);
+    const Eigen::Vector2f middle = (own.uvs[0] + own.uvs[1] + own.uvs[2]) / 3;
+    for (Eigen::Vector2f& uv : own.uvs) {
+        uv = 0.5F * (uv + middle);
+    }
+    return own;
 }
 
 /// Two digits of it, as people are told it.
@@ -234,15 +245,16 @@ class Sheets {
         }
         for (const int t : open_) {
             const auto& [a, b, c] = soup_.triangles[t];
-            add(soup, {below[a], below[c], below[b]}, t, {0, 2, 1});
+            add(soup, {below[a], below[c], below[b]}, attributesOf(soup_.skin, t), {0, 2, 1});
         }
         for (const Side& side : borders_) {
             const int from = side.halfEdge % 3;
             const int to = (from + 1) % 3;
             const int a = repair::originOf(soup_, side.halfEdge);
             const int b = soup_.triangles[side.triangle()][to];
-            add(soup, {below[a], below[b], b}, side.triangle(), {from, to, to});
-            add(soup, {below[a], b, a}, side.triangle(), {from, to, from});
+            const TriangleAttributes own = insideOf(soup_, side.triangle());
+            add(soup, {below[a], below[b], b}, own, {from, to, to});
+            add(soup, {below[a], b, a}, own, {from, to, from});
         }
         return soup;
     }

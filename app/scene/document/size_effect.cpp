@@ -32,15 +32,15 @@ std::string underItsWeight(double height, double pressure, double modulus) {
     if (load > kSags) {
         return " It will sag by about " + lengthText(0.5 * load * height) + ".";
     }
-    return " It will keep its shape.";
+    return " It holds its shape.";
 }
 
 }  // namespace
 
 std::string sizeEffect(double height, double volume, const Params& params) {
     const double gravity = params.gravity.norm();
-    const std::string weight = "At a height of " + lengthText(height) + " this body weighs " +
-                               massText(params.density * std::fabs(volume)) + ".";
+    const std::string weight =
+        "Weighs " + massText(params.density * std::fabs(volume)) + " at this size.";
     if (gravity == 0) {
         return weight + " Gravity is off, so nothing falls.";
     }

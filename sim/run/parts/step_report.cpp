@@ -49,14 +49,13 @@ std::string tearSentence(const StepReport& report, const Params& params, bool to
     }
     const TearReport& tear = *report.tear;
     if (tear.failed()) {
-        return fmt::format("It should tear, but the mesh does not allow it ({}). Pull another way.",
-                           tear.failure);
+        return fmt::format("Can't tear here: {}. Pull another way.", tear.failure);
     }
     if (toreLately) {
         return tear.opening > 0 ? "Tearing at the end of a slit."
                                 : "Torn through, or where the stress exceeds the tensile strength.";
     }
-    if (tear.opening > 0) {
+    if (tear.opening > 0 || tear.hasSlit) {
         return fmt::format(
             "Not tearing: the slit is opened to {:.0f} % of what its end needs. Pull farther.",
             std::min(100 * tear.opening, 99.0));
@@ -74,9 +73,11 @@ std::vector<std::string> sentencesAboutEnd(const CutResult& result, int step) {
     std::vector<std::string> sentences;
     const Debris& debris = result.statistics.debris;
     if (debris.pieces > 0) {
-        sentences.push_back(fmt::format("step {}: removed {} that the cut left, {:.3g} m^3 in all",
-                                        step, counted(debris.pieces, "chip", "chips"),
-                                        debris.volume));
+        sentences.push_back(fmt::format("step {}: removed {} ({:.2g} mm\u00b3)", step,
+                                        debris.pieces == 1
+                                            ? "a tiny fragment"
+                                            : fmt::format("{} tiny fragments", debris.pieces),
+                                        1e9 * debris.volume));
     }
     const WoundClosing& closing = result.statistics.closing;
     if (closing.slits > 0) {

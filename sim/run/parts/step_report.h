@@ -23,6 +23,7 @@ struct TearReport {
     /// Of the slit that is opened most: its opening, as a share of that at which its end advances;
     /// 0 without slits.
     double opening = 0;
+    bool hasSlit = false;
     double stress = 0;      ///< the largest of the skin, as a share of the tensile strength
     bool advanced = false;  ///< new surface was torn in the step
     std::string failure{};  ///< why an advance was impossible; empty if none was

@@ -77,6 +77,7 @@ void Tear::step() {
     const bool advanced =
         goOn() || (tear.idle >= kPause && (beginElsewhere() || beginAtWeakSpot()));
     output_.report.tear->advanced = advanced;
+    noteSlits();
     tear.idle = advanced ? 0 : tear.idle + 1;
     tear.rest = std::max(tear.rest - 1, 0);
     if (advanced || tear.rest == 0) {
@@ -84,6 +85,15 @@ void Tear::step() {
     }
     if (tear.idle > kPatience || !standsInMaterial(body_.cutter->rung())) {
         endStroke();  // none of a blade
+    }
+}
+
+/// The openings of slits that this step had no use for are told, too.
+void Tear::noteSlits() {
+    const std::vector<SlitEnd> ends = allEnds();
+    output_.report.tear->hasSlit = !ends.empty();
+    if (output_.report.tear->opening == 0) {
+        std::ranges::for_each(ends, [this](const SlitEnd& end) { openingAt(end); });
     }
 }
 
@@ -211,7 +221,7 @@ bool Tear::cut(const Blade& to) {
     followStep(result, body_, log_.history(), output_);
     if (result.outcome != CutOutcome::cut) {
         output_.report.tear->failure =
-            result.reason.empty() ? "no material lies ahead of the slit" : result.reason;
+            result.reason.empty() ? "no material ahead of the slit" : result.reason;
         tell();
     }
     return result.outcome == CutOutcome::cut;

@@ -26,6 +26,7 @@ class Tear {
   private:
     bool isOn() const;
     void watchEnds();
+    void noteSlits();
     void weakenBonds();
     EndOpening openingAt(const SlitEnd& end);
     double stress() const;

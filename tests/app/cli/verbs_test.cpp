@@ -141,6 +141,27 @@ TEST_F(ScoreVerb, WritesFilesAndJson) {
     EXPECT_EQ(textOf(pathOf("a.csv")), textOf(pathOf("b.csv")));
 }
 
+TEST_F(ScoreVerb, TakesTheScoreThatLiesBesideASession) {
+    app::Session session;
+    session.model.builtin = "sphere80";
+    session.steps = 1;
+    session.task.emplace().name = "Incision";
+    session.task->lines = {{{Vec3::Zero(), Vec3::UnitX()}}};
+    session.task->person = "eve";
+    const std::string file = pathOf("try.kerf.json");
+    writeText(file, app::formatSession(session));
+    app::Score score;
+    score.time = 7;
+    writeText(pathOf("try.score.json"), app::toJson(score, *session.task).dump());
+    EXPECT_THAT(runKerf({"score", file}).out, HasSubstr("try.kerf.json,Incision,eve,"));
+    EXPECT_THAT(runKerf({"score", pathOf("try.score.json")}).out,
+                HasSubstr("try.score.json,Incision,eve,"));
+    session.task->date = "2026-11-28T10:15:00Z";
+    writeText(file, app::formatSession(session));
+    EXPECT_EQ(runKerf({"score", file}).exitCode, 3)
+        << "of another try: it is run, without a stroke";
+}
+
 TEST_F(ScoreVerb, FailsOnRequestWhereATryDidNotPass) {
     EXPECT_EQ(runKerf({"score", folder_.path().string(), "--passed"}).exitCode, 1);
     EXPECT_EQ(runKerf({"score", pathOf("ann"), "--passed"}).exitCode, 0);

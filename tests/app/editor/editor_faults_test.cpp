@@ -150,11 +150,17 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     writeText(folder / "cloth.obj", objText(wavySheet()));
     open(folder / "cloth.obj", 2);
     EXPECT_THAT(panels().question.choices, ElementsAre("Thicken", "Fill 1 hole", "Cancel"));
-    EXPECT_THAT(panels().question.text, HasSubstr("With a thickness of 2.3 cm it can be cut"));
+    EXPECT_THAT(panels().question.text, HasSubstr("With a thickness it can be cut"));
+    ASSERT_TRUE(panels().question.number);
+    EXPECT_EQ(panels().question.number->unit, "mm");
+    EXPECT_EQ(panels().question.number->value, 10) << "a round number, at most 23 mm";
     EXPECT_TRUE(panels().looks.showsFaulty);
+    click("question.number");
+    tap(Key::a, {.control = true});
+    type("16");
     confirm(2);
     EXPECT_EQ(editor->title(), "Kerf - cloth - 1 piece");
-    EXPECT_THAT(panels().toast.text, HasSubstr("gave 1 sheet a thickness of 0.023"));
+    EXPECT_THAT(panels().toast.text, HasSubstr("gave 1 sheet a thickness of 0.016"));
     EXPECT_THAT(changes(), ElementsAre("Thicken"));
     const std::string mended = hash();
     undo();
@@ -166,7 +172,7 @@ TEST_F(EditorFaultsTest, ASheetIsOfferedAThicknessFirstAndASessionKeepsIt) {
     tap(Key::s, {.control = true}, 2);
     enter("sheet");
     const Session session = readSession(folder / "sheet.kerf.json");
-    EXPECT_EQ(session.model.thicken, 0.023);
+    EXPECT_EQ(session.model.thicken, 0.016);
     expectReplayed(session, loadSessionModel(session));
 }
 
@@ -235,6 +241,11 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     ASSERT_TRUE(panels().toast.choice);
     EXPECT_EQ(panels().toast.choice->id, ui::ActionId::remesh);
     EXPECT_NEAR(panels().model.models[0].edge, std::sqrt(3) / 25, 1e-6);
+    const ui::Rect offer = editor->itemRects().at("toast.Shift+R");
+    moveTo(offer.x + offer.width / 2, offer.y - 8, 1);
+    press(true, 1);
+    EXPECT_TRUE(editor->scene()->stroke().drawing()) << "beside the button the view is pressed";
+    press(false, 1);
     clickAndWait("toast.Shift+R");
     frames(2);
     EXPECT_GT(panels().body.triangles, 2000);

@@ -342,6 +342,19 @@ TEST_F(EditorFilmTest, AFilmThatIsGivenUpLeavesNothing) {
     EXPECT_EQ(files(), before);
 }
 
+TEST_F(EditorFilmTest, QuittingMeanwhileSaysThatItIsFinishedFirst) {
+    openSession(20000);
+    askForFilm("long.mp4");
+    tap(Key::enter);
+    tap(Key::q, {.control = true});
+    waitWhile([&] { return panels().work.title.empty(); });
+    EXPECT_EQ(panels().work.title, "Exporting video long.mp4 first, then Kerf closes");
+    EXPECT_FALSE(editor->closing());
+    click("work.cancel");
+    waitWhile([&] { return !editor->closing(); });
+    EXPECT_TRUE(editor->closing());
+}
+
 TEST_F(EditorFilmTest, WithoutFfmpegASentenceSaysSo) {
     openSession(20);
     fs::create_directory(folder / "empty");

@@ -42,7 +42,7 @@ TEST_F(EditorModelTest, OpensAsItIsAndSaysWhatWasTaken) {
     EXPECT_EQ(model().placement.scale, 1);
     EXPECT_EQ(model().placement.unit, LengthUnit::centimetre);
     EXPECT_NEAR(model().size.y(), 0.0966, 1e-6);
-    EXPECT_THAT(model().physics, HasSubstr("At a height of 9.66 cm this body weighs 93 g."));
+    EXPECT_THAT(model().physics, HasSubstr("Weighs 93 g at this size."));
     EXPECT_TRUE(panels().model.untouched);
     EXPECT_TRUE(editor->itemRects().contains("model.unit.m"));  // unfolded
 }

@@ -1,6 +1,7 @@
 // A task in the window: shown, cut, scored and kept.
 
 #include "app/session/task_run.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 namespace {
@@ -181,6 +182,49 @@ TEST_F(EditorPractice, AnotherTryIsCutInABodyThatIsPinnedLikeBefore) {
     EXPECT_TRUE(editor->scene()->simulation().strokes().empty());
     cutDown(0);
     EXPECT_FALSE(editor->scene()->simulation().pinnedVertices().empty());
+}
+
+TEST_F(EditorPractice, ATaskSetsItsToolAndItsDepth) {
+    Session session = readSession(folder / "halves.kerf.json");
+    session.task->depth = 0.02;
+    writeText(folder / "deep.kerf.json", formatSession(session));
+    tap(Key::g);
+    open(folder / "deep.kerf.json");
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::scalpel);
+    EXPECT_EQ(panels().tools.scalpel.depth, 0.02);
+    tap(Key::y);
+    open(folder / "halves.kerf.json");
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::stroke);
+    EXPECT_TRUE(panels().tools.stroke.throughAll);
+}
+
+TEST_F(EditorPractice, ItsHintsLeadToTheScore) {
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("along the purple line"));
+    const Vec2 middle(kWidth / 2.0, kHeight / 2.0);
+    dragAndSettle(middle - Vec2(0, 200), middle, 30);
+    frames(2);
+    const auto choice = [&] {
+        const auto& choices = panels().help.hint.choices;
+        return choices.size() == 1 ? std::optional(choices[0].id) : std::nullopt;
+    };
+    EXPECT_EQ(choice(), ui::ActionId::finishTry) << "of an incision";
+    tap(Key::enter, {.shift = true}, 3);
+    EXPECT_EQ(choice(), ui::ActionId::reset);
+    tap(Key::r, {}, 3);
+    EXPECT_THAT(panels().help.hint.text, HasSubstr("along the purple line"));
+}
+
+TEST_F(EditorPractice, AfterTheScoreOnesBladeIsShownOnItsWay) {
+    const auto shown = [&] {
+        return std::ranges::count(panels().view.overlay.traces, ui::Overlay::Trace::Kind::last,
+                                  &ui::Overlay::Trace::kind);
+    };
+    cutDown(60);
+    EXPECT_EQ(shown(), 0);
+    tap(Key::enter, {.shift = true}, 3);
+    EXPECT_GT(shown(), 0);
+    EXPECT_THAT(practice().advice, HasSubstr("Slow down"));
+    EXPECT_TRUE(editor->itemRects().contains("practice.advice"));
 }
 
 TEST_F(EditorPractice, WithoutATaskThereIsNoSuchSection) {

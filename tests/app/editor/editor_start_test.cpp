@@ -46,6 +46,34 @@ TEST_F(EditorStart, ACardOpensItsSceneAndTellsWhatToTry) {
     EXPECT_THAT(panels().help.hint.text, StartsWith("Cut into 2 pieces"));
 }
 
+TEST_F(EditorStart, ACardChoosesItsTool) {
+    startEmpty();
+    clickAndWait("start.liver");
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::scalpel);
+    for (const auto& [card, tool] : {std::pair{"jelly", ui::ToolKind::stroke},
+                                     {"tear", ui::ToolKind::grab},
+                                     {"incision", ui::ToolKind::retract}}) {
+        tap(Key::n, {.control = true}, 2);
+        clickAndWait(std::string("start.") + card);
+        EXPECT_EQ(panels().tools.tool, tool) << card;
+    }
+}
+
+TEST_F(EditorStart, TheFirstPictureAfterAClickTellsWhatOpens) {
+    startEmpty();
+    const ui::Rect card = editor->itemRects().at("start.egg");
+    EXPECT_FALSE(editor->itemRects().contains("start.opening"));
+    moveTo(card.x + card.width / 2, card.y + card.height / 2);
+    press(true);
+    press(false, 1);
+    ASSERT_TRUE(editor->itemRects().contains("start.opening"));
+    const ui::Rect sign = editor->itemRects().at("start.opening");
+    EXPECT_TRUE(card.holds(sign.x, sign.y));
+    EXPECT_TRUE(editor->working());
+    waitForWork();
+    EXPECT_FALSE(showsPage());
+}
+
 TEST_F(EditorStart, ArrowsAndEnterChooseACard) {
     startEmpty();
     tap(Key::right);
@@ -94,13 +122,19 @@ TEST_F(EditorStart, RecentFilesThatAreGoneAreLeftOut) {
 }
 
 TEST_F(EditorStart, ItFitsEveryWindow) {
-    for (const auto& [width, height, scale] :
-         {std::tuple{640, 360, 1.0F}, {800, 600, 1.0F}, {1280, 720, 1.0F}, {3840, 2160, 2.0F}}) {
+    for (const auto& [width, height, scale] : {std::tuple{400, 300, 1.0F},
+                                               {640, 360, 1.0F},
+                                               {800, 600, 1.0F},
+                                               {1280, 720, 1.0F},
+                                               {1440, 810, 4.0F},
+                                               {3840, 2160, 2.0F},
+                                               {3840, 2160, 4.0F}}) {
         startEmpty();
         editor->resize(width, height);
         editor->setScale(scale);
         frames(3);
-        const auto inWindow = [w = float(width), least = 60 * scale](const ui::Rect& r) {
+        const float shown = std::min(scale, ui::largestScale(width, height));
+        const auto inWindow = [w = float(width), least = 60 * shown](const ui::Rect& r) {
             return r.x >= 0 && r.x + r.width <= w && r.width > least;
         };
         for (const ui::StartCard& scene : *startCards()) {

@@ -56,6 +56,26 @@ TEST_F(EditorToolsTest, ADragShowsItsBladeWithinTwoPictures) {
     EXPECT_GT(tealPixels(editor->readPicture()), before + 40);
 }
 
+TEST_F(EditorToolsTest, TheWheelChangesTheDepthOfAScalpelThatCuts) {
+    tap(Key::s);
+    moveTo(kMiddle - Vec2(60, 0), 1);
+    const double before = panels().tools.scalpel.depth;
+    press(true, 1);
+    moveTo(kMiddle, 2);
+    editor->post(ui::Wheel{0, -2});
+    frames(2);
+    const double depth = panels().tools.scalpel.depth;
+    EXPECT_LT(depth, before);
+    EXPECT_GT(depth, 0);
+    ASSERT_EQ(panels().view.overlay.labels.size(), 1U);
+    EXPECT_EQ(panels().view.overlay.labels[0].text, millimetreText(depth));
+    release();
+    EXPECT_TRUE(panels().view.overlay.labels.empty());
+    editor->post(ui::Wheel{0, -2});
+    frames(2);
+    EXPECT_EQ(panels().tools.scalpel.depth, depth) << "now it zooms";
+}
+
 TEST_F(EditorToolsTest, DotsTellHowFarTheCutLagsBehindThePointer) {
     moveTo(kTop);
     press(true);

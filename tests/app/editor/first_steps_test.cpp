@@ -97,8 +97,10 @@ TEST(TearSentence, SaysWhyItTearsOrNot) {
     report.tear->opening = 0;
     EXPECT_THAT(tearSentence(report, params, false), HasSubstr("20 % of its strength"));
     EXPECT_THAT(tearSentence(report, params, true), HasSubstr("exceeds the tensile strength"));
+    report.tear->hasSlit = true;
+    EXPECT_THAT(tearSentence(report, params, false), HasSubstr("the slit is opened to 0 %"));
     report.tear->failure = "no room";
-    EXPECT_THAT(tearSentence(report, params, true), HasSubstr("(no room)"));
+    EXPECT_EQ(tearSentence(report, params, true), "Can't tear here: no room. Pull another way.");
     params.solver = SolverMode::pbd;
     EXPECT_EQ(tearSentence(report, params, true),
               "Nothing tears with a toughness of 0, the solver pbd or the open cut.");

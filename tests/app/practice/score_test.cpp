@@ -1,5 +1,7 @@
 #include "app/practice/score.h"
 
+#include "app/practice/advice.h"
+
 namespace kerf::app {
 namespace {
 
@@ -147,9 +149,9 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
     EXPECT_THAT(
         score.violations,
         ElementsAre("Largest deviation: 20.00 mm (at most 2.00 mm).",
-                    "Depth in its band: 0.0 % (at least 90.0 %).",
+                    "Depth within limits: 0.0 % (at least 90.0 %).",
                     "Least margin: 0.00 mm (at least 200.00 mm).",
-                    "Spared parts cut: 1 (at most 0).", "Taken out whole: no (must be yes).",
+                    "Structures damaged: 1 (at most 0).", "Taken out whole: no (must be yes).",
                     "Time: 2.00 s (at most 1.50 s).",
                     "Economy of the path: 50.0 % (at least 90.0 %).", HasSubstr("Smoothness: -5."),
                     "Largest force: 2000.0 mN (at most 1900.0 mN).",
@@ -161,14 +163,48 @@ TEST_F(ScoreTest, HalfACutAndNoCutDoNotPass) {
     task_.limits.ends = 0.004;
     EXPECT_THAT(score().violations,
                 ElementsAre("Largest deviation: not measured (at most 2.00 mm).",
-                            "Not cut: 1000.00 mm (at most 4.00 mm)."));
+                            "Line missed: 1000.00 mm (at most 4.00 mm)."));
     runStroke(cutter_, mesh_,
               straightStroke({0, 0.5, 0.013}, Vec3::UnitX(), -Vec3::UnitY(), 0.5, 0.4, 24));
-    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Not cut: 5")));
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Line missed: 5")));
     task_.lines[0].points = {{-0.1, 0.5, 0.013}, {0.1, 0.5, 0.013}};
-    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Cut elsewhere: ")));
+    EXPECT_THAT(score().violations, ElementsAre(HasSubstr("Cut off the line: ")));
     task_.limits = {};
     EXPECT_TRUE(score().passed()) << "no limit";
+}
+
+TEST_F(ScoreTest, AdviceSaysWhatToDoNextTime) {
+    task_.limits.deviation = 0.002;
+    task_.limits.ends = 0.05;
+    task_.limits.inBand = 0.9;
+    EXPECT_EQ(adviceOn(score(), task_),
+              "Set Depth to 300 mm. Begin at one end of the line, and go on to the other.");
+    cut(0.4, 0.033);
+    EXPECT_EQ(adviceOn(score(), task_),
+              "Set Depth to 300 mm. Slow down, and stay between the thin lines: you were up to 20 "
+              "mm beside it.");
+    task_.depth = 0.4;
+    task_.lines[0].points.insert(task_.lines[0].points.begin() + 1, Vec3(0, 0.5, 0.1));
+    EXPECT_THAT(adviceOn(score(), task_), HasSubstr("Slow down at the bend."));
+    task_.limits = {};
+    EXPECT_EQ(adviceOn(score(), task_), "");
+    Score undone;
+    undone.undos = 1;
+    EXPECT_THAT(adviceOn(undone, task_), HasSubstr("Try again"));
+}
+
+TEST_F(ScoreTest, EachLimitThatATaskCanHaveHasItsAdvice) {
+    task_.limits = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    task_.spare = {0};
+    task_.take = 0;
+    for (const FigureRow& row : figureRows()) {
+        Score score;
+        for (const FigureRow& other : figureRows()) {
+            score.*other.value = other.better > 0 ? 2 : 0;
+        }
+        score.*row.value = row.better > 0 ? 0 : 2;
+        EXPECT_EQ(adviceOn(score, task_).empty(), !limitOf(row, task_)) << row.key;
+    }
 }
 
 TEST_F(ScoreTest, WhatIsNotMeasuredDoesNotPass) {
@@ -187,7 +223,7 @@ TEST_F(ScoreTest, AModelToBeSparedMustNotBeCut) {
     EXPECT_THAT(score().violations, ElementsAre("Least margin: not measured (at least 10.00 mm)."));
     task_.limits.margin.reset();
     cut();
-    EXPECT_THAT(score().violations, ElementsAre("Spared parts cut: 1 (at most 0)."));
+    EXPECT_THAT(score().violations, ElementsAre("Structures damaged: 1 (at most 0)."));
 }
 
 TEST_F(ScoreTest, ForceIsTheMeanOverWindowsOfTime) {

@@ -174,23 +174,48 @@ TEST(CutPreview, APlaneThroughTheBallTouchesABeltAndLeavesACircle) {
     EXPECT_TRUE(previewCut(ball, livingTriangles(ball), miss).touched.empty());
 }
 
-TEST(Scalpel, SwingsInFromTheAirAndStaysUpright) {
-    const auto pointAt = [](double angle) {
-        const Vec3 normal(std::sin(angle), std::cos(angle), 0);
-        return SurfacePoint{0, kRadius * normal, normal};
-    };
+/// The depth of a blade's tip below the ball, and the angle of its back.
+struct ScalpelPose {
+    double angle;
+    double depth;
+};
+
+std::vector<ScalpelPose> posesTo(Scalpel& scalpel, double angle) {
+    const Vec3 normal(std::sin(angle), std::cos(angle), 0);
+    std::vector<ScalpelPose> poses;
+    for (const Blade& blade : scalpel.moveTo({0, kRadius * normal, normal})) {
+        EXPECT_GT(blade.a.norm(), kRadius);
+        EXPECT_NEAR(blade.a.cross(blade.b).norm(), 0, 1e-12) << "upright";
+        poses.push_back({std::atan2(blade.a.x(), blade.a.y()), kRadius - blade.b.norm()});
+    }
+    return poses;
+}
+
+TEST(Scalpel, EntersWhereItIsPressedAndReachesItsDepthSoon) {
     Scalpel scalpel(0.1);
-    EXPECT_TRUE(scalpel.moveTo(pointAt(0)).empty());
-    const std::vector<Blade> in = scalpel.moveTo(pointAt(0.1));
-    ASSERT_EQ(in.size(), 4U);
-    EXPECT_GT(in[0].a.y(), kRadius);
-    EXPECT_GT(in[0].b.y(), kRadius) << "all of the first pose is in the air";
-    EXPECT_LT(in[0].b.x(), 0) << "behind the direction of the pull";
-    EXPECT_NEAR(in[2].b.norm(), kRadius - 0.1, 1e-12);
-    const std::vector<Blade> on = scalpel.moveTo(pointAt(0.3));
+    EXPECT_TRUE(posesTo(scalpel, 0).empty());
+    EXPECT_TRUE(posesTo(scalpel, 0.01).empty()) << "no direction yet";
+    const std::vector<ScalpelPose> in = posesTo(scalpel, 0.04);
+    ASSERT_EQ(in.size(), 2U);
+    EXPECT_NEAR(in[0].angle, 0, 1e-12);
+    EXPECT_LT(in[0].depth, 0) << "in the air";
+    EXPECT_GT(in[1].depth, 0);
+    EXPECT_LT(in[1].depth, 0.1) << "it goes deeper on its way";
+    const std::vector<ScalpelPose> on = posesTo(scalpel, 0.3);
+    ASSERT_EQ(on.size(), 2U) << "a far move begins at the depth where that is reached";
+    EXPECT_LT(on[0].angle, 0.12);
+    EXPECT_NEAR(on[0].depth, 0.1, 5e-3) << "on the chord";
+    EXPECT_NEAR(on[1].depth, 0.1, 1e-12);
+}
+
+TEST(Scalpel, GoesToAnotherDepthOnItsWay) {
+    Scalpel scalpel(0.1);
+    posesTo(scalpel, 0);
+    posesTo(scalpel, 0.3);
+    scalpel.setDepth(0.05);
+    const std::vector<ScalpelPose> on = posesTo(scalpel, 0.4);
     ASSERT_EQ(on.size(), 1U);
-    EXPECT_NEAR(on[0].b.norm(), kRadius - 0.1, 1e-12);
-    EXPECT_GT(on[0].a.norm(), kRadius);
+    EXPECT_NEAR(on[0].depth, 0.05, 1e-12);
 }
 
 TEST(Guillotine, GoesFromAboveTheBodyToBelowIt) {
