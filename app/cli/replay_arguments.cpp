@@ -158,6 +158,31 @@ void describeSequence(CLI::App& verb, ReplayArguments& arguments) {
         ->needs(cache);
 }
 
+/// Clients from outside.
+void describeLink(CLI::App& verb, ReplayArguments& arguments) {
+    const auto read = [&arguments](const std::string& text) {
+        arguments.serve = readLinkAddress(text);
+        if (!arguments.serve) {
+            throw CLI::ValidationError(
+                "--serve", "'" + text + "' is no [ADDRESS:]PORT, such as 127.0.0.1:18944");
+        }
+    };
+    CLI::Option* const serve =
+        verb.add_option_function<std::string>(
+                "--serve", read, "Let clients of OpenIGTLink lead the blade, of this machine alone")
+            ->type_name("[ADDRESS:]PORT")
+            ->excludes("--strip");
+    verb.add_option("--bodies", arguments.linkBodies,
+                    "So many times a second they get the body (25); 0 for never")
+        ->check(CLI::Range(0, kMostFilmRate))
+        ->type_name("N")
+        ->needs(serve);
+    verb.add_option("--record", arguments.record, "Write what they did as a session")
+        ->check(refuseEmpty)
+        ->type_name("FILE")
+        ->needs(serve);
+}
+
 namespace fs = std::filesystem;
 
 /// One way to write a path: links are followed as far as there is something.
@@ -274,6 +299,7 @@ void describeReplay(CLI::App& verb, ReplayArguments& arguments) {
     describeReplayChecks(verb, arguments);
     describeFilms(verb, arguments);
     describeSequence(verb, arguments);
+    describeLink(verb, arguments);
     CLI::Option* json = verb.add_flag("--json", arguments.json, "Print one JSON object");
     verb.add_flag("--jsonl", arguments.jsonl, "Print a JSON object after each step")
         ->excludes(json);
@@ -286,6 +312,7 @@ void checkReplayTargets(const Session& session, const ReplayArguments& arguments
     requireOwnFile("--movie", arguments.film.file, inputs, results);
     requireOwnFile("--strip", arguments.strip.file, inputs, results);
     requireOwnFile("--cache", arguments.cache.file, inputs, results);
+    requireOwnFile("--record", arguments.record, inputs, results);
     requireFreeSequence(session, arguments);
 }
 

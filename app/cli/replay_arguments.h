@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/replay/replay.h"
+#include "app/link/link_server.h"
 #include "app/session/session.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): a name of its authors
@@ -18,6 +19,7 @@ struct ReplayArguments : ReplayOptions {
     std::filesystem::path reference;  ///< empty for none
     bool update = false;
     std::optional<PictureSize> pictureSize;  ///< of the film, and of each picture of the strip
+    std::optional<sockaddr_in> serve;        ///< for OpenIGTLink
     bool json = false;
     bool jsonl = false;
 };

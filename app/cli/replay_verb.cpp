@@ -257,6 +257,10 @@ int runReplay(ReplayArguments arguments, std::ostream& out, std::ostream& errors
     for (const std::string& warning : session.warnings) {
         spdlog::warn(warning);
     }
+    std::optional<LinkServer> server;
+    if (arguments.serve) {
+        arguments.link = &server.emplace(*arguments.serve);
+    }
     const ReplayResult result = runHeadless(session, arguments, out);
     const ReferenceOutcome reference = judgeScreenshots(session, arguments);
     if (arguments.json) {

@@ -7,13 +7,14 @@ namespace {
 constexpr double kStep = 0.01;         // of sampling [s]
 constexpr double kMostSteps = 50'000;  // longer strokes are sampled more coarsely
 constexpr double kSigma = 0.06;        // of the filter for all but the jerk [s]
-constexpr double kJerkSigma = 0.025;   // of the duration of a stroke
-constexpr int kTaps = 25;              // of filters for each sigma, and samples of the jerk
-constexpr double kShort = 0.5;         // no stroke with a smoothness or a tremor, and no rest [s]
-constexpr double kLeastWay = 5e-3;     // of a stroke with a smoothness [m]
-constexpr double kAtRest = 2e-3;       // below this speed [m/s]
-constexpr double kMoving = 5e-3;       // above this one poses may not lie so far apart,
-constexpr double kFarApart = 5e-4;     // nor if they are farther from each other than this [m]:
+constexpr double kSteering = 0.25;  // of that for the wobble: slower is the course of the hand [s]
+constexpr double kJerkSigma = 0.025;  // of the duration of a stroke
+constexpr int kTaps = 25;             // of filters for each sigma, and samples of the jerk
+constexpr double kShort = 0.5;        // no stroke with a smoothness or a tremor, and no rest [s]
+constexpr double kLeastWay = 5e-3;    // of a stroke with a smoothness [m]
+constexpr double kAtRest = 2e-3;      // below this speed [m/s]
+constexpr double kMoving = 5e-3;      // above this one poses may not lie so far apart,
+constexpr double kFarApart = 5e-4;    // nor if they are farther from each other than this [m]:
 constexpr double kCoarseForJerk = 0.1 + 1e-9;     // two of them [s]
 constexpr double kCoarseForTremor = 0.02 + 1e-9;  // on average
 
@@ -53,11 +54,17 @@ struct Motion {
     Statistics gaps;    ///< between poses on the move [s]
     Statistics tremor;  ///< squared [m^2]
     Statistics smoothness;
+    Statistics wobble;  ///< squared [m^2]
 };
+
+/// From a sample of a stroke to the next [s].
+double stepOf(const Curve& stroke) {
+    return std::max(kStep, stroke.span() / kMostSteps);
+}
 
 /// Follows the filtered path for as long as the filter sees the stroke.
 void addStroke(const Curve& stroke, Motion& motion) {
-    const double step = std::max(kStep, stroke.span() / kMostSteps);
+    const double step = stepOf(stroke);
     const bool isLong = stroke.span() >= kShort;
     double length = 0;
     double rest = 0;
@@ -81,6 +88,14 @@ void addStroke(const Curve& stroke, Motion& motion) {
     }
 }
 
+/// `aside`: how far the hand is beside a line, as x.
+void addWobble(const Curve& aside, Statistics& wobble) {
+    for (double t = 0; !aside.at.empty() && t <= aside.span(); t += stepOf(aside)) {
+        const double time = aside.at.front() + t;
+        wobble.add((aside(time) - smoothAt(aside, time, kSteering)).squaredNorm());
+    }
+}
+
 }  // namespace
 
 double handShare(std::span<const HandPose> hand, const Vec3& pivot) {
@@ -94,34 +109,45 @@ double handShare(std::span<const HandPose> hand, const Vec3& pivot) {
 }
 
 MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
-                          std::optional<double> expertPath) {
+                          std::optional<double> expertPath, const Sideways& sideways) {
     if (hand.empty()) {
         return {};
     }
     const double share = handShare(hand, pivot);
     Motion motion;
     Curve stroke;
+    Curve aside;
     for (const HandPose& pose : hand) {
         const Vec3 point = handPoint(pose.blade, share);
         const double gap = stroke.at.empty() ? 0 : pose.time - stroke.at.back();
         const double way = stroke.at.empty() ? 0 : (point - stroke.points.back()).norm();
         if (pose.begins && !stroke.at.empty()) {
             addStroke(stroke, motion);
+            addWobble(aside, motion.wobble);
             motion.idle += gap;
             motion.path += way;
             stroke = {};
+            aside = {};
         } else if (way > std::min(kMoving * gap, kFarApart)) {
             motion.gaps.add(gap);
         }
         stroke.add(pose.time, point);
+        if (const auto side = sideways ? sideways(point) : std::nullopt) {
+            aside.add(pose.time, {*side, 0, 0});
+        }
     }
     addStroke(stroke, motion);
-    MotionScore score{hand.back().time - hand.front().time, motion.path, {}, {}, {}, motion.idle};
+    addWobble(aside, motion.wobble);
+    MotionScore score{
+        hand.back().time - hand.front().time, motion.path, {}, {}, {}, motion.idle, {}};
     if (expertPath && motion.path > 0) {
         score.economy = std::min(1.0, *expertPath / motion.path);
     }
     if (motion.gaps.most.value_or(0) <= kCoarseForJerk) {
         score.smoothness = motion.smoothness.mean;
+        if (motion.wobble.mean) {
+            score.wobble = std::sqrt(*motion.wobble.mean);
+        }
     }
     if (motion.tremor.mean && motion.gaps.mean.value_or(0) <= kCoarseForTremor) {
         score.tremor = std::sqrt(*motion.tremor.mean);

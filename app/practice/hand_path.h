@@ -20,6 +20,7 @@ struct MotionScore {
     std::optional<double> smoothness;  ///< log dimensionless jerk: larger is smoother
     std::optional<double> tremor;      ///< root mean square about the filtered path [m]
     std::optional<double> idleTime;    ///< at rest within strokes, and between strokes [s]
+    std::optional<double> wobble;      ///< root mean square to the sides of a line [m]
 };
 
 /// Where on the blade a hand is measured, from 0 at A to 1 at B: as near to `pivot` as the blade
@@ -28,9 +29,11 @@ double handShare(std::span<const HandPose> hand, const Vec3& pivot);
 inline Vec3 handPoint(const Blade& blade, double share) {
     return blade.a + share * (blade.b - blade.a);
 }
+/// How far a point is beside a line, positive on one side [m]; none if it is at no line.
+using Sideways = std::function<std::optional<double>(const Vec3& point)>;
 /// Measures a hand by that point of its blade. `expertPath` [m]: none if unknown.
 MotionScore measureMotion(std::span<const HandPose> hand, const Vec3& pivot,
-                          std::optional<double> expertPath);
+                          std::optional<double> expertPath, const Sideways& sideways = {});
 
 /// Running statistics of a figure; each is none as long as nothing was added.
 struct Statistics {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/math.h"
+#include "sim/mesh/triangle.h"
 
 namespace kerf::app {
 
@@ -52,6 +53,7 @@ constexpr FigureRow kRows[] = {
     {"economy", "Economy of the path", kShare, 1, &Score::economy, &Limits::economy},
     {"smoothness", "Smoothness", kLogarithm, 1, &Score::smoothness, &Limits::smoothness},
     {"tremor", "Tremor", kLength, -1, &Score::tremor},
+    {"wobble", "Wobble", kLength, -1, &Score::wobble, &Limits::wobble, kForLines},
     {"idle_time", "Idle time", kTime, -1, &Score::idleTime, &Limits::idle},
     {"force_max", "Largest force", kForce, -1, &Score::forceMax, &Limits::newtons},
     {"force_mean", "Mean force", kForce, -1, &Score::forceMean},
@@ -76,6 +78,27 @@ ForceScore measureForce(std::span<const ForceSample> samples) {
         }
     }
     return {force.most, force.mean};
+}
+
+/// How far a point is beside the nearest line within reach, as it is seen along `into`.
+std::optional<double> besideLine(const Task& task, const Vec3& point) {
+    const Vec3 into = task.into.stableNormalized();
+    const auto flat = [&](const Vec3& x) -> Vec3 { return x - x.dot(into) * into; };
+    double nearest = task.reach;
+    std::optional<double> beside;
+    for (const TaskLine& line : task.lines) {
+        for (std::size_t i = line.closed ? 0 : 1; i < line.points.size(); ++i) {
+            const Vec3& from = line.points[(i == 0 ? line.points.size() : i) - 1];
+            const Vec3 way = flat(line.points[i] - from);
+            const Vec3 x = flat(point - from);
+            const double distance = distanceToSegment(x, Vec3::Zero(), way);
+            if (distance <= nearest) {
+                nearest = distance;
+                beside = x.dot(into.cross(way).stableNormalized());
+            }
+        }
+    }
+    return beside;
 }
 
 /// "2.41 mm".
@@ -115,7 +138,9 @@ Vec3 pivotOf(const Task& task, const SurfaceMesh& uncut) {
 
 Score scoreOf(const TaskRun& run) {
     const Task& task = run.body.task;
-    const MotionScore motion = measureMotion(run.hand, pivotOf(task, run.body.uncut), task.path);
+    const MotionScore motion =
+        measureMotion(run.hand, pivotOf(task, run.body.uncut), task.path,
+                      [&](const Vec3& point) { return besideLine(task, point); });
     Score score{measureCut(run.body), motion, measureForce(run.forces), run.undos, run.changes, {}};
     for (const FigureRow& row : kRows) {
         const std::optional<double> limit = limitOf(row, task);

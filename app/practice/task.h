@@ -20,6 +20,7 @@ struct TaskLimits {
     std::optional<double> idle;        ///< at most [s]
     std::optional<double> economy;     ///< at least
     std::optional<double> smoothness;  ///< at least
+    std::optional<double> wobble;      ///< at most [m]
     std::optional<double> newtons;     ///< at most
 };
 

@@ -156,6 +156,8 @@ void describe(auto& fields, TaskLimits& limits) {
                     limits.economy, kShares);
     fields.optional({"smoothness", "The log dimensionless jerk, at least."}, limits.smoothness,
                     within(100));
+    fields.optional({"wobble", "The hand's way to and fro beside the line, at most [m]."},
+                    limits.wobble, kDistances);
     fields.optional({"newtons", "The force on the blade, at most [N]."}, limits.newtons,
                     Limits{0, kForces.high});
 }

@@ -65,6 +65,7 @@ def rounded(point):
 # ---------------------------------------------------------------- the tasks
 
 TOP, THICK = 0.020, 0.020  # of the pads [m]
+WOBBLE = 0.00025  # of the hand, below that of one that shakes by 0.6 mm once a second [m]
 BASE = [{"low": [-0.07, -0.01, -0.05], "high": [0.07, 0.001, 0.05]}]  # to which they are glued
 
 
@@ -84,7 +85,7 @@ def incision():
             "lines": [{"points": [[-0.035, TOP, 0], [0.035, TOP, 0]]}],
             "depth": 0.005, "band": 0.001, "spare": [1]},
         "limits": {"deviation": 0.002, "ends": 0.006, "in_band": 0.9, "margin": 0.001,
-                   "seconds": 20, "idle": 2, "economy": 0.85},
+                   "seconds": 20, "idle": 2, "economy": 0.85, "wobble": WOBBLE},
         "pins": BASE,
         "view": {"eye": [0, 0.17, 0.14], "target": [0, 0.015, 0], "fov_y": 35, "look": "plain",
                  "skin": [0.87, 0.66, 0.54], "flesh": [0.93, 0.79, 0.44]}}
@@ -111,7 +112,7 @@ def excision():
             "lines": [{"points": [rounded(p) for p in points], "closed": True}],
             "reach": 0.008, "spare": [1], "take": 1},
         "limits": {"deviation": 0.003, "ends": 0.004, "margin": 0.007, "seconds": 40, "idle": 5,
-                   "economy": 0.75},
+                   "economy": 0.75, "wobble": WOBBLE},
         "pins": BASE,
         "view": {"eye": [0, 0.30, 0.001], "target": [0, 0.010, 0], "up": [0, 0, -1],
                  "fov_y": 24, "orthographic": True, "look": "plain",
@@ -134,7 +135,8 @@ def slice_():
             "about": "Cut off a slice of even thickness with the stroke: down through the "
                      "right line, then the left one.",
             "lines": lines},
-        "limits": {"deviation": 0.002, "ends": 0.004, "seconds": 30, "idle": 5, "economy": 0.7},
+        "limits": {"deviation": 0.002, "ends": 0.004, "seconds": 30, "idle": 5, "economy": 0.7,
+                   "wobble": WOBBLE},
         "pins": [{"low": [-0.2, -0.01, -0.2], "high": [0.02, 0.2, 0.2]}],
         "view": {"eye": [0.055, 0.030, 0.50], "target": [0.055, 0.030, 0], "fov_y": 14,
                  "orthographic": True, "look": "meat"}}

@@ -13,6 +13,7 @@ from svg import (BLUE, BROWN, GREEN, GREY, INK, ORANGE, ROOT, Drawing, mixed, ro
 COLORS = {"app": ORANGE, "ui": BROWN, "render": GREEN, "sim": BLUE, "gpu": GREY}
 # Where a room stands: its left side, its top and its width; and what it is for.
 FLOORS = {
+    "app/link": (24, 206, 84, "OpenIGTLink"),
     "app/practice": (20, 82, 68, "a cut\nmeasured"),
     "app/session": (92, 82, 66, "their files,\nmetrics"),
     "app/journal": (162, 82, 62, "work kept\nat once"),
@@ -62,6 +63,9 @@ WAYS = {
     ("app/practice", "sim/cut"): [(34, 144), (34, 170), (17, 170), (17, 670), (340, 670), (340, 732)],
     ("app/session", "app/files/export"): [(138, 144), (138, 156), (613, 156), (613, 179)],
     ("app/session", "render"): [(112, 144), (112, 355), (469, 355), (469, 383)],
+    ("app/cli/replay", "app/link"): [(738, 144), (738, 162), (103, 162), (103, 205)],
+    ("app/link", "app/files/export"): [(92, 250), (92, 262), (600, 262), (600, 225)],
+    ("app/link", "sim/run"): [(60, 250), (60, 352), (664, 352), (664, 489)],
     ("app/study", "ui"): [(337, 144), (337, 168), (279, 168), (279, 297)],
     ("app/scene", "ui"): [(471, 144), (471, 168), (441, 168), (441, 297)],
     ("app/files/film", "app/files/io"): [(726, 224), (726, 256), (189, 256), (189, 243)],

@@ -60,6 +60,7 @@ const std::vector<fs::path> kRooms = {
     "app/files/film",
     "app/import/repair",
     "app/import",
+    "app/link",
     "app/practice",
     "app/session",
     "app/journal",

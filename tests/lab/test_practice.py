@@ -1,8 +1,10 @@
 """Mistakes of a practised cut, and what they move."""
 
+import os
 import unittest
 
 from lab import practice
+from lab_case import LabCase
 from lab.practice import tasks
 
 EXPERT = {"deviation_max": 1e-4, "time": 4.0, "tremor": None, "force_max": 0.01}
@@ -39,6 +41,37 @@ class Practice(unittest.TestCase):
         session = tasks.session_of("slice", tasks.expert_slice())
         xs = {line["points"][0][0] for line in session["task"]["lines"]}
         self.assertEqual(xs, {e["a"][0] for e in session["events"] if e["type"] == "blade"})
+
+    def test_the_scene_is_turned_with_the_hand(self):
+        turned, plain = practice.turned(90), practice.line()
+        for one, other in zip(turned["events"], plain["events"]):
+            if one["type"] == "blade":
+                x, y, z = other["a"]
+                self.assertEqual(one["a"], tasks.rounded((z, y, -x)))
+        self.assertEqual(turned["task"]["lines"][0]["points"][0], [0, tasks.TOP, 0.035])
+        self.assertEqual(turned["more_models"][0]["placement"]["rotate"], [0, 90, 0])
+
+    def test_half_of_the_poses_are_the_same_way(self):
+        half, all_ = practice.with_poses(2)["events"], practice.line()["events"]
+        self.assertTrue(all(event in all_ for event in half))
+        self.assertEqual(len([e for e in half if e["type"] == "blade"]), 101)
+        self.assertEqual(half[-1], all_[-1])
+
+
+class Trust(LabCase):
+    def test_the_expert_passes_and_a_hand_that_shakes_does_not(self):
+        expert = practice.score_of(practice.line(), self.folder, "incision by the expert")
+        self.assertEqual(expert["violations"], [])
+        self.assertLess(expert["wobble"], practice.LEAST["wobble"])
+        hand = practice.line(aside=practice.shaking(practice.UNSAFE, 1))
+        shaken = practice.score_of(hand, self.folder, "incision shaken")
+        self.assertEqual([told.split(":")[0] for told in shaken["violations"]], ["Wobble"])
+
+    @unittest.skipUnless("KERF_NIGHTLY" in os.environ, "takes ten minutes")
+    def test_figures_of_the_same_try_stay_within_what_the_page_says(self):
+        expert = practice.score_of(practice.line(), self.folder, "incision by the expert")
+        self.assertEqual(practice.spreads(expert, self.folder, {})[1], [])
+        self.assertEqual(practice.shakes(self.folder, {})[1], [])
 
 
 if __name__ == "__main__":

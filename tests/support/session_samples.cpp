@@ -40,7 +40,8 @@ std::string sessionWithEveryKey() {
         "spare_regions": [{"center": [0, 1, 0], "radius": 0.3},
                           {"low": [0, 0, 0], "high": [1, 0.1, 1]}],
         "path": 0.3, "deviation": 0.002, "ends": 0.004, "in_band": 0.9, "margin": 0.003,
-        "seconds": 20, "idle": 2, "economy": 0.8, "smoothness": -7, "newtons": 0.7,
+        "seconds": 20, "idle": 2, "economy": 0.8, "smoothness": -7, "wobble": 0.0003,
+        "newtons": 0.7,
         "person": "Ada", "date": "2026-11-28T10:00:00Z"},
       "steps": 50,
       "events": [

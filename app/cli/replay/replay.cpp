@@ -3,13 +3,18 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/files/export/export.h"
 #include "app/files/export/export_alembic.h"
 #include "app/files/import/model_source.h"
 #include "app/files/io/file_io.h"
 #include "app/files/io/output_folder.h"
 #include "app/files/io/system_file.h"
+#include "app/link/blade_link.h"
+#include "app/scene/timeline/saved_session.h"
 #include "app/session/headless_session.h"
+#include "app/session/scene_origin.h"
 #include "app/session/scene_view.h"
 #include "app/session/task_run.h"
 #include "app/session/volume_watch.h"
@@ -133,6 +138,8 @@ class TimeOutside {
     /// All of it since the last call [ms].
     double take() { return std::exchange(sum_, 0); }
 
+    double pictureMs = 0;  ///< of the coming step
+
   private:
     double sum_ = 0;
 };
@@ -151,6 +158,25 @@ struct CacheInWork {
     FilmClock clock{1};
 };
 
+/// The length of the session's own blade, or the diagonal of the body [m].
+double bladeLengthOf(const Session& session, const SurfaceMesh& mesh) {
+    for (const SessionEvent& event : session.events) {
+        if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
+            return cut::lengthOf(move->blade);
+        }
+    }
+    return meshBounds(mesh).diagonal();
+}
+
+/// Clients who lead the blade, and all that was done.
+struct LedRun {
+    LedRun(const ReplayOptions& options, const Session& session, const SurfaceMesh& mesh)
+        : blade(*options.link, bladeLengthOf(session, mesh), session.origin, options.linkBodies) {}
+    BladeLink blade;
+    SessionJournal journal;
+};
+constexpr int kOfClient = -1;  // the number of no event
+
 /// One run of one session, with what comes of it.
 class Replay {
   public:
@@ -161,7 +187,7 @@ class Replay {
           session_(running.session()),
           options_(options),
           expected_(options.verify),
-          steps_(std::min(session_.steps, options.until)),
+          steps_(options.link != nullptr ? options.until : std::min(session_.steps, options.until)),
           folder_(folder),
           schedule_(session_),
           files_(folder, options.hashes, options.pieces),
@@ -176,7 +202,10 @@ class Replay {
         if (!options_.cache.file.empty()) {
             cache_.emplace(options_.cache.file, summary_.model, session_.origin);
         }
-        simulation().feelBlade(options_.forces || session_.task);
+        if (options_.link != nullptr) {
+            led_.emplace(options_, session_, simulation().mesh());
+        }
+        simulation().feelBlade(options_.forces || session_.task || led_);
     }
 
     void run(const ReplayListener& listener) {
@@ -184,7 +213,8 @@ class Replay {
         if (options_.sequence.every > 0) {
             sequence_.emplace(folder_, options_.sequence);
         }
-        for (; step_ < steps_ && !stopped_; ++step_) {
+        const auto isLeft = [&] { return led_ && step_ > 0 && led_->blade.isOver(); };
+        for (; step_ < steps_ && !stopped_ && !isLeft(); ++step_) {
             if (listener.progress) {
                 listener.progress(step_, steps_);
             }
@@ -192,6 +222,7 @@ class Replay {
         }
         if (!stopped_) {
             applyActions();
+            performAll(led_ ? led_->blade.lift() : std::vector<Command>());
             filmState();
             writeMeshes();
             checkLength();
@@ -205,7 +236,16 @@ class Replay {
     int cacheSamples() const { return cache_ ? cache_->file.samples() : 0; }
 
     // What happens before a step: see SimulationDriver::applyActions.
-    void perform(const Command& command, int event) {
+    void perform(const Command& asked, int event) {
+        const bool isOfBlade =
+            std::holds_alternative<MoveBlade>(asked) || std::holds_alternative<LiftBlade>(asked);
+        if (led_ && isOfBlade && event != kOfClient) {
+            return;  // clients lead it instead
+        }
+        const Command command = led_ ? asReplayed(asked, session_.origin) : asked;
+        if (led_) {
+            led_->journal.note(step_, command);
+        }
         if (film_) {
             film_->note(command);
         }
@@ -215,7 +255,7 @@ class Replay {
         running_.perform(command, event);
     }
     void take(const ScreenshotEvent& event) {
-        pictureMs_ += outside_.measure([&] {
+        outside_.pictureMs += outside_.measure([&] {
             writePicture(running_.draw(running_.camera(), event.width, event.height),
                          folder_.pathOf(event.file));
             folder_.noteWritten(event.file);
@@ -227,10 +267,52 @@ class Replay {
     void take(const CameraEvent& /*event*/) const {}  // films know all of them from the start
     void take(const MarkEvent& /*event*/) const {}
     void take(const CheckEvent& event) {
-        outside_.measure([&] { check(event); });
+        if (!led_) {  // that is another run
+            outside_.measure([&] { check(event); });
+        }
     }
 
   private:
+    // --- Clients who lead the blade
+    // ---------------------------------------------------------------
+
+    void performAll(const std::vector<Command>& commands) {
+        std::ranges::for_each(commands, [&](const Command& c) { perform(c, kOfClient); });
+    }
+
+    void tellClients() {
+        led_->blade.tell(simulation());
+        const auto& done = led_->journal.entries();
+        if (!done.empty() && done.back().event.step == step_ &&
+            std::holds_alternative<LiftBlade>(done.back().event.action)) {
+            tellScore(scoreOf(played(), simulation(), watches_.forces));
+        }
+    }
+
+    void tellScore(const std::optional<Score>& score) {
+        if (led_ && score) {
+            led_->blade.tell("KerfScore", toJson(*score, *session_.task).dump(-1, ' ', true));
+        }
+    }
+
+    /// The session with what clients did in place of its own blade.
+    Session played() const {
+        return led_ ? sessionAsSaved(session_, led_->journal).session : session_;
+    }
+
+    void writeRecord() {
+        Session session = played();
+        session.steps = step_;
+        session.events.push_back(
+            {step_, CheckEvent{summary_.stateHash, static_cast<int>(summary_.pieces.size())}});
+        writeOutputFile(
+            options_.record,
+            formatSession(session, std::filesystem::absolute(options_.record).parent_path()));
+    }
+
+    // --- Steps
+    // ------------------------------------------------------------------------------------
+
     /// Films are begun before anything is simulated: what they need may be missing.
     void beginPictures() {
         if (!options_.film.file.empty()) {
@@ -252,7 +334,7 @@ class Replay {
         const Film::Draw draws = [this](const render::Camera& camera, const PictureSize& size) {
             return running_.draw(camera, size.width, size.height);
         };
-        pictureMs_ += outside_.measure([&] {
+        outside_.pictureMs += outside_.measure([&] {
             const double time = simulation().report().time;
             if (film_) {
                 film_->show(step_, time, running_.camera(), draws);
@@ -305,6 +387,10 @@ class Replay {
     void runStep(const ReplayListener& listener) {
         const Stopwatch watch;
         applyActions();
+        if (led_) {
+            outside_.measure(
+                [&] { performAll(led_->blade.await(simulation().params().timeStep)); });
+        }
         filmState();
         writeMeshes();
         if (stopped_) {
@@ -318,9 +404,9 @@ class Replay {
             cache_->clock.pass(simulation().params().timeStep, simulation().timeRuns());
         }
         const double outsideMs = outside_.take();
-        const MetricsRow row{report, std::exchange(pictureMs_, 0), watch.milliseconds() - outsideMs,
-                             namesToughness(session_, simulation().params()),
-                             secondsOfStep(simulation())};
+        const MetricsRow row{
+            report, std::exchange(outside_.pictureMs, 0), watch.milliseconds() - outsideMs,
+            namesToughness(session_, simulation().params()), secondsOfStep(simulation())};
         publish(row, listener);
     }
 
@@ -343,6 +429,9 @@ class Replay {
             fail(problem);
         }
         logMessages();
+        if (led_) {
+            outside_.measure([&] { tellClients(); });
+        }
         if (listener.row) {
             listener.row(row);
         }
@@ -434,9 +523,13 @@ class Replay {
         summary_.pieces = simulation().pieces().pieces;
         summary_.stateHash = simulation().stateHash();
         summary_.cuts = reportOnCuts(simulation());
-        if (steps_ == session_.steps && !stopped_) {  // else not all of the try was played
+        if ((led_ || steps_ == session_.steps) && !stopped_) {  // else not all of a try was played
             summary_.task = session_.task;
-            summary_.score = scoreOf(session_, simulation(), watches_.forces);
+            summary_.score = scoreOf(played(), simulation(), watches_.forces);
+            tellScore(summary_.score);
+        }
+        if (!options_.record.empty()) {
+            writeRecord();
         }
         remark(remarkOnCrossings(simulation()));
         folder_.write(kSummaryFile, formatSummary(summary_));
@@ -458,10 +551,10 @@ class Replay {
     std::optional<MeshSequence> sequence_;
     std::optional<CacheInWork> cache_;
     RunWatches watches_;
+    std::optional<LedRun> led_;
     const render::CameraPath path_;  ///< of films and strips
     RunSummary summary_;
     TimeOutside outside_;
-    double pictureMs_ = 0;  ///< of the coming step
     int step_ = 0;
     bool stopped_ = false;  ///< by a check that failed
 };

@@ -10,6 +10,8 @@
 
 namespace kerf::app {
 
+class LinkServer;
+
 /// Callbacks of a replay; either may be null.
 struct ReplayListener {
     /// Called before each step with the steps done and the steps to do.
@@ -38,6 +40,11 @@ struct ReplayOptions {
     StripOptions strip;                 ///< if its file is set
     SequenceOptions sequence;           ///< where it names steps
     CacheOptions cache;                 ///< if its file is set
+    /// Its clients lead the blade instead of the session, a step in its time, from the first one's
+    /// arrival until the last one has left, or `until`. Not owned; null for none.
+    LinkServer* link = nullptr;
+    int linkBodies = 25;           ///< so many times a second they get the body
+    std::filesystem::path record;  ///< what they did, as a session; empty for no file
     /// The tier of the pictures; only the light one looks the same on every driver.
     render::Quality quality = render::Quality::light;
 };

@@ -103,6 +103,33 @@ TEST(HandPath, TremorIsWhatTheFilterTakesAway) {
     EXPECT_LT(*measureStroke(2, 100, evenly).tremor, 1e-9) << "starting at once is no tremor";
 }
 
+TEST(HandPath, WobbleIsTheWayToAndFroBesideALine) {
+    const auto wobbleOf = [](double size, double hertz, double rate) {
+        std::vector<HandPose> hand;
+        addStroke(hand, 5, 6, rate, [&](double share) {
+            return bladeAt(kWay * minimumJerk(share),
+                           size * std::sin(12 * std::numbers::pi * hertz * share));
+        });
+        return measureMotion(hand, Vec3::Zero(), {},
+                             [](const Vec3& point) {
+                                 return point.x() < 0.06 ? std::optional(point.z()) : std::nullopt;
+                             })
+            .wobble;
+    };
+    for (const double hertz : {1.0, 2.0, 4.0}) {
+        const double left = 1 - std::exp(-0.5 * std::pow(2 * std::numbers::pi * hertz * 0.25, 2));
+        for (const double rate : {25, 50, 100, 333}) {
+            const double expected = left * 6e-4 / std::numbers::sqrt2;
+            EXPECT_NEAR(wobbleOf(6e-4, hertz, rate).value(), expected, 0.1 * expected)
+                << hertz << " Hz, " << rate << " poses a second";
+        }
+    }
+    EXPECT_LT(*wobbleOf(2e-3, 1.0 / 12, 100), 5e-5) << "a bow is the course of the hand";
+    EXPECT_EQ(*wobbleOf(0, 1, 100), 0) << "whatever it does along the line";
+    EXPECT_FALSE(wobbleOf(6e-4, 1, 5)) << "poses too far apart";
+    EXPECT_FALSE(measureStroke(6, 100, smoothly).wobble) << "no line";
+}
+
 TEST(HandPath, TimeAndPathGoThroughTheAirToo) {
     std::vector<HandPose> hand;
     addStroke(hand, 1, 3, 100, smoothly);

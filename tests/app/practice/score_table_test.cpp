@@ -36,13 +36,14 @@ TEST(ScoreTable, IsSortedByPersonTaskAndDate) {
 TEST(ScoreTable, CsvHasALineForEachTryAndNothingForWhatWasNotMeasured) {
     Scored scored = tryOf("O'Neil, \"Pat\"", "Incision", "2026-11-02");
     scored.score["violations"] = {"Time: 25.00 s (at most 20.00 s).", "Undone, once."};
-    EXPECT_EQ(scoresAsCsv({scored}),
-              "file,task,person,date,deviation_mean,deviation_max,depth_mean,depth_in_band,"
-              "length_under,length_over,margin_least,spared_cut,taken,excised_volume,time,path,"
-              "economy,smoothness,tremor,idle_time,force_max,force_mean,undos,changes,violations,"
-              "passed\n"
-              "\"O'Neil, \"\"Pat\"\".json\",Incision,\"O'Neil, \"\"Pat\"\"\",2026-11-02,,,,,,,,,"
-              "false,,12.5,,,,,,,,,,\"Time: 25.00 s (at most 20.00 s). Undone, once.\",true\n");
+    EXPECT_EQ(
+        scoresAsCsv({scored}),
+        "file,task,person,date,deviation_mean,deviation_max,depth_mean,depth_in_band,"
+        "length_under,length_over,margin_least,spared_cut,taken,excised_volume,time,path,"
+        "economy,smoothness,tremor,wobble,idle_time,force_max,force_mean,undos,changes,violations,"
+        "passed\n"
+        "\"O'Neil, \"\"Pat\"\".json\",Incision,\"O'Neil, \"\"Pat\"\"\",2026-11-02,,,,,,,,,"
+        "false,,12.5,,,,,,,,,,,\"Time: 25.00 s (at most 20.00 s). Undone, once.\",true\n");
 }
 
 TEST(ScoreTable, TheHeaderHasTheKeysOfAllFigures) {

@@ -69,10 +69,10 @@ TEST_F(ScoreTest, EachFigureOfTheTableIsItsOwn) {
         EXPECT_TRUE(keys.insert(row.key).second) << row.key;
         EXPECT_TRUE(labels.insert(row.label).second) << row.label;
     }
-    EXPECT_EQ(keys.size(), 20U);
+    EXPECT_EQ(keys.size(), 21U);
     // Each member has another value, so no row may show that of another.
     const Score all{
-        {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {11, 12, 13, 14, 15, 16}, {17, 18}, 19, 20, {}};
+        {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {11, 12, 13, 14, 15, 16, 21}, {17, 18}, 19, 20, {}};
     std::set<double> values;
     for (const FigureRow& row : figureRows()) {
         EXPECT_TRUE(values.insert(valueOf(row, all).value()).second) << row.key;
@@ -81,11 +81,12 @@ TEST_F(ScoreTest, EachFigureOfTheTableIsItsOwn) {
     EXPECT_EQ(valueOf(all, "spared_cut"), 8);
     EXPECT_EQ(valueOf(all, "excised_volume"), 10);
     EXPECT_EQ(valueOf(all, "idle_time"), 16);
+    EXPECT_EQ(valueOf(all, "wobble"), 21);
     EXPECT_EQ(valueOf(all, "force_mean"), 18);
 }
 
 TEST_F(ScoreTest, OnlyWhatATaskAsksForHasALimit) {
-    task_.limits = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+    task_.limits = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     const auto limit = [&](const std::string& key) { return limitOf(rowOf(key), task_); };
     EXPECT_EQ(limit("deviation_max"), 1);
     EXPECT_EQ(limit("length_under"), 2);
@@ -101,7 +102,8 @@ TEST_F(ScoreTest, OnlyWhatATaskAsksForHasALimit) {
     EXPECT_FALSE(limit("depth_in_band"));
     task_.lines.clear();
     EXPECT_FALSE(limit("deviation_max") || limit("length_under"));
-    EXPECT_EQ(limit("force_max"), 9);
+    EXPECT_FALSE(limit("wobble"));
+    EXPECT_EQ(limit("force_max"), 10);
 }
 
 TEST_F(ScoreTest, ACutWithinAllLimitsPasses) {
@@ -117,6 +119,7 @@ TEST_F(ScoreTest, ACutWithinAllLimitsPasses) {
                     .idle = 0.5,
                     .economy = 0.9,
                     .smoothness = -6,
+                    .wobble = 1e-4,
                     .newtons = 2.1};
     const Score score = this->score();
     EXPECT_THAT(score.violations, IsEmpty());
@@ -140,6 +143,7 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
                     .idle = {},
                     .economy = 0.9,
                     .smoothness = -2,
+                    .wobble = {},
                     .newtons = 1.9};
     TaskRun run = this->run();
     run.undos = 1;

@@ -22,6 +22,7 @@ std::span<const FuzzTarget> fuzzTargets() {
         FuzzTarget{"expectation", readExpectationText, expectationTexts, expectationWords, 400, 5},
         FuzzTarget{"answer", readAnswerBytes, answerTexts, answerWords, 30'000, 100},
         FuzzTarget{"model", readModelBytes, modelTexts, modelWords, 100, 3},
+        FuzzTarget{"link", readLinkBytes, linkTexts, linkWords, 30'000, 1'000},
         FuzzTarget{"image", readImageBytes, imageTexts, imageWords, 30'000, 1'000},
     };
     return kTargets;

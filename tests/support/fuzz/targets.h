@@ -57,6 +57,11 @@ std::span<const std::string_view> modelEndings();
 /// From here on readModelBytes() reads models in this process.
 void readModelsInThisProcess();
 
+/// What a client of the link sends, as it is and with the right checksums.
+FuzzOutcome readLinkBytes(const std::string& bytes);
+std::vector<std::string> linkTexts();
+std::vector<std::string> linkWords();
+
 /// A picture, PNG or JPEG.
 FuzzOutcome readImageBytes(const std::string& bytes);
 std::vector<std::string> imageTexts();
