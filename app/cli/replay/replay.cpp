@@ -173,7 +173,7 @@ struct LedRun {
     LedRun(const ReplayOptions& options, const Session& session, const SurfaceMesh& mesh)
         : blade(*options.link, bladeLengthOf(session, mesh), session.origin, options.linkBodies) {}
     BladeLink blade;
-    SessionJournal journal;
+    EventLog journal;
 };
 constexpr int kOfClient = -1;  // the number of no event
 
