@@ -85,6 +85,13 @@ def with_films(text, page, kerf, cache, static):
 # --- The site ---------------------------------------------------------------------------------
 
 
+def what_it_has():
+    """That section of README.md, up to its pictures, for the first page."""
+    readme = (ROOT / "README.md").read_text()
+    section = re.search(r"^## What it has\n.*?(?=^!\[)", readme, re.M | re.S)
+    return section[0].replace("](docs/", "](")
+
+
 def gather(kerf, source, cache):
     """All pages below one folder, with what the site needs besides."""
     shutil.rmtree(source, ignore_errors=True)
@@ -98,7 +105,8 @@ def gather(kerf, source, cache):
     changes = (ROOT / "CHANGELOG.md").read_text()
     (source / "CHANGELOG.md").write_text(changes.replace("](docs/", "]("))
     index = source / "index.md"
-    index.write_text(index.read_text().replace("](../CHANGELOG.md)", "](CHANGELOG.md)"))
+    text = index.read_text().replace("](../CHANGELOG.md)", "](CHANGELOG.md)")
+    index.write_text(text.replace("<!-- What it has: of README.md -->", what_it_has()))
     for page in sorted(source.rglob("*.md")):
         text = page.read_text()
         made = with_films(text, page.relative_to(source), kerf, cache, static)
