@@ -173,7 +173,7 @@ struct LedRun {
     LedRun(const ReplayOptions& options, const Session& session, const SurfaceMesh& mesh)
         : blade(*options.link, bladeLengthOf(session, mesh), session.origin, options.linkBodies) {}
     BladeLink blade;
-    EventLog journal;
+    EventLog log;
 };
 constexpr int kOfClient = -1;  // the number of no event
 
@@ -244,7 +244,7 @@ class Replay {
         }
         const Command command = led_ ? asReplayed(asked, session_.origin) : asked;
         if (led_) {
-            led_->journal.note(step_, command);
+            led_->log.note(step_, command);
         }
         if (film_) {
             film_->note(command);
@@ -282,7 +282,7 @@ class Replay {
 
     void tellClients() {
         led_->blade.tell(simulation());
-        const auto& done = led_->journal.entries();
+        const auto& done = led_->log.entries();
         if (!done.empty() && done.back().event.step == step_ &&
             std::holds_alternative<LiftBlade>(done.back().event.action)) {
             tellScore(scoreOf(played(), simulation(), watches_.forces));
@@ -297,7 +297,7 @@ class Replay {
 
     /// The session with what clients did in place of its own blade.
     Session played() const {
-        return led_ ? sessionAsSaved(session_, led_->journal).session : session_;
+        return led_ ? sessionAsSaved(session_, led_->log).session : session_;
     }
 
     void writeRecord() {
