@@ -22,7 +22,9 @@ bool bends(const TaskLine& line) {
         return (line.points[i + 1] - line.points[i]).normalized();
     };
     for (std::size_t i = 0; i + 2 < line.points.size(); ++i) {
-        if (way(i).dot(way(i + 1)) < kBend) return true;
+        if (way(i).dot(way(i + 1)) < kBend) {
+            return true;
+        }
     }
     return false;
 }
@@ -87,6 +89,7 @@ std::string always(const Score& /*score*/, const Task& /*task*/) {
 }
 constexpr char kNoUndo[] = "Press Try again instead of undoing a cut.";
 constexpr char kNoChange[] = "Leave the parameters as the task sets them.";
+constexpr char kSteady[] = "Hold the blade more steadily: it shook from side to side.";
 constexpr char kSpare[] = "Stay away from the orange outlines.";
 constexpr char kFaster[] = "Be quicker: know the way before you begin.";
 constexpr char kNoRest[] = "Don't stop on the way.";
@@ -103,6 +106,7 @@ constexpr Advice kAdvice[] = {
     {"taken", takeOut},
     {"length_over", stayOnLine},
     {"deviation_max", keepNear},
+    {"wobble", always<kSteady>},
     {"spared_cut", always<kSpare>},
     {"margin_least", always<kSpare>},
     {"time", always<kFaster>},

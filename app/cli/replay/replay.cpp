@@ -296,9 +296,7 @@ class Replay {
     }
 
     /// The session with what clients did in place of its own blade.
-    Session played() const {
-        return led_ ? sessionAsSaved(session_, led_->log).session : session_;
-    }
+    Session played() const { return led_ ? sessionAsSaved(session_, led_->log).session : session_; }
 
     void writeRecord() {
         Session session = played();

@@ -198,7 +198,7 @@ TEST_F(ScoreTest, AdviceSaysWhatToDoNextTime) {
 }
 
 TEST_F(ScoreTest, EachLimitThatATaskCanHaveHasItsAdvice) {
-    task_.limits = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    task_.limits = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     task_.spare = {0};
     task_.take = 0;
     for (const FigureRow& row : figureRows()) {
