@@ -41,7 +41,9 @@ std::string statusText(const PanelModel& model) {
 namespace {
 
 std::string rightText(const PanelModel& model) {
-    return model.view.device + "   |   " + std::string(keyOf(ActionId::help)) + " help";
+    const std::string& link = model.view.link;
+    return link + (link.empty() ? "" : "   |   ") + model.view.device + "   |   " +
+           std::string(keyOf(ActionId::help)) + " help";
 }
 
 }  // namespace

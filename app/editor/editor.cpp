@@ -89,6 +89,11 @@ bool followPractice(State& s, EditorScene& now) {
     return s.panels.practice.follow(now, settings);
 }
 
+/// Lets clients of the link lead the blade, unless the scene is covered.
+bool followLink(State& s, EditorScene& now) {
+    return !s.view.faulty && !s.comesBack() && s.link.follow(now);
+}
+
 /// What follows the open scene once a picture, where that rests: whether there is something else
 /// to show then, and what shows it.
 struct Follower {
@@ -99,7 +104,7 @@ constexpr std::array kFollowers{
     Follower{followGizmo, &Redraw::scene},      Follower{followPlacement, &Redraw::scene},
     Follower{followThickness, &Redraw::scene},  Follower{followMeasures, &Redraw::panels},
     Follower{followPieceSums, &Redraw::panels}, Follower{followCuts, &Redraw::panels},
-    Follower{followPractice, &Redraw::panels},
+    Follower{followPractice, &Redraw::panels},  Follower{followLink, &Redraw::panels},
 };
 
 void showMessages(State& s) {
@@ -348,7 +353,8 @@ double Editor::idleSeconds() const {
     }
     const bool soon = s.offers.looking() || s.driverCheck.looking();
     const double rest =
-        std::min(soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever));
+        std::min({soon ? kWorkPause : kForever, s.keeping.pictureDue().value_or(kForever),
+                  s.link.isOn() ? s.link.pause() : kForever});
     return s.toast.visible() ? std::min(rest, s.toast.steadySeconds()) : rest;
 }
 

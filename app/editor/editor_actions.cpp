@@ -165,6 +165,23 @@ void removeRetractor(State& s, EditorScene& now) {
     s.view.tools.get<RetractTool>().removeOne(s.view.context({&now, false}));
 }
 
+void toggleLink(State& s, EditorScene& now) {
+    if (s.link.isOn()) {
+        if (s.link.leads({&now, false})) {
+            now.stroke().end();
+        }
+        s.link.stop();
+        s.toast.show("The link is closed.", false);
+        return;
+    }
+    try {
+        s.link.start(now);
+        s.toast.show(s.link.state(), false);
+    } catch (const InputError& error) {
+        s.toast.show(error.what(), true);
+    }
+}
+
 void toggleGravity(State& s, EditorScene& now) {
     const bool on = now.simulation().params().gravity.norm() > 0;
     const Vec3 before = now.document().session.params.gravity;
@@ -353,6 +370,7 @@ constexpr std::array kOtherHandlers{
             }},
     Handler{ActionId::freePins, freePins},
     Handler{ActionId::removeRetractor, removeRetractor},
+    Handler{ActionId::link, toggleLink},
     Handler{ActionId::playPause, playOrPause},
     Handler{ActionId::letFall, letFall},
     Handler{ActionId::timeWhileCutting, toggleTimeWhileCutting},

@@ -130,6 +130,7 @@ void Editor::State::describe(bool withOverlay) {
     model.view.axes = axesOf(view.camera.shown());
     model.view.orthographic = view.camera.shown().orthographic;
     model.tools = view.tools.settings();
+    model.view.link = link.state();
     model.view.measures = view.tools.get<MeasureTool>().rows();
     model.transport.speed = clock.speed();
     chooser.describe(model);

@@ -200,6 +200,7 @@ void Editor::State::beginScene() {
     scene->readout().plot(std::nullopt);  // The list of measurements begins anew.
     work.models.begin(app::modelFiles(scene->document().session));
     guide.begin(*scene);
+    link.begin(*scene);
     const std::filesystem::path& session = sessionFile.path();
     chooser.setSource(session.empty() ? scene->document().session.model.path : session);
     panels.plotView = {};

@@ -23,10 +23,12 @@ bool pointsAtView(const State& s) {
 
 /// The scene for the current tool: one that moves the blade doesn't wait.
 BusyScene sceneInHand(State& s, bool presses = false) {
-    if (s.view.faulty || (presses && s.comesBack())) {
+    const ui::ToolRow& tool = ui::rowOf(s.view.tools.settings().tool);
+    const bool waits = s.comesBack() || (tool.leadsBlade && s.link.leads(s.scene.meanwhile()));
+    if (s.view.faulty || (presses && waits)) {
         return {};
     }
-    if (ui::rowOf(s.view.tools.settings().tool).readsBody && (presses || s.view.holds())) {
+    if (tool.readsBody && (presses || s.view.holds())) {
         s.scene.get();
     }
     return s.scene.meanwhile();

@@ -93,6 +93,7 @@ void Editor::State::leaveScene() {
     work.onceSaved = nullptr;
     offers.comingBack = false;
     work.stopPlacing();
+    link.stop();
     scene.set(nullptr);
     clock.stop();
     toast.withdrawOffer();

@@ -3,6 +3,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/steps/scene_at_work.h"
 #include "app/editor/steps/scene_history.h"
+#include "app/editor/steps/scene_link.h"
 #include "app/editor/steps/step_clock.h"
 #include "app/editor/storage/driver_check.h"
 #include "app/editor/storage/file_chooser.h"
@@ -33,6 +34,7 @@ struct Editor::State {
           materials(options.materials),
           work(options.screenshotFolder),
           keeping(options.journals),
+          link(options.link),
           offers(options.journals),
           driverCheck(options.driverReports, options.driver) {
         view.resize(options.width, options.height);
@@ -57,6 +59,7 @@ struct Editor::State {
     MaterialShelf materials;
     FileWork work;
     WorkKeeping keeping;
+    SceneLink link;
     LeftWorkOffers offers;
     DriverCheck driverCheck;
     bool closing = false;

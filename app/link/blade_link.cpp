@@ -18,7 +18,7 @@ std::vector<Command> BladeLink::await(double seconds) {
         server_.exchange(std::max(0.0, seconds - sinceStep_.seconds()),
                          [this](const IgtlMessage& message) { take(message); });
         sinceStep_.restart();
-    } while (server_.joined() == 0);
+    } while (seconds > 0 && server_.joined() == 0);
     ++steps_;
     std::vector<Command> commands;
     if (std::exchange(lifts_, false)) {

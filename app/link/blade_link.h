@@ -30,6 +30,7 @@ class BladeLink {
         : server_(server), bladeLength_(bladeLength), origin_(origin), bodies_(bodies) {}
 
     /// Receives until so many seconds have passed since the last call, and a client has joined.
+    /// With 0 it takes what has come, and waits for nobody.
     /// Returns what the blade does in the coming step, by the newest pose; nothing: it stays.
     std::vector<Command> await(double seconds);
     /// Lifts the blade if it is down.

@@ -59,8 +59,8 @@ LinkServer::LinkServer(sockaddr_in address)
     if (::bind(listening_.get(), there, size) != 0 ||
         ::listen(listening_.get(), static_cast<int>(kMostClients)) != 0 ||
         ::getsockname(listening_.get(), there, &size) != 0) {
-        throw InputError(fmt::format("The link can't listen on {}: {}. Choose another port.",
-                                     nameOf(address), std::strerror(errno)));
+        throw InputError(
+            fmt::format("The link can't listen on {}: {}.", nameOf(address), std::strerror(errno)));
     }
     address_ = nameOf(address);
     spdlog::info("Link: waiting for a client on {}.", address_);

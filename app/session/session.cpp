@@ -254,6 +254,15 @@ bool takesBladeAway(const SessionAction& action) {
            std::holds_alternative<Undo>(action) || std::holds_alternative<Redo>(action);
 }
 
+std::optional<double> bladeLengthOf(const Session& session) {
+    for (const SessionEvent& event : session.events) {
+        if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
+            return cut::lengthOf(move->blade);
+        }
+    }
+    return std::nullopt;
+}
+
 bool undoesAnything(const Session& session) {
     return std::ranges::any_of(session.events, [](const SessionEvent& event) {
         return std::holds_alternative<Undo>(event.action);

@@ -165,6 +165,8 @@ bool takesBladeAway(const SessionAction& action);
 
 /// The undo memory of a replay [bytes]: a run made within the editor's budget must not fail.
 inline constexpr std::size_t kReplayUndoBudget = std::size_t{4} << 30;
+/// The length of its first blade [m]; none without one.
+std::optional<double> bladeLengthOf(const Session& session);
 /// Whether a session has undo events, so that changes must be kept.
 bool undoesAnything(const Session& session);
 

@@ -117,7 +117,7 @@ class GuillotineTool : public Tool {
     /// Down it cuts; pulled up it is out of the body and above it again.
     void lowerTo(double lowered, const ToolContext& c) {
         double& now = c.settings.guillotine.lowered;
-        if (lowered <= now) {
+        if (lowered <= now || (now == 0 && c.stroke.drawing())) {  // a client's stroke
             raise(c);
             return;
         }

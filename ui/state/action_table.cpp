@@ -72,6 +72,8 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return m.body.pinned > 0; }},
     ActionRow{ActionId::removeRetractor, at(Key::del, kPlain, "Delete"), "Remove retractor", "Tool",
               [](const PanelModel& m) { return m.body.hooks > 0; }},
+    ActionRow{ActionId::link, at(Key::l, kControl, "Ctrl+L"), "Link to other programs", "Tool",
+              withBody, [](const PanelModel& m) { return !m.view.link.empty(); }},
     ActionRow{ActionId::playPause, at(Key::space, kPlain, "Space"), "Play or pause", "Time",
               withBody, [](const PanelModel& m) { return m.transport.playing; }},
     ActionRow{ActionId::letFall, at(Key::space, kShift, "Shift+Space"),

@@ -33,6 +33,7 @@ enum class ActionId : std::uint8_t {
     bringDown = firstTool + kTools,
     freePins,
     removeRetractor,
+    link,
     playPause,
     letFall,
     timeWhileCutting,

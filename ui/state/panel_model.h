@@ -205,6 +205,7 @@ struct ViewState {
     bool orthographic = false;
     std::vector<MeasureRow> measures;  ///< oldest first
     std::string device;                ///< what draws: "llvmpipe"
+    std::string link;                  ///< "Link: 1 client on 127.0.0.1:18944"; empty if off
 };
 
 /// The content of all panels, a part for each: filled by the editor every frame, read only here.

@@ -158,20 +158,11 @@ struct CacheInWork {
     FilmClock clock{1};
 };
 
-/// The length of the session's own blade, or the diagonal of the body [m].
-double bladeLengthOf(const Session& session, const SurfaceMesh& mesh) {
-    for (const SessionEvent& event : session.events) {
-        if (const auto* move = std::get_if<MoveBlade>(&event.action)) {
-            return cut::lengthOf(move->blade);
-        }
-    }
-    return meshBounds(mesh).diagonal();
-}
-
 /// Clients who lead the blade, and all that was done.
 struct LedRun {
     LedRun(const ReplayOptions& options, const Session& session, const SurfaceMesh& mesh)
-        : blade(*options.link, bladeLengthOf(session, mesh), session.origin, options.linkBodies) {}
+        : blade(*options.link, bladeLengthOf(session).value_or(meshBounds(mesh).diagonal()),
+                session.origin, options.linkBodies) {}
     BladeLink blade;
     EventLog log;
 };

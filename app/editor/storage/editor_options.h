@@ -28,8 +28,9 @@ struct EditorOptions {
     std::filesystem::path tries;        ///< the folder of tries of tasks; empty keeps none
     /// The folder of reports on drivers; empty: none is examined.
     std::filesystem::path driverReports;
-    std::string driver;  ///< full name of the driver
-    std::string notice;  ///< a sentence shown at the start; empty for none
+    std::string link = "127.0.0.1:18944";  ///< where SceneLink listens once it is switched on
+    std::string driver;                    ///< full name of the driver
+    std::string notice;                    ///< a sentence shown at the start; empty for none
 };
 
 }  // namespace kerf::app
