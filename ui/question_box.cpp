@@ -52,11 +52,12 @@ void QuestionBox::drawNumber(const AskedNumber& asked) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(asked.label.c_str());
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
-    ImGui::InputDouble(asked.unit.c_str(), &number_, 0, 0, "%.4g");
+    ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
+    dragNumbers({&number_, 1},
+                {ImGuiDataType_Double, nullptr, &asked.least, &asked.most, "%.4g " + asked.unit},
+                kTypedOnly);
     noteItem("question.number");
     itemTooltip(fmt::format("From {:.3g} to {:.3g}", asked.least, asked.most));
-    number_ = std::isnan(number_) ? asked.value : std::clamp(number_, asked.least, asked.most);
     ImGui::Spacing();
 }
 
@@ -95,7 +96,7 @@ void QuestionBox::draw(const Question& question, const Rect& view, std::vector<A
         drawNumber(*question.number);
     }
     drawChoices(question, number_, actions);
-    if (!justOpened && keyPressed(ImGuiKey_Enter)) {
+    if (!justOpened && keyPressed(ImGuiKey_Enter) && !refusedNumber()) {
         actions.emplace_back(AnswerQuestion{0, number_});
     } else if (!justOpened && keyPressed(ImGuiKey_Escape)) {
         actions.emplace_back(AnswerQuestion{static_cast<int>(question.choices.size()) - 1});

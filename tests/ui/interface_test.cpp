@@ -532,6 +532,45 @@ TEST_F(InterfaceTest, ACommaIsThePointOfATypedNumber) {
     EXPECT_EQ(type("1e-2"), 0.01);
 }
 
+TEST_F(InterfaceTest, AUnitIsTypedWithANumberAndOneThatDoesNotFitIsRefused) {
+    const std::string fits = "refused.Type a time, such as 0.3 s";
+    const auto type = [&](const std::string& text) {
+        clickOn("param.time_step.number");
+        for (const char letter : text) {
+            update({Character{static_cast<unsigned char>(letter)}});
+        }
+        update({KeyChange{Key::enter, true, {}}});
+        update({KeyChange{Key::enter, false, {}}});
+        return model.parameters.now.timeStep;
+    };
+    EXPECT_EQ(type("3 ms"), 0.003);
+    EXPECT_FALSE(interface->itemRects().contains(fits));
+    EXPECT_EQ(type("3 mm"), 0.003);
+    EXPECT_TRUE(interface->itemRects().contains(fits));
+    EXPECT_EQ(type("0.002"), 0.002);
+    EXPECT_FALSE(interface->itemRects().contains(fits)) << "it was said once";
+    EXPECT_EQ(type(""), 0.002);
+    EXPECT_FALSE(interface->itemRects().contains(fits)) << "nothing was typed";
+}
+
+TEST_F(InterfaceTest, AQuestionStaysOpenWhereItsNumberIsRefused) {
+    model.question = {.title = "Thicken", .text = "How thick?", .choices = {"Thicken", "Cancel"}};
+    model.question.number = AskedNumber{"Thickness", "mm", 10, 1, 23};
+    const auto type = [&](const std::string& text) {
+        others.clear();
+        clickOn("question.number");
+        for (const char letter : text) {
+            update({Character{static_cast<unsigned char>(letter)}});
+        }
+        tap(Key::enter);
+        return others.empty() ? 0 : std::get<AnswerQuestion>(others[0]).number;
+    };
+    update({});
+    update({});
+    EXPECT_EQ(type("5 kg"), 0);
+    EXPECT_EQ(type("0.5 cm"), 5);
+}
+
 TEST_F(InterfaceTest, TabGoesOnToTheNextNumber) {
     clickOn("param.gravity.number");
     update({Character{'1'}});

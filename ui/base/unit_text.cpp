@@ -1,8 +1,62 @@
 #include "ui/base/unit_text.h"
 
 #include <cctype>
+#include <charconv>
 
 namespace kerf::ui {
+namespace {
+
+using Word = std::string_view;
+constexpr Word kLength = "a length, such as 5 mm";
+constexpr Word kDensity = "a density, such as 3 g/cm3";
+constexpr Word kAngle = "an angle, such as 15 deg";
+
+/// factor * 10^exponent of the plain unit of its kind.
+struct Unit {
+    Word name;
+    Word kind;
+    int exponent = 0;
+    double factor = 1;
+};
+constexpr Unit kUnits[]{{"m", kLength},
+                        {"in", kLength, 0, 0.0254},
+                        {"ft", kLength, 0, 0.3048},
+                        {"s", "a time, such as 0.3 s"},
+                        {"Pa", "a stress, such as 2 kPa"},
+                        {"g/m3", kDensity},
+                        {"g/cm3", kDensity, 6},
+                        {"m/s", "a speed, such as 5 mm/s"},
+                        {"m/s2", "an acceleration, such as 9.81 m/s2"},
+                        {"J/m2", "an energy per area, such as 1 kJ/m2"},
+                        {"1/s", "a rate, such as 2 1/s"},
+                        {"N", "a force, such as 2 N"},
+                        {"deg", kAngle},
+                        {"\u00b0", kAngle},
+                        {"%", "a share, such as 5 %"}};
+constexpr std::pair<Word, int> kPrefixes[]{{"", 0},   {"k", 3},       {"M", 6},
+                                           {"G", 9},  {"c", -2},      {"m", -3},
+                                           {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6}};
+constexpr std::pair<Word, Word> kPlain[]{{" ", ""}, {"^", ""}, {"\u00b2", "2"}, {"\u00b3", "3"}};
+
+/// "kg / m^3", or with a raised 3, too.
+std::optional<Unit> readUnit(Word text) {
+    std::string word(text);
+    for (const auto& [mark, plain] : kPlain) {
+        for (std::size_t at = 0; (at = word.find(mark)) != std::string::npos;) {
+            word.replace(at, mark.size(), plain);
+        }
+    }
+    for (const auto& [prefix, power] : kPrefixes) {
+        const auto* unit = std::ranges::find_if(
+            kUnits, [&](const Unit& row) { return word == std::string(prefix).append(row.name); });
+        if (unit != std::end(kUnits)) {
+            return Unit{unit->name, unit->kind, unit->exponent + power, unit->factor};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
 
 std::string withRaisedDigits(std::string_view text) {
     std::string raised;
@@ -22,6 +76,33 @@ std::string asLabel(std::string_view name) {
     std::ranges::replace(label, '_', ' ');
     label.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(label.front())));
     return label;
+}
+
+std::optional<double> readNumber(std::string_view text, std::string_view unit) {
+    std::string word(text.substr(std::min(text.find_first_not_of(" +"), text.size())));
+    std::ranges::replace(word, ',', '.');
+    double number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const Word rest(end, word.data() + word.size());
+    if (error != std::errc{} || !std::isfinite(number)) {
+        return std::nullopt;
+    }
+    if (rest.find_first_not_of(' ') == Word::npos) {
+        return number;
+    }
+    const std::optional<Unit> from = readUnit(rest);
+    const std::optional<Unit> to = readUnit(unit);
+    if (!from || !to || from->kind != to->kind) {
+        return std::nullopt;
+    }
+    const int shift = from->exponent - to->exponent;  // divides where it is negative: exact
+    number *= from->factor / to->factor;
+    return shift < 0 ? number / std::pow(10, -shift) : number * std::pow(10, shift);
+}
+
+std::string whatFits(std::string_view unit) {
+    const std::optional<Unit> known = readUnit(unit);
+    return "Type " + std::string(known ? known->kind : "a number, such as 2");
 }
 
 }  // namespace kerf::ui

@@ -5,8 +5,10 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cctype>
+#include <cstring>
 
 #include "ui/base/theme.h"
+#include "ui/base/unit_text.h"
 
 namespace kerf::ui {
 namespace {
@@ -289,68 +291,120 @@ std::string numberOf(const Slide& slide) {
     return text;
 }
 
-/// A number that is being typed: nothing changes before it is accepted.
+/// A text that is being typed: nothing changes before it is accepted.
 struct TypedNumber {
-    double number = 0;
+    std::string text;
+    bool edited = false;
     int frame = 0;  ///< of the last update in which it was shown
 };
 std::map<ImGuiID, TypedNumber> typedNumbers;
 
-/// "0.001 to 100", and what becomes of a number beyond that.
-std::string rangeOf(const Slide& slide, double typed) {
-    const double low = numberAt(slide.type, slide.low);
-    const double high = numberAt(slide.type, slide.high);
-    const bool inside = typed >= low && typed <= high;
-    return fmt::format("{:g} to {:g}", low, high) +
-           (inside ? "" : fmt::format("; Enter takes {:g}", std::clamp(typed, low, high)));
+/// What fits where a typed text did not, shown below its field for a while.
+struct Refusal {
+    ImGuiID item = 0;
+    std::string fits;
+    double time = 0;
+};
+Refusal refusal;
+
+/// "m" of "%.3f m".
+std::string unitOf(const Slide& slide) {
+    std::string unit = slide.format.substr(slide.format.find_first_of("dfg") + 1);
+    std::erase(unit, ' ');
+    return !slide.unit.empty() ? slide.unit : unit == "%%" ? "%" : unit;
 }
 
-/// Takes the number that was typed, unless by Escape. Returns whether that changed it.
-bool acceptTyped(const Slide& slide, const TypedNumber& typed) {
-    const double before = numberAt(slide.type, slide.value);
-    if (typed.frame < ImGui::GetFrameCount() - 1 || std::isnan(typed.number) ||
-        typed.number == before || keyPressed(ImGuiKey_Escape)) {
-        return false;
+/// "0.001 to 100 m" and what becomes of a number beyond that, or what fits instead of the text.
+std::string adviceOn(const Slide& slide, const std::string& text) {
+    const double low = numberAt(slide.type, slide.low);
+    const double high = numberAt(slide.type, slide.high);
+    const std::string unit = unitOf(slide);
+    const std::optional<double> typed = readNumber(text, unit);
+    if (!typed && !text.empty()) {
+        return whatFits(unit);
     }
+    const double taken = std::clamp(typed.value_or(low), low, high);
+    return fmt::format("{:g} to {:g} {}", low, high, unit) +
+           (taken == typed.value_or(low) ? "" : fmt::format("; Enter takes {:g}", taken));
+}
+
+/// Returns whether that changed it.
+bool setNumber(const Slide& slide, double number) {
+    const double before = numberAt(slide.type, slide.value);
     const double now =
-        std::clamp(typed.number, numberAt(slide.type, slide.low), numberAt(slide.type, slide.high));
+        std::clamp(number, numberAt(slide.type, slide.low), numberAt(slide.type, slide.high));
     if (slide.type == ImGuiDataType_Double) {
         *static_cast<double*>(slide.value) = now;
     } else {
-        *static_cast<int*>(slide.value) = static_cast<int>(now);
+        *static_cast<int*>(slide.value) = static_cast<int>(std::lround(now));
     }
-    return now != before;
+    return numberAt(slide.type, slide.value) != before;
+}
+
+/// Takes what was typed, unless it was left by Escape. Returns whether that changed the number.
+bool acceptTyped(const Slide& slide, ImGuiID item, const TypedNumber& typed) {
+    if (typed.frame < ImGui::GetFrameCount() - 1 || !typed.edited || typed.text.empty()) {
+        return false;
+    }
+    const std::optional<double> number = readNumber(typed.text, unitOf(slide));
+    refusal = {number ? 0 : item, whatFits(unitOf(slide)), ImGui::GetTime()};
+    return number && setNumber(slide, *number);
+}
+
+/// The field in which a number is typed. Dear ImGui's own takes no letters, and so no unit.
+void typeNumber(const char* id, const Slide& slide, TypedNumber& typed) {
+    char buffer[32];
+    ImStrncpy(buffer, typed.text.c_str(), sizeof buffer);
+    ImGui::InputText(id, buffer, sizeof buffer);
+    const ImGuiInputTextState& state = ImGui::GetCurrentContext()->InputTextState;
+    typed = {buffer, std::strcmp(buffer, state.InitialTextA.Data) != 0, ImGui::GetFrameCount()};
+    ImGui::SetTooltip("%s", adviceOn(slide, typed.text).c_str());
+}
+
+void tellRefusal(ImGuiID item) {
+    constexpr double kSeconds = 4;
+    if (refusal.item != item || ImGui::GetTime() > refusal.time + kSeconds) {
+        return;
+    }
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y});
+    ImGui::Begin("##refused", nullptr,
+                 ImGuiWindowFlags_Tooltip | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::TextUnformatted(refusal.fits.c_str());
+    noteItem("refused." + refusal.fits);
+    ImGui::End();
 }
 
 /// A number that is dragged, or typed after a click.
 bool dragScalar(const char* id, const Slide& slide, float speed) {
     const ImGuiID item = ImGui::GetID(id);
-    const double before = numberAt(slide.type, slide.value);
-    const auto typing = typedNumbers.find(item);
-    double real = typing != typedNumbers.end() ? typing->second.number : before;
-    int whole = static_cast<int>(std::clamp(real, -2e9, 2e9));
+    double real = numberAt(slide.type, slide.value);
+    int whole = static_cast<int>(real);
     void* const shown = slide.type == ImGuiDataType_Double ? static_cast<void*>(&real) : &whole;
-    const bool changed =
-        ImGui::DragScalar(id, slide.type, shown, speed, slide.low, slide.high, slide.format.c_str(),
-                          flagsOf(slide) & ~ImGuiSliderFlags_AlwaysClamp);
-    const double now = numberAt(slide.type, shown);
+    bool dragged = false;
     if (ImGui::TempInputIsActive(item)) {
-        typedNumbers[item] = {now, ImGui::GetFrameCount()};
-        ImGui::SetTooltip("%s", rangeOf(slide, now).c_str());
+        typeNumber(id, slide, typedNumbers[item]);
+    } else {
+        const int only = speed == kTypedOnly ? ImGuiSliderFlags_ReadOnly : 0;
+        dragged = ImGui::DragScalar(id, slide.type, shown, std::max(speed, 0.0F), slide.low,
+                                    slide.high, slide.format.c_str(), flagsOf(slide) | only);
+    }
+    if (ImGui::TempInputIsActive(item)) {
+        typedNumbers[item].frame = ImGui::GetFrameCount();
         return false;
     }
-    if (typing != typedNumbers.end()) {
-        const TypedNumber typed = typing->second;
-        typedNumbers.erase(typing);
-        return acceptTyped(slide, typed);
-    }
-    return changed && acceptTyped(slide, {now, ImGui::GetFrameCount()});
+    const auto typing = typedNumbers.extract(item);
+    const bool changed = typing ? acceptTyped(slide, item, typing.mapped())
+                                : dragged && setNumber(slide, numberAt(slide.type, shown));
+    tellRefusal(item);
+    return changed;
 }
 
 /// Of the number, with room to type [px].
 float numberWidth(const Slide& slide) {
     const bool typed = typedNumbers.contains(ImGui::GetID("##number"));
-    return std::max(widthOf(numberOf(slide)), typed ? 4 * ImGui::GetFontSize() : 0);
+    return std::max(widthOf(numberOf(slide)), typed ? 6 * ImGui::GetFontSize() : 0);
 }
 
 /// Of the last item; `id` tells it from others of its row.
@@ -436,6 +490,10 @@ bool dragNumbers(std::span<double> values, Slide slide, float speed) {
     ImGui::NewLine();
     ImGui::EndGroup();
     return changed;
+}
+
+bool refusedNumber() {
+    return refusal.item != 0 && refusal.time == ImGui::GetTime();
 }
 
 bool keyPressed(int key, bool repeats) {

@@ -100,6 +100,7 @@ struct Slide {
     const void* high = nullptr;
     std::string format;  ///< with the unit: "%.3f m"
     bool logarithmic = false;
+    std::string unit = {};  ///< of what is typed, where the format has none
 };
 /// The label of a slider, and its name for tests.
 struct SlideText {
@@ -117,9 +118,13 @@ struct SlideEdit {
 /// which the number leaves `room` free.
 SlideEdit slideRow(const SlideText& text, const Slide& slide, float width, float room = 0);
 
+/// The speed of numbers that are typed only.
+inline constexpr float kTypedOnly = -1;
 /// Numbers side by side, each dragged by `speed` per pixel, or typed after a click. Returns whether
 /// one changed.
 bool dragNumbers(std::span<double> values, Slide slide, float speed);
+/// Whether a typed number was refused in this update.
+bool refusedNumber();
 
 /// Whether a key of Dear ImGui went down in this picture, or `repeats` as it is held.
 bool keyPressed(int key, bool repeats = false);

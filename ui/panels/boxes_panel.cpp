@@ -29,7 +29,8 @@ DragEdit dragVector(const char* label, Vec3& value, const DragRange& range,
     ImGui::SetNextItemWidth(-1);
     DragEdit drag;
     drag.changed = dragNumbers(
-        {value.data(), 3}, {ImGuiDataType_Double, nullptr, &range.low, &range.high, range.format},
+        {value.data(), 3},
+        {ImGuiDataType_Double, nullptr, &range.low, &range.high, range.format, false, range.unit},
         range.speed);
     noteItem(name + "." + label);
     drag.continues = continuesGesture(drag.changed);

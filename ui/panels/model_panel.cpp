@@ -61,19 +61,10 @@ constexpr NumberRow kScaleRow{"Scale", 1, 0.005F, kLeastScale, kMostScale, "%.4g
 
 /// A body that is too large to follow each move of a drag takes typed numbers.
 bool changeNumbers(const NumberRow& row, bool live, double* values) {
-    if (live) {
-        return dragNumbers(
-            {values, row.count},
-            {ImGuiDataType_Double, nullptr, &row.low, &row.high, row.format, row.logarithmic},
-            row.speed);
-    }
-    const bool changed =
-        ImGui::InputScalarN("##value", ImGuiDataType_Double, values, static_cast<int>(row.count),
-                            nullptr, nullptr, row.format, ImGuiInputTextFlags_EnterReturnsTrue);
-    for (std::size_t i = 0; i < row.count; ++i) {
-        values[i] = std::clamp(values[i], row.low, row.high);
-    }
-    return changed;
+    return dragNumbers(
+        {values, row.count},
+        {ImGuiDataType_Double, nullptr, &row.low, &row.high, row.format, row.logarithmic},
+        live ? row.speed : kTypedOnly);
 }
 
 /// A model that a person looks at in the panel.

@@ -109,7 +109,8 @@ Slide slideOf(const ParamInfo& info, double& value) {
             far ? &kLowestSlide : &info.low,
             far ? &kHighestSlide : &info.high,
             sliderFormat(info),
-            isLogarithmic(info)};
+            isLogarithmic(info),
+            std::string(info.unit)};
 }
 
 SlideEdit slideInteger(const ParamInfo& info, double& value, const std::string& format) {

@@ -121,20 +121,23 @@ bool drawGrabRow(const Rows& rows) {
 }
 
 /// Three numbers below their label.
-bool dragVector(const char* label, Vec3& value, double most, float speed) {
+bool dragVector(const std::string& name, const std::string& unit, Vec3& value, double most) {
+    constexpr float kSpeed = 0.01F;
     const double least = -most;
-    ImGui::TextUnformatted(label);
+    const std::string label = name + ", " + unit;
+    ImGui::TextUnformatted(label.c_str());
     ImGui::SetNextItemWidth(-1);
-    const bool changed = dragNumbers({value.data(), 3},
-                                     {ImGuiDataType_Double, nullptr, &least, &most, "%.4g"}, speed);
-    noteItem(std::string("pin.") + label);
+    const bool changed =
+        dragNumbers({value.data(), 3},
+                    {ImGuiDataType_Double, nullptr, &least, &most, "%.4g", false, unit}, kSpeed);
+    noteItem("pin." + label);
     return changed;
 }
 
 bool drawMotionRows(PinSettings& pin) {
     const double forGood = 0;
     const double longest = 100;
-    bool changed = dragVector("Velocity, m/s", pin.velocity, 1000, 0.01F);
+    bool changed = dragVector("Velocity", "m/s", pin.velocity, 1000);
     changed |=
         slideRow({"Duration", "How long it moves; then it stays. 0: until unpinned", "pin.seconds"},
                  {ImGuiDataType_Double, &pin.seconds, &forGood, &longest, "%.3g s"},
@@ -162,7 +165,7 @@ bool choosePinKind(PinSettings& pin) {
     if (pin.kind == PinKind::move) {
         changed |= drawMotionRows(pin);
     } else if (pin.kind == PinKind::push) {
-        changed |= dragVector("Force, N", pin.newtons, 1e6, 0.01F);
+        changed |= dragVector("Force", "N", pin.newtons, 1e6);
         itemTooltip("The force on all that a brush stroke covers, shared by mass");
     }
     return changed;

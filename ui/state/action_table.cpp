@@ -190,7 +190,7 @@ std::vector<PointerHint> pointerTable(MouseScheme scheme) {
         {dragsThat(ViewMotion::pan, scheme), "Pan view"},
         {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom at pointer"},
         {"Wheel while the scalpel cuts", "Change its depth"},
-        {"Click a number", "Type a value: Enter accepts it, Esc keeps the old one"},
+        {"Click a number", "Type a value, such as 5 mm: Enter accepts it, Esc keeps the old one"},
         {"Wheel, drag over a plot", "Zoom and scroll in time"},
         {"Double-click a plot", "Show from the start"},
         {"Drag a panel edge", "Resize panel"},

@@ -258,6 +258,18 @@ TEST_F(EditorToolsTest, TheShortestMotionIsReadAgain) {
     expectReplayed(savedSession(), sphereDocument().mesh);
 }
 
+TEST_F(EditorToolsTest, ALengthIsTypedWithItsUnit) {
+    click("blade.through");
+    for (const auto& [text, depth] : {std::pair("60 mm", 0.06), {"30 cm", 0.3}, {"2 kPa", 0.3}}) {
+        click("blade.Depth.number");
+        type(text);
+        tap(Key::enter, 2);
+        EXPECT_DOUBLE_EQ(panels().tools.stroke.depth, depth) << text;
+    }
+    EXPECT_TRUE(editor->itemRects().contains("refused.Type a length, such as 5 mm"));
+    EXPECT_EQ(panels().tools.tool, ui::ToolKind::stroke) << "letters are no keys meanwhile";
+}
+
 TEST_F(EditorToolsTest, AStrokeWithShiftHeldIsStraight) {
     const ui::Modifiers shift{.shift = true};
     editor->post(ui::PointerMove{kTop.x(), kTop.y(), shift});
