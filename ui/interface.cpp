@@ -324,6 +324,7 @@ std::vector<Action> Interface::update(std::span<const InputEvent> events, const 
     }
     drawWork(model.work, layout.view, actions);
     drawHelp(model, actions);
+    commandBox_.draw(model, actions);
     fileDialog_.draw(model.files, actions);
     questionBox_.draw(model.question, layout.view, actions);
     drawToast(model.toast, layout.view, actions);
@@ -397,7 +398,7 @@ bool Interface::isDragging() const {
 bool Interface::ownsKeyboard() const {
     context_.makeCurrent();
     return closesPopup_ || ImGui::GetIO().WantTextInput || fileDialog_.isOpen() ||
-           questionBox_.isOpen();
+           questionBox_.isOpen() || commandBox_.isOpen();
 }
 
 bool Interface::ownsKey(Key key) const {

@@ -4,6 +4,7 @@
 #include "ui/base/input.h"
 #include "ui/base/layout.h"
 #include "ui/base/panel_context.h"
+#include "ui/command_box.h"
 #include "ui/file_dialog.h"
 #include "ui/question_box.h"
 #include "ui/start_page.h"
@@ -61,6 +62,7 @@ class Interface {
     PanelContext context_;
     FileDialog fileDialog_;
     QuestionBox questionBox_;
+    CommandBox commandBox_;
     StartPage startPage_;
     ItemRects itemRects_;
     std::vector<Rect> covered_;

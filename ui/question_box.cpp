@@ -52,7 +52,7 @@ void QuestionBox::drawNumber(const AskedNumber& asked) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(asked.label.c_str());
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(6 * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(9 * ImGui::GetFontSize());
     dragNumbers({&number_, 1},
                 {ImGuiDataType_Double, nullptr, &asked.least, &asked.most, "%.4g " + asked.unit},
                 kTypedOnly);

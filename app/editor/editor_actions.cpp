@@ -418,6 +418,8 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::togglePanels, [](State& s) { s.panels.toggle(); }},
     Handler{ActionId::holdPlots, holdPlots},
     Handler{ActionId::fitPlots, [](State& s) { s.panels.plotView = {}; }},
+    Handler{ActionId::findCommand,
+            [](State& s) { s.panels.commandsOpen = !s.panels.commandsOpen; }},
     Handler{ActionId::help, [](State& s) { s.panels.helpOpen = !s.panels.helpOpen; }},
     Handler{ActionId::manual, [](State& s) { s.work.openManual(); }},
     Handler{ActionId::about, showAbout},

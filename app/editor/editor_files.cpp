@@ -277,8 +277,8 @@ void Editor::State::take(const ChosenFile& chosen) {
         return;
     }
     // Tests and films fail by what they replay, too.
-    const bool byItsNameAlone = chosen.purpose != ui::FilePurpose::saveTest &&
-                                chosen.purpose != ui::FilePurpose::makeFilm;
+    const bool byItsNameAlone =
+        chosen.purpose != ui::FilePurpose::saveTest && chosen.purpose != ui::FilePurpose::makeFilm;
     const bool begins = work.saving() == nullptr;
     save(chosen);
     if (begins && byItsNameAlone) {

@@ -723,5 +723,91 @@ TEST_F(InterfaceTest, ThePointerOverAPlotShowsItsTimeInTheOthers) {
     EXPECT_LT(moved, other.width / 2) << "and the rest as before";
 }
 
+class CommandBoxTest : public InterfaceTest {
+  protected:
+    void SetUp() override {
+        InterfaceTest::SetUp();
+        model.settings.folded.emplace_back("simulation");
+        model.help.samples = std::make_shared<const std::vector<StartCard>>(
+            std::vector<StartCard>{{"liver", "Liver", "Incise it."}, {"egg", "Hollow egg", ""}});
+        update({});
+        update({});
+        asked.clear();
+    }
+    void type(const std::string& text) {
+        for (const char letter : text) {
+            update({Character{static_cast<unsigned char>(letter)}});
+        }
+    }
+    bool finds(const std::string& name) const {
+        return interface->itemRects().contains("command." + name);
+    }
+    void close() {
+        model.help.samples = nullptr;
+        for (int n = 0; n < 5; ++n) {
+            update({});
+        }
+    }
+};
+
+TEST_F(CommandBoxTest, WordsInAnyOrderFindAnActionAndEnterDoesIt) {
+    EXPECT_TRUE(interface->ownsKeyboard());
+    EXPECT_TRUE(finds("Wireframe"));
+    type("FRAME wire");
+    EXPECT_TRUE(finds("Wireframe"));
+    EXPECT_FALSE(finds("Frame model"));
+    update({KeyChange{Key::enter, true, {}}});
+    EXPECT_EQ(asked, (std::vector{ActionId::findCommand, ActionId::wireframe}));
+    close();
+    EXPECT_FALSE(interface->ownsKeyboard());
+}
+
+TEST_F(CommandBoxTest, ArrowsAndClicksChooseAndEscDoesNothingElse) {
+    type("view");
+    tap(Key::down);
+    tap(Key::enter);
+    ASSERT_EQ(asked.size(), 2U);
+    const ActionId second = asked[1];
+    tap(Key::up);
+    tap(Key::enter);
+    ASSERT_EQ(asked.size(), 4U);
+    EXPECT_LT(asked[3], second);
+    clickOn("command.Left view");
+    EXPECT_EQ(asked.back(), ActionId::viewLeft);
+    asked.clear();
+    tap(Key::escape);
+    EXPECT_EQ(asked, std::vector{ActionId::findCommand});
+    EXPECT_TRUE(others.empty() && changed.empty());
+}
+
+TEST_F(CommandBoxTest, WhatCanNotBeDoneIsShownAndDoesNothing) {
+    type("undo");
+    EXPECT_TRUE(finds("Undo"));
+    tap(Key::enter);
+    clickOn("command.Undo");
+    EXPECT_TRUE(asked.empty());
+    model.changes.recallable = true;
+    tap(Key::enter);
+    EXPECT_EQ(asked, (std::vector{ActionId::findCommand, ActionId::undo}));
+}
+
+TEST_F(CommandBoxTest, AParameterIsUnfoldedAndItsNumberTyped) {
+    EXPECT_FALSE(interface->itemRects().contains("param.youngs_modulus"));
+    type("modulus young");
+    tap(Key::enter);
+    close();
+    EXPECT_TRUE(interface->itemRects().contains("param.youngs_modulus"));
+    type("2 kPa");
+    tap(Key::enter);
+    EXPECT_EQ(model.parameters.now.youngsModulus, 2000);
+}
+
+TEST_F(CommandBoxTest, ASampleIsOpened) {
+    type("egg");
+    tap(Key::enter);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(std::get<OpenStartScene>(others[0]).card, 1U);
+}
+
 }  // namespace
 }  // namespace kerf::ui

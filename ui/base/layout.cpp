@@ -8,6 +8,10 @@ namespace {
 
 ItemRects* rectsNow = nullptr;
 
+/// An item that panels have still to show, and the last update in which they look for it.
+std::string sought;
+int soughtUntil = 0;
+
 }  // namespace
 
 Layout layoutPanels(float width, float height, float scale, const Settings& settings,
@@ -60,6 +64,23 @@ void noteItem(const std::string& name) {
         const ImVec2 size = ImGui::GetItemRectSize();
         (*rectsNow)[name] = {low.x, low.y, size.x, size.y};
     }
+    if (name.ends_with(".number") && isSought(name.substr(0, name.rfind('.')))) {
+        ImGui::SetKeyboardFocusHere(-1);
+    } else if (isSought(name)) {
+        ImGui::SetScrollHereY();
+        sought.clear();
+    }
+}
+
+void seekItem(const std::string& name) {
+    constexpr int kUpdates = 10;  // until its section is unfolded
+    sought = name;
+    soughtUntil = ImGui::GetFrameCount() + kUpdates;
+}
+
+bool isSought(std::string_view name) {
+    return !name.empty() && name == sought && ImGui::GetFrameCount() <= soughtUntil &&
+           !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
 }  // namespace kerf::ui

@@ -47,6 +47,11 @@ using ItemRects = std::map<std::string, Rect, std::less<>>;
 /// Records the last item under a name ("transport.play") in the rectangles of the current update.
 void noteItem(const std::string& name);
 
+/// Has a panel scroll to the item of that name in the next updates; a number there is typed.
+void seekItem(const std::string& name);
+/// Whether it is sought and was not drawn yet.
+bool isSought(std::string_view name);
+
 /// A scope in which noteItem() writes into the given rectangles.
 class ItemNotes {
   public:

@@ -59,10 +59,10 @@ std::optional<Unit> readUnit(Word text) {
         }
     }
     for (const auto& [prefix, power] : kPrefixes) {
-        const auto* unit = std::ranges::find_if(
-            kUnits, [&](const Unit& row) { return word == std::string(prefix).append(row.name); });
-        if (unit != kUnits.end()) {
-            return Unit{unit->name, unit->kind, unit->exponent + power, unit->factor};
+        for (const Unit& unit : kUnits) {
+            if (word == std::string(prefix).append(unit.name)) {
+                return Unit{unit.name, unit.kind, unit.exponent + power, unit.factor};
+            }
         }
     }
     return std::nullopt;

@@ -409,7 +409,7 @@ bool dragScalar(const char* id, const Slide& slide, float speed) {
 /// Of the number, with room to type [px].
 float numberWidth(const Slide& slide) {
     const bool typed = typedNumbers.contains(ImGui::GetID("##number"));
-    return std::max(widthOf(numberOf(slide)), typed ? 4 * ImGui::GetFontSize() : 0);
+    return std::max(widthOf(numberOf(slide)), typed ? 6 * ImGui::GetFontSize() : 0);
 }
 
 /// Of the last item; `id` tells it from others of its row.

@@ -38,6 +38,10 @@ void drawTools(const PanelModel& model, std::vector<Action>& actions);
 bool drawMeasureRows(const std::vector<MeasureRow>& measures, ToolSettings& tools,
                      std::vector<Action>& actions);
 
+/// Whether a parameter has a row: those of tearing only while the body tears, those of its skin
+/// where it has one.
+bool isShown(const ParamInfo& info, const Params& now);
+
 /// Draws a row per parameter of paramTable(): the four most used on top, the rest under "More".
 /// Each returns a SetParam command.
 void drawParameters(const ParametersState& parameters, std::vector<Action>& actions);

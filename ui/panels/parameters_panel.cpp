@@ -18,13 +18,6 @@ bool isProminent(const ParamInfo& info) {
     return std::ranges::find(kProminent, info.name) != kProminent.end();
 }
 
-/// Rows of tearing are there only while the body tears, those of its skin where it has one.
-bool isShown(const ParamInfo& info, const Params& now) {
-    const bool ofSkin = info.name == "skin_toughness" || info.name == "skin_tensile_strength";
-    const bool ofTearing = ofSkin || info.name == "tensile_strength";
-    return (!ofTearing || now.tearing != 0) && (!ofSkin || now.skinThickness > 0);
-}
-
 /// 0 or 1.
 bool isSwitch(const ParamInfo& info) {
     return info.type == ParamType::integer && info.low == 0 && info.high == 1;
@@ -342,6 +335,12 @@ void drawOwnParameters(int model, const ParametersState& parameters, std::vector
     }
 }
 
+bool isShown(const ParamInfo& info, const Params& now) {
+    const bool ofSkin = info.name == "skin_toughness" || info.name == "skin_tensile_strength";
+    const bool ofTearing = ofSkin || info.name == "tensile_strength";
+    return (!ofTearing || now.tearing != 0) && (!ofSkin || now.skinThickness > 0);
+}
+
 std::string remarkOn(const ParamInfo& info, const ParametersState& parameters) {
     const bool isShown = info.name == "iterations" && parameters.implicitSteps > 0 &&
                          parameters.now.solver == SolverMode::implicit;
@@ -373,6 +372,11 @@ void drawParameters(const ParametersState& parameters, std::vector<Action>& acti
                         {ImGui::GetStyle().ItemSpacing.x, 0.2F * ImGui::GetFontSize()});
     for (const std::string_view name : kProminent) {
         drawRow(*findParam(name), parameters, actions);
+    }
+    if (std::ranges::any_of(paramTable(), [](const ParamInfo& info) {
+            return !isProminent(info) && isSought("param." + std::string(info.name));
+        })) {
+        ImGui::SetNextItemOpen(true);
     }
     const bool more = ImGui::CollapsingHeader("More");
     noteItem("parameters.more");

@@ -149,6 +149,8 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return m.plots.view.end.has_value(); }},
     ActionRow{ActionId::fitPlots, at(Key::h, kShift, "Shift+H"), "Show plots from the start",
               "View", withBody},
+    ActionRow{ActionId::findCommand, at(Key::p, kControl, "Ctrl+P"), "Find a command...", "Help",
+              always},
     ActionRow{ActionId::help, at(Key::f1, kPlain, "F1"), "Keyboard shortcuts", "Help", always,
               [](const PanelModel& m) { return m.help.open; }, at(Key::questionMark, kPlain, "?")},
     ActionRow{ActionId::manual, {}, "Manual", "Help", always},

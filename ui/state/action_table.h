@@ -75,6 +75,7 @@ enum class ActionId : std::uint8_t {
     togglePanels,
     holdPlots,
     fitPlots,
+    findCommand,
     help,
     manual,
     about,

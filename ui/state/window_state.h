@@ -59,6 +59,8 @@ struct HelpState {
     Hint hint;
     StartState start;
     bool open = false;  ///< the page of keys
+    /// What the box of commands finds besides; null while it is closed.
+    std::shared_ptr<const std::vector<StartCard>> samples;
 };
 
 /// A message in the view.

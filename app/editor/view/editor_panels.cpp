@@ -124,6 +124,7 @@ void EditorPanels::describe() {
     model.settings.showReadings &= !hidden;
     model.plots.view = plotView;
     model.help.open = helpOpen;
+    model.help.samples = commandsOpen ? startCards() : nullptr;
     model.help.start = {startOpen ? startCards() : nullptr, !model.name.empty()};
     model.view.device = device;
     if (asked) {

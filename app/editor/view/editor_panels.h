@@ -57,8 +57,9 @@ struct EditorPanels {
     std::optional<Asked> asked;
     ui::PlotView plotView;
     bool helpOpen = false;
-    bool startOpen = false;  ///< the start page
-    bool hidden = false;     ///< both side panels, overriding the settings
+    bool commandsOpen = false;  ///< the box that finds them
+    bool startOpen = false;     ///< the start page
+    bool hidden = false;        ///< both side panels, overriding the settings
 
     /// Scale of the panels in a frame of this size [px]: the display's times the user's, as far as
     /// there is room.

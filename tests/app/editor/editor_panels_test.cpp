@@ -267,5 +267,22 @@ TEST(EditorToast, OffersNothingThatFailedOrHasFaded) {
     EXPECT_FALSE(toast.takeOffer());
 }
 
+TEST_F(EditorPanelsTest, AnActionIsFoundByWordsAndEscLeavesAllAsItWas) {
+    const ui::Settings before = panels().settings;
+    tap(Key::p, {.control = true}, 2);
+    type("outlines cut");
+    tap(Key::escape, 2);
+    EXPECT_TRUE(panels().display.cutLines);
+    EXPECT_EQ(panels().tools.tool, ui::kFirstTool) << "letters are no keys meanwhile";
+    EXPECT_EQ(panels().help.samples, nullptr);
+    EXPECT_EQ(panels().settings, before);
+    EXPECT_TRUE(panels().changes.rows.empty());
+    tap(Key::p, {.control = true}, 2);
+    type("outlines cut");
+    tap(Key::enter, 2);
+    EXPECT_FALSE(panels().display.cutLines);
+    EXPECT_EQ(panels().help.samples, nullptr);
+}
+
 }  // namespace
 }  // namespace kerf::app
