@@ -79,14 +79,16 @@ bool followCuts(State& s, EditorScene& now) {
 /// Lets the lines of a task move with the skin, and scores a finished try.
 bool followPractice(State& s, EditorScene& now) {
     const ui::Settings& settings = s.panels.settings.now;
+    const bool shows = s.panels.practice.follow(now, settings);
     if (s.panels.practice.isDue(now)) {
         Session played =
             now.recorder()
                 .savedSession(s.view.camera.destination(), s.view.display.settings.colors)
                 .session;
         s.say(s.panels.practice.judge(now, std::move(played), settings.person));
+        return s.panels.practice.follow(now, settings) || shows;
     }
-    return s.panels.practice.follow(now, settings);
+    return shows;
 }
 
 /// Lets clients of the link lead the blade, unless the scene is covered.

@@ -79,6 +79,21 @@ TEST_F(EditorPractice, ATryIsScoredKeptAndReplayedToTheSameScore) {
     EXPECT_EQ(Json(toJson(*score, *session.task)), kept);
 }
 
+TEST_F(EditorPractice, ATryThatWaitsForItsBladeEndsWithItsScene) {
+    moveTo(kTop.x(), kTop.y());
+    press(true);
+    moveTo(kBottom.x(), kBottom.y());
+    tap(Key::enter, {.shift = true}, 2);
+    EXPECT_FALSE(practice().finished) << "the blade still cuts";
+    writeText(folder / "other.obj", objText(icosphereSoup(2)));
+    editor->open(folder / "other.obj");
+    press(false);
+    frames(60);
+    ASSERT_EQ(editor->scene()->document().name, "other");
+    EXPECT_EQ(practice().name, "");
+    EXPECT_FALSE(fs::exists(folder / "tries"));
+}
+
 TEST_F(EditorPractice, ANewStartForgetsTheTryBeforeUnlessItIsBroughtBack) {
     cutDown(0);
     click("practice.finish", 3);
