@@ -71,15 +71,28 @@ std::vector<ui::MeasureFigure> pieceFigures(const SurfaceAnchor& anchor, const S
     return figures;
 }
 
-std::vector<ui::MeasureFigure> pointFigures(const PointValues& values, const OwnUnit& unit) {
+int nearestVertex(const SurfaceAnchor& anchor, const SurfaceMesh& mesh) {
+    int corner = 0;
+    anchor.shares().maxCoeff(&corner);
+    return mesh.triangle(anchor.triangle())[corner];
+}
+
+std::vector<ui::MeasureFigure> pointFigures(const SurfaceAnchor& anchor, const SurfaceMesh& mesh,
+                                            const OwnUnit& unit) {
+    const PointValues values = valuesAt(mesh, anchor);
     const auto share = [](const char* name, double value) {
         return ui::MeasureFigure{name, value, "", value, "", fmt::format("{:.3g} %", 100 * value)};
+    };
+    const auto number = [](const char* name, int value) {
+        return ui::MeasureFigure{name, double(value), "", double(value), "", std::to_string(value)};
     };
     return {
         share("area change", values.area),
         unit.figure("displacement", values.way, 1, lengthText(values.way)),
         {"speed", values.speed, "m/s", values.speed, "", fmt::format("{:.3g} m/s", values.speed)},
-        share("strain", values.strain)};
+        share("strain", values.strain),
+        number("triangle", anchor.triangle()),
+        number("nearest vertex", nearestVertex(anchor, mesh))};
 }
 
 ui::PlotPoint between(const ui::PlotPoint& a, const ui::PlotPoint& b) {
@@ -212,8 +225,8 @@ void MeasureTool::measure(std::size_t index, EditorScene& scene) {
             }
             return;
         case ui::MeasureKind::point:
-            row.figures = pointFigures(
-                valuesAt(scene.simulation().meshAsRead(), points.anchors.front()), unit);
+            row.figures =
+                pointFigures(points.anchors.front(), scene.simulation().meshAsRead(), unit);
             return;
     }
 }

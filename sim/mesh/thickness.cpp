@@ -104,12 +104,11 @@ class InnerRays {
     double nearest_ = 0;  ///< [m]
 };
 
-/// On the surface at a vertex: at the rim of a cut a little beside it, or the ray would graze the
-/// other kind of surface.
-Vec3 startAt(const SurfaceMesh& mesh, int vertex, const Fan& fan, bool atRim) {
+/// On the surface at a vertex, or beside it.
+Vec3 startAt(const SurfaceMesh& mesh, int vertex, const Fan& fan, bool beside) {
     constexpr double kBeside = 0.25;  // of the way to the middle of its triangles
     const Vec3& at = mesh.position(vertex);
-    return atRim ? Vec3(at + kBeside * (fan.middle / fan.weight - at)) : at;
+    return beside ? Vec3(at + kBeside * (fan.middle / fan.weight - at)) : at;
 }
 
 /// Gives a vertex without a value the mean of its neighbours, ring by ring.
@@ -144,22 +143,27 @@ std::vector<float> surfaceThickness(const SurfaceMesh& mesh, const ShareDone& do
     const std::vector<Fan> fans = fansOf(mesh);
     std::vector<float> thickness(fans.size(), -1);
     InnerRays rays(mesh);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (done && v % kVerticesATime == 0) {
-            done(double(v) / mesh.vertexCount());
-        }
-        const std::size_t first = std::size_t(2) * v;
-        const bool atRim = fans[first].weight > 0 && fans[first + 1].weight > 0;
-        for (const std::size_t slot : {first, first + 1}) {
-            if (fans[slot].normal.squaredNorm() > 0) {
-                const SurfaceKind kind = slot == first ? SurfaceKind::skin : SurfaceKind::wall;
-                const Vec3 start = startAt(mesh, v, fans[slot], atRim);
-                thickness[slot] =
-                    static_cast<float>(rays.lengthFrom(v, kind, start, fans[slot].normal));
+    const auto measure = [&](bool rims) {
+        for (int v = 0; v < mesh.vertexCount(); ++v) {
+            if (done && v % kVerticesATime == 0) {
+                done(rims ? 1 : double(v) / mesh.vertexCount());
+            }
+            const std::size_t first = std::size_t(2) * v;
+            const bool atRim = fans[first].weight > 0 && fans[first + 1].weight > 0;
+            for (const std::size_t slot : {first, first + 1}) {
+                if (atRim == rims && thickness[slot] < 0 && fans[slot].normal.squaredNorm() > 0) {
+                    const SurfaceKind kind = slot == first ? SurfaceKind::skin : SurfaceKind::wall;
+                    const Vec3 start = startAt(mesh, v, fans[slot], atRim);
+                    thickness[slot] =
+                        static_cast<float>(rays.lengthFrom(v, kind, start, fans[slot].normal));
+                }
             }
         }
-    }
-    fillFromNeighbours(mesh, fans, thickness);
+        fillFromNeighbours(mesh, fans, thickness);
+    };
+    // At a rim rays graze the other kind of surface: only what no neighbour reaches is measured.
+    measure(false);
+    measure(true);
     return thickness;
 }
 

@@ -172,6 +172,27 @@ TEST(Thickness, HasNoGapsAlongTheRimOfACut) {
     }
 }
 
+TEST(Thickness, IsEvenAlongTheRimOfACut) {
+    const SurfaceMesh opened = openedSphere(8, 0.05, 0.25);
+    const std::vector<float> thickness = surfaceThickness(opened);
+    const auto atRim = [&](int v) { return thickness[2 * v] >= 0 && thickness[2 * v + 1] >= 0; };
+    std::map<int, std::vector<float>> beside;  // of the skin
+    for (const int t : livingTriangles(opened)) {
+        for (const int v : opened.triangle(t)) {
+            for (const int w : opened.triangle(t)) {
+                if (opened.kind(t) == SurfaceKind::skin && atRim(v) && !atRim(w)) {
+                    beside[v].push_back(thickness[2 * w]);
+                }
+            }
+        }
+    }
+    EXPECT_GT(beside.size(), 10U);
+    for (const auto& [v, values] : beside) {
+        EXPECT_GE(thickness[2 * v], std::ranges::min(values)) << v;
+        EXPECT_LE(thickness[2 * v], std::ranges::max(values)) << v;
+    }
+}
+
 TEST(Thickness, CanBeGivenUp) {
     const SurfaceMesh ball = cubeSphere(8);
     EXPECT_THROW(surfaceThickness(ball, [](double) { throw std::runtime_error("enough"); }),
