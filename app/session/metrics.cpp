@@ -262,6 +262,12 @@ void RunStatistics::add(const MetricsRow& row) {
     closedEveryStep = closedEveryStep && row.report.closed;
     lostPieces += row.report.lostPieces;
     debris.add(row.report.debris);
+    if (row.namesToughness) {
+        fractureEnergy = fractureEnergy.value_or(0) + row.report.fractureEnergy;
+    }
+    if (row.report.tear) {
+        tears = tears.value_or(0) + (row.report.tear->advanced ? 1 : 0);
+    }
 }
 
 nlohmann::ordered_json toJson(const RunSummary& summary) {
@@ -288,6 +294,8 @@ nlohmann::ordered_json toJson(const RunSummary& summary) {
     json["closed_every_step"] = run.closedEveryStep;
     json["lost_pieces"] = run.lostPieces;
     json["debris"] = {{"pieces", run.debris.pieces}, {"volume", run.debris.volume}};
+    json["tears"] = run.tears ? Json(*run.tears) : Json();
+    json["fracture_energy"] = run.fractureEnergy ? Json(*run.fractureEnergy) : Json();
     json["cut_report"] = summary.cuts ? toJson(*summary.cuts) : Json();
     if (summary.score) {
         json["score"] = toJson(*summary.score, *summary.task);

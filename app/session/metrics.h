@@ -85,8 +85,10 @@ struct RunStatistics {
     RealTimeFactors realTime;
     SubdivisionCounts subdivisions{};
     bool closedEveryStep = true;
-    int lostPieces = 0;  ///< reset, over all steps
-    Debris debris;       ///< removed, over all steps
+    int lostPieces = 0;                    ///< reset, over all steps
+    Debris debris;                         ///< removed, over all steps
+    std::optional<double> fractureEnergy;  ///< of all steps [J]; none without a toughness
+    std::optional<int> tears;              ///< steps that tore; none while nothing can tear
 
     void add(const MetricsRow& row);
     /// Steps over the whole time [1/s].

@@ -20,13 +20,13 @@ constexpr std::uintmax_t kMaxSummaryBytes = 256u << 20;
 constexpr const char* kResultColumns =
     "exit,state_hash,pieces,volume_mean,volume_min,volume_final,cut_worst_angle,cut_mean_angle,"
     "cut_slivers,cut_wound_to_swept,cut_volume_error,cut_self_intersections,cut_steps_refused,"
-    "fps_mean,real_time_factor";
+    "tears,fracture_energy,fps_mean,real_time_factor";
 /// What the columns that begin with cut_ have of `cut_report`, in their order.
 constexpr std::array kCutFigures{"/smallest_angle/worst", "/smallest_angle/mean",
                                  "/slivers/below_0_02",   "/area/wound_to_swept",
                                  "/volume_error",         "/self_intersections/pairs",
                                  "/steps/refused"};
-constexpr std::size_t kSummaryColumns = 7 + kCutFigures.size();  // all but exit
+constexpr std::size_t kSummaryColumns = 9 + kCutFigures.size();  // all but exit
 
 /// Without the quotes of JSON around a word.
 std::string valueCell(const std::string& value) {
@@ -57,8 +57,10 @@ std::vector<std::string> summaryCells(const json& summary) {
     for (const char* figure : kCutFigures) {
         numbers.push_back(figureIn(cuts, figure));
     }
-    numbers.push_back(summary.at("fps").at("mean"));
-    numbers.push_back(figureIn(summary, "/real_time_factor/median"));
+    for (const char* figure :
+         {"/tears", "/fracture_energy", "/fps/mean", "/real_time_factor/median"}) {
+        numbers.push_back(figureIn(summary, figure));
+    }
     for (const json& number : numbers) {
         cells.push_back(number.is_null() ? "" : formatNumber(number.get<double>()));
     }

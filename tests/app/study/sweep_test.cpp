@@ -88,19 +88,19 @@ TEST_F(Sweep, GathersARowForEachRunAndPlots) {
               "run,session,iterations,ispc_stiffness,exit,state_hash,pieces,volume_mean,"
               "volume_min,volume_final,cut_worst_angle,cut_mean_angle,cut_slivers,"
               "cut_wound_to_swept,cut_volume_error,cut_self_intersections,cut_steps_refused,"
-              "fps_mean,real_time_factor");
+              "tears,fracture_energy,fps_mean,real_time_factor");
     EXPECT_THAT(lines[2], StartsWith("1,a.kerf.json,2,1,0,"));
     for (int number = 0; number < 4; ++number) {
         const auto summary =
             nlohmann::json::parse(bytes("out/" + std::to_string(number) + "/summary.json"));
         const auto cells = cellsOf(lines[std::size_t(number) + 1]);
-        ASSERT_EQ(cells.size(), 19u);
+        ASSERT_EQ(cells.size(), 21u);
         EXPECT_EQ(cells[5], summary["state_hash"].get<std::string>());
         EXPECT_EQ(cells[6], "1");
         EXPECT_EQ(std::stod(cells[8]), summary["volume_ratio"]["min"].get<double>());
         EXPECT_EQ(cells[10], "") << "it was not cut";
-        EXPECT_EQ(std::stod(cells[17]), summary["fps"]["mean"].get<double>());
-        EXPECT_EQ(std::stod(cells[18]), summary["real_time_factor"]["median"].get<double>());
+        EXPECT_EQ(std::stod(cells[19]), summary["fps"]["mean"].get<double>());
+        EXPECT_EQ(std::stod(cells[20]), summary["real_time_factor"]["median"].get<double>());
     }
     for (const char* picture : {"volume.png", "kinetic_energy.png", "frame_time.png"}) {
         const render::Image image = render::readPng(folder_ / "out" / picture);
@@ -114,13 +114,14 @@ TEST_F(Sweep, TheTableHasTheQualityOfTheCuts) {
     writeText(folder_ / "a.kerf.json", sessionThatDoes(R"(
         {"step": 0, "type": "blade", "a": [-0.8, 0.7, 0.02], "b": [0.8, 0.7, 0.02]},
         {"step": 2, "type": "blade", "a": [-0.8, -0.7, 0.02], "b": [0.8, -0.7, 0.02]})"));
-    writeStudy(R"("runs": [{}])");
+    writeStudy(R"("runs": [{"toughness": 50, "tearing": 1}])");
     const ProgramRun run = sweep("out");
     ASSERT_EQ(run.exitCode, 0) << run.out << run.errors;
     const auto lines = linesOf(bytes("out/table.csv"));
     const auto names = cellsOf(lines[0]);
     const auto cells = cellsOf(lines[1]);
-    const auto report = nlohmann::json::parse(bytes("out/0/summary.json")).at("cut_report");
+    const auto summary = nlohmann::json::parse(bytes("out/0/summary.json"));
+    const auto report = summary.at("cut_report");
     const auto expectCell = [&](const std::string& name, const nlohmann::json& value) {
         const auto place = std::ranges::find(names, name) - names.begin();
         ASSERT_LT(place, std::ssize(cells)) << name;
@@ -133,6 +134,10 @@ TEST_F(Sweep, TheTableHasTheQualityOfTheCuts) {
     expectCell("cut_volume_error", report["volume_error"]);
     expectCell("cut_self_intersections", report["self_intersections"]["pairs"]);
     expectCell("cut_steps_refused", report["steps"]["refused"]);
+    expectCell("tears", 0);
+    expectCell("fracture_energy", summary["fracture_energy"]);
+    EXPECT_NEAR(summary["fracture_energy"].get<double>(),
+                50 * report["area"]["swept_at_rest"].get<double>(), 1e-3);
 }
 
 TEST_F(Sweep, ARunIsTheReplayWithItsParameters) {
@@ -214,7 +219,7 @@ TEST_F(Sweep, GoesOnBehindARunThatFails) {
     EXPECT_THAT(run.out, HasSubstr("3 runs, 2 failed (runs 0 and 1)"));
     const auto lines = linesOf(bytes("out/table.csv"));
     ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[1], "0,bad.kerf.json,3,,,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[2], StartsWith("1,check.kerf.json,1,")) << "with the results so far";
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,0,"));
     EXPECT_THAT(sweep("out").out, StartsWith("3 runs, 2 failed")) << "they would fail again";
@@ -244,7 +249,7 @@ TEST_F(Sweep, GatheringRunsNothingAndNamesWhatIsMissing) {
     EXPECT_THAT(gathered.out, HasSubstr("3 missing (runs 0, 1 and 3)"));
     EXPECT_FALSE(has("out/0"));
     const auto lines = linesOf(bytes("out/table.csv"));
-    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,,");
+    EXPECT_EQ(lines[1], "0,a.kerf.json,2,0.5,,,,,,,,,,,,,,,,,");
     EXPECT_THAT(lines[3], StartsWith("2,a.kerf.json,3,0.5,0,"));
 }
 
