@@ -63,6 +63,12 @@ bool holdsAll(const std::string& name, const char* words) {
     });
 }
 
+/// None of a parameter or a sample.
+std::optional<ActionId> actionIn(const Row& row) {
+    const auto* id = std::get_if<ActionId>(&row.action);
+    return id == nullptr ? std::nullopt : std::optional(*id);
+}
+
 /// Returns whether it was clicked.
 bool drawRow(const Row& row, bool chosen) {
     const int dim = row.why.empty() ? 0 : ImGuiSelectableFlags_Disabled;
@@ -77,7 +83,43 @@ bool drawRow(const Row& row, bool chosen) {
     return clicked;
 }
 
+/// What is pressed, such as "Ctrl+M"; "" for none of kNamedKeys.
+std::string pressedKeys() {
+    const auto key = std::ranges::find_if(kNamedKeys, isPressed);
+    const ImGuiIO& io = ImGui::GetIO();
+    return key == kNamedKeys.end() ? ""
+                                   : std::string(io.KeyCtrl ? "Ctrl+" : "") +
+                                         (io.KeyShift ? "Shift+" : "") + nameOf(*key);
+}
+
 }  // namespace
+
+void CommandBox::drawKeys(const PanelModel& model, std::vector<Action>& actions) {
+    const std::string name(rowOf(*keyed_).label);
+    textWrapped("Press the new keys of \u201c" + name +
+                "\u201d: a letter, a digit or F1 to F12, with Ctrl, Shift or both.");
+    textWrapped("Backspace restores its own. Esc keeps " +
+                (keysOf(*keyed_).empty() ? "it without" : keysOf(*keyed_)) + ".");
+    textWrapped(refused_);
+    SetSettings wanted{model.settings};
+    if (keyPressed(ImGuiKey_Escape)) {
+        keyed_.reset();
+    } else if (keyPressed(ImGuiKey_Backspace)) {
+        wanted.settings.keys.erase(name);
+        actions.emplace_back(wanted);
+        keyed_.reset();
+    } else if (const std::string keys = pressedKeys(); !keys.empty()) {
+        const Shortcut pressed = *shortcutOf(keys);
+        const std::optional<ActionId> other = findAction(pressed.key, pressed.modifiers);
+        if (other && other != keyed_) {
+            refused_ = keys + " belongs to \u201c" + std::string(rowOf(*other).label) + "\u201d.";
+            return;
+        }
+        wanted.settings.keys[name] = keys;
+        actions.emplace_back(wanted);
+        keyed_.reset();
+    }
+}
 
 void CommandBox::drawFound(const PanelModel& model, std::vector<Action>& actions) {
     std::vector<Row> rows = allRows(model);
@@ -92,11 +134,27 @@ void CommandBox::drawFound(const PanelModel& model, std::vector<Action>& actions
             actions.push_back(rows[i].action);
             seekItem(rows[i].field);
         }
+        if (i == chosen_ && isPressed(Key::f2)) {
+            keyed_ = actionIn(rows[i]);
+            refused_.clear();
+        }
         if (step != 0 && i == chosen_) {
             ImGui::SetScrollHereY();
         }
     }
     ImGui::EndChild();
+}
+
+void CommandBox::drawSearch(bool opens) {
+    if (opens || keyPressed(ImGuiKey_Enter) || isPressed(Key::f2)) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputTextWithHint("##words", "Type words of its name; F2 changes its keys",
+                                 words_.data(), words_.size()) ||
+        opens) {
+        chosen_ = 0;
+    }
 }
 
 void CommandBox::draw(const PanelModel& model, std::vector<Action>& actions) {
@@ -105,6 +163,7 @@ void CommandBox::draw(const PanelModel& model, std::vector<Action>& actions) {
     const bool wasOpen = std::exchange(open_, wanted);
     if (wanted && !wasOpen) {
         words_ = {};
+        keyed_.reset();
         ImGui::OpenPopup(kWindow);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -113,18 +172,14 @@ void CommandBox::draw(const PanelModel& model, std::vector<Action>& actions) {
                     std::min(24 * line, 0.9F * display.y), wanted)) {
         return;
     }
-    if (!wasOpen || keyPressed(ImGuiKey_Enter)) {
-        ImGui::SetKeyboardFocusHere();
-    }
-    ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##words", "Type words of its name", words_.data(),
-                                 words_.size()) ||
-        !wasOpen) {
-        chosen_ = 0;
-    }
-    drawFound(model, actions);
-    if (wasOpen && keyPressed(ImGuiKey_Escape)) {
-        actions.emplace_back(ActionId::findCommand);
+    if (keyed_) {
+        drawKeys(model, actions);
+    } else {
+        drawSearch(!wasOpen);
+        drawFound(model, actions);
+        if (wasOpen && keyPressed(ImGuiKey_Escape)) {
+            actions.emplace_back(ActionId::findCommand);
+        }
     }
     ImGui::EndPopup();
 }

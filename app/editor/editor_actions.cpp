@@ -311,6 +311,11 @@ void toggleQuality(State& s, const BusyScene&) {
     quality = quality == render::Quality::full ? render::Quality::light : render::Quality::full;
 }
 
+void toggleTheme(State& s) {
+    ui::Theme& theme = s.panels.settings.now.theme;
+    theme = theme == ui::Theme::light ? ui::Theme::dark : ui::Theme::light;
+}
+
 void showAbout(State& s) {
     const std::filesystem::path& settings = s.panels.settings.file();
     s.panels.asked = {{.title = "About Kerf",
@@ -361,6 +366,8 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::cancel, cancel},
     Handler{ActionId::toggleGravity, toggleGravity},
     Handler{ActionId::remesh, [](State& s, EditorScene&) { s.remesh({}); }},
+    Handler{ActionId::remeshCoarser,
+            [](State& s, EditorScene& now) { s.remesh(now.body().coarser(ui::kFewTriangles)); }},
     Handler{ActionId::partModel, [](State& s, EditorScene&) { s.partModel(); }},
     Handler{ActionId::bringDown,
             [](State& s, const BusyScene& now) {
@@ -416,6 +423,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::section, toggleSection},
     Handler{ActionId::fineQuality, toggleQuality},
     Handler{ActionId::togglePanels, [](State& s) { s.panels.toggle(); }},
+    Handler{ActionId::lightTheme, toggleTheme},
     Handler{ActionId::holdPlots, holdPlots},
     Handler{ActionId::fitPlots, [](State& s) { s.panels.plotView = {}; }},
     Handler{ActionId::findCommand,

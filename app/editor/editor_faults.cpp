@@ -7,9 +7,12 @@
 #include "app/files/import/model_units.h"
 #include "app/scene/document/triangle_text.h"
 #include "app/scene/timeline/scene_timeline.h"
+#include "app/session/real_time_factor.h"
 #include "app/tools/gizmo.h"
 #include "sim/base/math.h"
 #include "sim/base/text.h"
+#include "sim/mesh/nearest_triangle.h"
+#include "sim/mesh/triangle.h"
 #include "ui/base/unit_text.h"
 #include "ui/state/action_table.h"
 
@@ -132,10 +135,42 @@ void askAboutRepair(State& s) {
     s.redraw.scene();
 }
 
-void tellOfExchange(State& s, const std::string& change, const TriangleFigures& before) {
-    const std::string outcome =
-        change == kPart ? fmt::format("{}: {}", change, s.scene->simulation().modelCount())
-                        : fmt::format("{}: {}", change, changeText(before, figuresOf(*s.scene)));
+/// The largest distance of places from a surface [m].
+double farthest(const std::vector<Vec3>& places, const SurfaceMesh& surface) {
+    std::vector<int> triangles(surface.triangleSlots());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    NearestTriangle nearest(triangles, [&](int t) { return restCornersOf(surface, t); });
+    double most = 0;
+    for (const Vec3& place : places) {
+        const auto [a, b, c] = restCornersOf(surface, nearest.find(place));
+        const Vec3 weights = closestWeights(place, a, b, c);
+        most = std::max(most, (weights[0] * a + weights[1] * b + weights[2] * c - place).norm());
+    }
+    return most;
+}
+
+/// A scene before its triangles were changed.
+struct Before {
+    explicit Before(const EditorScene& scene) : figures(figuresOf(scene)) {
+        constexpr std::size_t kPlaces = 20000;
+        const std::vector<Vec3>& all = scene.rest().uncut().mesh.restPositions();
+        for (std::size_t v = 0; v < all.size(); v += 1 + all.size() / kPlaces) {
+            places.push_back(all[v]);
+        }
+    }
+    TriangleFigures figures;
+    std::vector<Vec3> places;  ///< some of its vertices
+};
+
+void tellOfExchange(State& s, const std::string& change, const Before& before) {
+    const EditorScene& now = *s.scene;
+    std::string outcome = change + ": ";
+    outcome += change == kPart ? std::to_string(now.simulation().modelCount())
+                               : changeText(before.figures, figuresOf(now));
+    if (change == kRemesh) {
+        outcome += fmt::format("; the surface moved by up to {}",
+                               lengthText(farthest(before.places, now.rest().uncut().mesh)));
+    }
     spdlog::info("{}: {}", s.scene->document().name, outcome);
     s.toast.offer(outcome, {ui::ActionId::undo, "Undo"});
 }
@@ -148,7 +183,7 @@ void exchangeModel(State& s, const Session& start, const ModelReference& model,
         [name = s.scene->document().name, start](const ReadOptions& options) {
             return openScene(name, start, options);
         },
-        [&s, change, before = figuresOf(*s.scene)] { tellOfExchange(s, change, before); }, change};
+        [&s, change, before = Before(*s.scene)] { tellOfExchange(s, change, before); }, change};
     if (s.panels.told.model.untouched && s.scene->document().session.events.empty()) {
         s.open(order);
         return;
@@ -217,11 +252,35 @@ void Editor::State::remesh(const ui::Remesh& wanted) {
     exchangeModel(*this, start, reference, fmt::format("Remeshing {}", reference.name()), kRemesh);
 }
 
+namespace {
+
+/// Says before the first step how long each will take, if that is longer than `bearable` [s].
+std::string slownessText(const EditorScene& scene, double bearable) {
+    constexpr int kLarge = 20000;  // triangles; fewer need no forecast
+    const SurfaceMesh& mesh = scene.rest().uncut().mesh;
+    if (mesh.triangleSlots() < kLarge || std::isinf(bearable)) {
+        return "";
+    }
+    const RealTimeForecast forecast = realTimeForecast(mesh, scene.simulation().params());
+    const double seconds = forecast.timeStep / forecast.factor;
+    return seconds < bearable
+               ? ""
+               : fmt::format(
+                     " Slow on this computer: a step of {:.3g} ms takes about {:.2g} s, "
+                     "{:.1g}\u00d7 real time. Fewer triangles are faster.",
+                     1000 * forecast.timeStep, seconds, forecast.factor);
+}
+
+}  // namespace
+
 /// A session was made on the triangles that its model has: only models are told to be coarse.
 void Editor::State::tellOfModel(std::string note) {
     const ModelFigures& model = scene->rest().models().front();
     const double diagonal = model.bounds.diagonal();
     const bool coarse = scene->document().guess && isCoarse(model.triangles, diagonal);
+    const std::string slow =
+        scene->document().guess ? slownessText(*scene, clock.slowStep()) : std::string();
+    note += slow;
     if (coarse) {
         note += fmt::format(" {}. With edges of {} it bends and cuts well.",
                             coarseText(model.triangles, lengthText(model.triangles.longestEdge)),
@@ -233,7 +292,10 @@ void Editor::State::tellOfModel(std::string note) {
     }
     if (!note.empty()) {
         spdlog::info("{}: {}", scene->document().name, note);
-        coarse        ? toast.offer(note, {ui::ActionId::remesh, kRemesh})
+        !slow.empty()
+            ? toast.offer(note, {ui::ActionId::remeshCoarser,
+                                 std::string(ui::rowOf(ui::ActionId::remeshCoarser).label)})
+        : coarse      ? toast.offer(note, {ui::ActionId::remesh, kRemesh})
         : objects > 1 ? toast.offer(note, {ui::ActionId::partModel, kPart})
                       : toast.show(note, false);
     }

@@ -26,7 +26,7 @@ namespace kerf::app {
 struct Editor::State {
     explicit State(const EditorOptions& options)
         : redraw(options.drawsAll),
-          clock(options.byTheClock, options.portion),
+          clock(options.byTheClock, options.portion, options.slowStep),
           panels(options),
           picture(options.quality),
           chooser(options.screenshotFolder, options.recentFiles, panels.settings.now.folders),
@@ -123,7 +123,7 @@ struct Editor::State {
     void hideFaulty();
     /// Begins to remesh a model, after a question if it was cut.
     void remesh(const ui::Remesh& wanted);
-    /// Shows the notes on the opened file, and offers to remesh a coarse model.
+    /// Shows the notes on the opened file, and offers to remesh a coarse or a slow model.
     void tellOfModel(std::string note);
     void unitePieces(int model);
     /// Replaces the only model by one for each object of its file.

@@ -85,7 +85,7 @@ TriangleFigures figuresOf(const TriangleSoup& soup) {
 double evenEdge(const TriangleFigures& figures) {
     const double mean = figures.triangles > 0 ? figures.evenEdgeSum / figures.triangles : 0;
     const double most = kMostTimes * figures.triangles;
-    return trianglesOf(figures, mean) > most ? std::sqrt(figures.area / (kEvenArea * most)) : mean;
+    return trianglesOf(figures, mean) > most ? edgeOf(figures, most) : mean;
 }
 
 bool isCoarse(const TriangleFigures& figures, double diagonal) {
@@ -101,6 +101,10 @@ double proposedEdge(const TriangleFigures& figures, double diagonal) {
 
 double trianglesOf(const TriangleFigures& figures, double edge) {
     return edge > 0 ? figures.area / (kEvenArea * edge * edge) : 0;
+}
+
+double edgeOf(const TriangleFigures& figures, double triangles) {
+    return std::sqrt(figures.area / (kEvenArea * triangles));
 }
 
 double largestStrain(const Corners& rest, const Corners& now) {

@@ -60,6 +60,8 @@ bool isCoarse(const TriangleFigures& figures, double diagonal);
 double proposedEdge(const TriangleFigures& figures, double diagonal);
 /// About how many triangles the surface has with this edge length [m].
 double trianglesOf(const TriangleFigures& figures, double edge);
+/// The edge length with which the surface has about so many triangles [m].
+double edgeOf(const TriangleFigures& figures, double triangles);
 
 /// The principal strain of a triangle of larger magnitude: the change of a length over that length
 /// at rest; 0 at rest, and without rest area. The editor colours bodies by it.

@@ -802,6 +802,22 @@ TEST_F(CommandBoxTest, AParameterIsUnfoldedAndItsNumberTyped) {
     EXPECT_EQ(model.parameters.now.youngsModulus, 2000);
 }
 
+TEST_F(CommandBoxTest, AnActionIsGivenOtherKeysThatNoneHas) {
+    const auto press = [&](Key key, Modifiers with) {
+        update({KeyChange{key, true, with}});
+        update({KeyChange{key, false, with}});
+    };
+    type("remesh to");
+    press(Key::f2, {});
+    press(Key::s, {.control = true});
+    EXPECT_TRUE(model.settings.keys.empty()) << "Save has it";
+    press(Key::m, {.shift = true, .control = true});
+    EXPECT_EQ(model.settings.keys["Remesh to 5,000 triangles"], "Ctrl+Shift+M");
+    press(Key::f2, {});
+    tap(Key::backspace);
+    EXPECT_TRUE(model.settings.keys.empty());
+}
+
 TEST_F(CommandBoxTest, ASampleIsOpened) {
     type("egg");
     tap(Key::enter);

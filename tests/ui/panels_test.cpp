@@ -86,10 +86,10 @@ TEST(ActionTable, RowsFollowTheModel) {
             unavailable.push_back(row.id);
         }
     }
-    EXPECT_EQ(unavailable,
-              (std::vector{ActionId::undo, ActionId::redo, ActionId::partModel, ActionId::bringDown,
-                           ActionId::freePins, ActionId::removeRetractor, ActionId::finishTry,
-                           ActionId::loop, ActionId::showApart}));
+    EXPECT_EQ(unavailable, (std::vector{ActionId::undo, ActionId::redo, ActionId::remeshCoarser,
+                                        ActionId::partModel, ActionId::bringDown,
+                                        ActionId::freePins, ActionId::removeRetractor,
+                                        ActionId::finishTry, ActionId::loop, ActionId::showApart}));
     EXPECT_TRUE(isOn(model, actionOf(ToolKind::stroke)));
     EXPECT_FALSE(isOn(model, actionOf(ToolKind::pin)));
     EXPECT_FALSE(isOn(model, ActionId::quit)) << "it switches nothing";
@@ -101,6 +101,21 @@ TEST(ActionTable, RowsFollowTheModel) {
 TEST(ActionTable, OtherKeysAndModifiersAreFree) {
     EXPECT_EQ(findAction(Key::none, {}), std::nullopt);
     EXPECT_EQ(findAction(Key::space, {.control = true}), std::nullopt);
+}
+
+TEST(ActionTable, KeysOfTheUserReplaceAnActionsOwn) {
+    EXPECT_EQ(shortcutOf("Ctrl+Shift+F12")->key, Key::f12);
+    EXPECT_EQ(shortcutOf("7")->key, Key::digit7);
+    for (const char* wrong : {"", "Ctrl+", "Shift+Ctrl+A", "F13", "a", "Space"}) {
+        EXPECT_FALSE(shortcutOf(wrong)) << wrong;
+    }
+    takeKeys({{"Remesh", "Ctrl+S"}, {"Save", "F7"}, {"Wireframe", "T"}, {"Gone", "G"}});
+    EXPECT_EQ(findAction(Key::s, {.control = true}), ActionId::remesh) << "which Save gave up";
+    EXPECT_EQ(findAction(Key::f7, {}), ActionId::saveSession);
+    EXPECT_EQ(findAction(Key::t, {}), ActionId::showCutLines) << "as it was";
+    EXPECT_EQ(keysOf(ActionId::remesh), "Ctrl+S");
+    takeKeys({});
+    EXPECT_EQ(findAction(Key::s, {.control = true}), ActionId::saveSession);
 }
 
 TEST(ActionTable, TheDocsHaveTheSame) {

@@ -107,6 +107,8 @@ struct Settings {
     std::string person;  ///< who practises; may be empty
     /// Those last used for "open", "sessions", "exports", "videos" and "materials".
     std::map<std::string, std::string> folders;
+    /// The keys that the user gave actions: by their labels, such as "Ctrl+Shift+R".
+    std::map<std::string, std::string> keys;
 
     bool operator==(const Settings&) const = default;
     /// Whether any side panel is shown.

@@ -505,6 +505,10 @@ bool keyPressed(int key, bool repeats) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(static_cast<ImGuiKey>(key)), repeats);
 }
 
+bool isPressed(Key key) {
+    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key), false);
+}
+
 bool resetButton(const char* id) {
     const float side = ImGui::GetFrameHeight();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4{0, 0, 0, 0});

@@ -128,6 +128,8 @@ bool refusedNumber();
 
 /// Whether a key of Dear ImGui went down in this picture, or `repeats` as it is held.
 bool keyPressed(int key, bool repeats = false);
+/// Whether a key went down in this picture.
+bool isPressed(Key key);
 
 /// Draws a small square button with a turning arrow, drawn rather than taken from the font.
 bool resetButton(const char* id);

@@ -63,6 +63,9 @@ constexpr std::array kOtherActions{
     ActionRow{ActionId::toggleGravity, at(Key::v, kPlain, "V"), "Gravity", "Edit", withBody,
               [](const PanelModel& m) { return m.parameters.now.gravity.norm() > 0; }},
     ActionRow{ActionId::remesh, at(Key::r, kShift, "Shift+R"), "Remesh", "Edit", withBody},
+    ActionRow{ActionId::remeshCoarser, at(Key::r, kControlShift, "Ctrl+Shift+R"),
+              "Remesh to 5,000 triangles", "Edit",
+              [](const PanelModel& m) { return m.body.triangles > kFewTriangles; }},
     ActionRow{ActionId::partModel, at(Key::o, kShift, "Shift+O"), "Split into models", "Edit",
               [](const PanelModel& m) { return m.model.objects > 1; }},
     ActionRow{
@@ -145,6 +148,12 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return m.display.quality == render::Quality::full; }},
     ActionRow{ActionId::togglePanels, at(Key::tab, kPlain, "Tab"), "Show panels", "View", always,
               [](const PanelModel& m) { return m.settings.showsPanels(); }},
+    ActionRow{ActionId::lightTheme,
+              {},
+              "Light theme",
+              "View",
+              always,
+              [](const PanelModel& m) { return m.settings.theme == Theme::light; }},
     ActionRow{ActionId::holdPlots, at(Key::h, kPlain, "H"), "Hold plots", "View", withBody,
               [](const PanelModel& m) { return m.plots.view.end.has_value(); }},
     ActionRow{ActionId::fitPlots, at(Key::h, kShift, "Shift+H"), "Show plots from the start",
@@ -179,8 +188,62 @@ std::string dragsThat(ViewMotion motion, MouseScheme scheme) {
 
 }  // namespace
 
+std::string nameOf(Key key) {
+    constexpr std::string_view kNames = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+    const auto i = static_cast<std::size_t>(key) - static_cast<std::size_t>(Key::a);
+    return i < kNames.size() ? std::string(1, kNames[i])
+                             : "F" + std::to_string(1 + i - kNames.size());
+}
+
+std::optional<Shortcut> shortcutOf(std::string_view text) {
+    std::string_view rest = text;
+    const auto strip = [&rest](std::string_view name) {
+        const bool there = rest.starts_with(name);
+        rest.remove_prefix(there ? name.size() : 0);
+        return there;
+    };
+    Modifiers held;
+    held.control = strip("Ctrl+");
+    held.shift = strip("Shift+");
+    for (const Key key : kNamedKeys) {
+        if (rest == nameOf(key)) {
+            return Shortcut{key, held, text};
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+std::map<std::string, std::string> ownKeys;  // what the rows below refer to
+auto actionsNow = kActions;
+
+}  // namespace
+
 std::span<const ActionRow> actionTable() {
-    return kActions;
+    return actionsNow;
+}
+
+void takeKeys(const std::map<std::string, std::string>& keys) {
+    if (keys == ownKeys) {
+        return;
+    }
+    ownKeys = keys;
+    actionsNow = kActions;
+    const auto eachOwn = [](auto change) {
+        for (ActionRow& row : actionsNow) {
+            if (const auto own = ownKeys.find(std::string(row.label)); own != ownKeys.end()) {
+                change(row, own->second);
+            }
+        }
+    };
+    eachOwn([](ActionRow& row, const std::string&) { row.shortcut = {}; });  // free for another
+    eachOwn([](ActionRow& row, const std::string& text) {
+        const std::optional<Shortcut> wanted = shortcutOf(text);
+        if (wanted && !findAction(wanted->key, wanted->modifiers)) {
+            row.shortcut = *wanted;
+        }
+    });
 }
 
 std::vector<PointerHint> pointerTable(MouseScheme scheme) {
@@ -203,7 +266,7 @@ std::vector<PointerHint> pointerTable(MouseScheme scheme) {
 }
 
 std::optional<ActionId> findAction(Key key, Modifiers modifiers) {
-    for (const ActionRow& row : kActions) {
+    for (const ActionRow& row : actionsNow) {
         if (row.shortcut.presses(key, modifiers) || row.second.presses(key, modifiers)) {
             return row.id;
         }

@@ -10,6 +10,9 @@ struct PanelModel;
 
 /// The name of something that a key, a row of a menu or a button asks for, in the order of
 /// actionTable(). The handlers in app/editor/editor_actions.cpp do it.
+/// What ActionId::remeshCoarser makes of more triangles, about.
+constexpr int kFewTriangles = 5000;
+
 enum class ActionId : std::uint8_t {
     newScene,
     openFile,
@@ -28,6 +31,7 @@ enum class ActionId : std::uint8_t {
     cancel,
     toggleGravity,
     remesh,
+    remeshCoarser,
     partModel,
     firstTool,  ///< one for each ToolKind, see actionOf()
     bringDown = firstTool + kTools,
@@ -73,6 +77,7 @@ enum class ActionId : std::uint8_t {
     section,
     fineQuality,
     togglePanels,
+    lightTheme,
     holdPlots,
     fitPlots,
     findCommand,
@@ -106,6 +111,20 @@ struct ActionRow {
     Shortcut second = {};    ///< another key for it
 };
 
+/// The keys that actions can be given: letters, digits and F1 to F12.
+inline constexpr auto kNamedKeys = [] {
+    std::array<Key, static_cast<int>(Key::f12) - static_cast<int>(Key::a) + 1> keys{};
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        keys[i] = static_cast<Key>(static_cast<std::size_t>(Key::a) + i);
+    }
+    return keys;
+}();
+/// "R" or "F1", of one of them.
+std::string nameOf(Key key);
+/// The shortcut of a text such as "Ctrl+Shift+R": a letter, a digit or F1 to F12, perhaps with
+/// Ctrl, Shift or both. It refers to the text.
+std::optional<Shortcut> shortcutOf(std::string_view text);
+
 /// The action that selects a tool.
 constexpr ActionId actionOf(ToolKind tool) {
     return static_cast<ActionId>(static_cast<int>(ActionId::firstTool) + static_cast<int>(tool));
@@ -137,6 +156,9 @@ constexpr bool coversActions(const Table& rows) {
 }
 /// All actions in the order of the menus.
 std::span<const ActionRow> actionTable();
+/// Gives actions other keys (see Settings::keys), and all others their own. An action whose new
+/// keys are taken has none. Unknown labels have no effect.
+void takeKeys(const std::map<std::string, std::string>& keys);
 
 /// A gesture of the pointer and its effect, which the help overlay lists beside the keys.
 struct PointerHint {

@@ -18,7 +18,9 @@ class StepClock {
 
     /// With `byTheClock` simulated time follows real time, and a step is done in portions [s];
     /// otherwise every frame is one step at speed 1, for tests.
-    StepClock(bool byTheClock, double portion) : byTheClock_(byTheClock), portion_(portion) {}
+    /// A body whose steps take longer than `slowStep` [s] is slow.
+    StepClock(bool byTheClock, double portion, double slowStep = 1)
+        : byTheClock_(byTheClock), portion_(portion), slowStep_(slowStep) {}
 
     bool byTheClock() const { return byTheClock_; }
     double speed() const { return speed_; }
@@ -39,6 +41,7 @@ class StepClock {
     double portion() const;
     /// How long a step took when one was last run [s].
     double secondsPerStep() const { return secondsPerStep_; }
+    double slowStep() const { return slowStep_; }
     /// Pauses: nothing is due, and the next visible steps end no frame.
     void stop();
     /// Another scene is open: how long its steps take is not known.
@@ -52,6 +55,7 @@ class StepClock {
   private:
     bool byTheClock_;
     double portion_;
+    double slowStep_;
     double speed_ = 1;
     double due_ = 0;          ///< steps
     double sinceDue_ = 0;     ///< [s]

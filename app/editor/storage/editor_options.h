@@ -17,6 +17,8 @@ struct EditorOptions {
     bool drawsAll = true;
     /// By the clock, a frame is drawn whenever a step has taken so long [s].
     double portion = 0.03;
+    /// A large model is offered with fewer triangles if its steps are expected to take longer [s].
+    double slowStep = 1;
     /// The folder of pictures, and the first one of the file dialog.
     std::filesystem::path screenshotFolder = ".";
     /// The file of the person's settings; empty keeps none, as in tests.

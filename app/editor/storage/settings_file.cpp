@@ -8,6 +8,7 @@
 #include "app/files/io/file_io.h"
 #include "app/session/session_json.h"
 #include "gpu/data_path.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 
@@ -18,6 +19,7 @@ using ui::Settings;
 
 constexpr std::uintmax_t kMostSettingsBytes = 1u << 20;
 constexpr std::size_t kMostNames = 64;
+constexpr std::size_t kMostTexts = 200;
 
 struct NumberRow {
     const char* key;
@@ -94,10 +96,13 @@ std::vector<std::string> read(const NamesRow& row, const nlohmann::json& value) 
     return value.get<std::vector<std::string>>();
 }
 
-std::map<std::string, std::string> readFolders(const nlohmann::json& value) {
-    const auto isName = [](const nlohmann::json& entry) { return entry.is_string(); };
-    if (!value.is_object() || value.size() > kMostNames || !std::ranges::all_of(value, isName)) {
-        fail("folders", "expected folders by name, in braces.");
+std::map<std::string, std::string> readTexts(const nlohmann::json& value, const char* key,
+                                             const char* expected, auto fits) {
+    const auto isFit = [&](const nlohmann::json& entry) {
+        return entry.is_string() && fits(entry.get<std::string>());
+    };
+    if (!value.is_object() || value.size() > kMostTexts || !std::ranges::all_of(value, isFit)) {
+        fail(key, expected);
     }
     return value.get<std::map<std::string, std::string>>();
 }
@@ -165,6 +170,7 @@ std::string formatSettings(const Settings& settings) {
         json["window"] = {at.x, at.y, at.width, at.height, at.maximized ? 1 : 0};
     }
     json["folders"] = settings.folders;
+    json["keys"] = settings.keys;
     json["person"] = settings.person;
     forEachRow([&](const auto& row) { json[row.key] = settings.*row.member; });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -186,7 +192,15 @@ Settings parseSettings(const std::string& text) {
         settings.place = readPlace(json["window"]);
     }
     if (json.contains("folders")) {
-        settings.folders = readFolders(json["folders"]);
+        settings.folders =
+            readTexts(json["folders"], "folders", "expected folders by name, in braces.",
+                      [](const std::string&) { return true; });
+    }
+    if (json.contains("keys")) {
+        settings.keys = readTexts(
+            json["keys"], "keys",
+            "expected letters, digits and F1 to F12 by action, such as {\"Remesh\": \"Ctrl+M\"}.",
+            [](const std::string& keys) { return ui::shortcutOf(keys).has_value(); });
     }
     if (json.contains("person")) {
         settings.person = readPerson(json["person"]);

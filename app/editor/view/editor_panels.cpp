@@ -11,6 +11,7 @@
 #include "sim/run/simulation.h"
 #include "ui/base/layout.h"
 #include "ui/plots/plot_picture.h"
+#include "ui/state/action_table.h"
 
 namespace kerf::app {
 
@@ -108,6 +109,7 @@ EditorPanels::EditorPanels(const EditorOptions& options)
       interface(settings.now.theme, scale(options.width, options.height)),
       practice(options.tries) {
     showOne();
+    ui::takeKeys(settings.now.keys);
 }
 
 float EditorPanels::scale(int width, int height) const {
@@ -181,6 +183,7 @@ void EditorPanels::take(ui::Settings wanted) {
         wanted.showReadings |= settings.now.showReadings;
     }
     settings.now = std::move(wanted);
+    ui::takeKeys(settings.now.keys);
 }
 
 /// Without any panel there would be no menu.

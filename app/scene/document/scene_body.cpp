@@ -1,6 +1,14 @@
 #include "app/scene/document/scene_body.h"
 
 namespace kerf::app {
+namespace {
+
+/// That of a model's file, in the scene [m].
+double unitOf(const Placement& placement) {
+    return placement.metresPerUnit() * placement.scale;
+}
+
+}  // namespace
 
 SceneBody::SceneBody(Document opened, BodyUpload upload)
     : document(std::move(opened)),
@@ -42,9 +50,14 @@ Session SceneBody::start() const {
 
 double SceneBody::proposedEdge(int model) const {
     const auto& [bounds, volume, triangles] = rest.models()[model];
-    const Placement& placement = simulation.placement(model);
-    return kerf::proposedEdge(triangles, bounds.diagonal()) /
-           (placement.metresPerUnit() * placement.scale);
+    return kerf::proposedEdge(triangles, bounds.diagonal()) / unitOf(simulation.placement(model));
+}
+
+ui::Remesh SceneBody::coarser(int triangles) const {
+    const auto size = [](const ModelFigures& model) { return model.triangles.triangles; };
+    const auto largest = std::ranges::max_element(rest.models(), {}, size);
+    const auto model = static_cast<int>(largest - rest.models().begin());
+    return {model, edgeOf(largest->triangles, triangles) / unitOf(simulation.placement(model))};
 }
 
 }  // namespace kerf::app

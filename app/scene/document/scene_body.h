@@ -3,6 +3,7 @@
 #include "app/scene/document/rest_of_body.h"
 #include "app/session/simulation_driver.h"
 #include "sim/run/start/prepared_body.h"
+#include "ui/state/action.h"
 
 namespace kerf::app {
 
@@ -27,6 +28,8 @@ struct SceneBody {
     Session start() const;
     /// The edge length to propose for a model, in the unit of its file.
     double proposedEdge(int model) const;
+    /// What gives the largest model about so many triangles.
+    ui::Remesh coarser(int triangles) const;
 };
 
 }  // namespace kerf::app

@@ -255,6 +255,21 @@ TEST_F(EditorFaultsTest, ACoarseModelIsOfferedRemeshed) {
     EXPECT_EQ(panels().body.triangles, 12);
 }
 
+TEST_F(EditorFaultsTest, ALargeModelSaysHowSlowItIsAndIsOfferedCoarser) {
+    writeText(folder / "fine.obj", objText(icosphereSoup(5)));  // 20,480 triangles
+    EditorOptions told = options();
+    told.slowStep = 0;
+    start(told);
+    open(folder / "fine.obj", 2);
+    EXPECT_THAT(panels().toast.text, HasSubstr("Slow on this computer: a step of "));
+    ASSERT_TRUE(panels().toast.choice);
+    clickAndWait("toast.Ctrl+Shift+R");
+    frames(2);
+    EXPECT_NEAR(panels().body.triangles, ui::kFewTriangles, 0.2 * ui::kFewTriangles);
+    EXPECT_THAT(panels().toast.text, HasSubstr("; the surface moved by up to "));
+    EXPECT_NEAR(panels().model.models[0].size.x(), 1, 0.01);
+}
+
 TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
     unfoldModel();
     const double proposed = panels().model.models[0].edge;

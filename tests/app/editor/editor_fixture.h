@@ -48,6 +48,7 @@ inline EditorOptions plainOptions() {
     options.quality = render::Quality::light;
     options.byTheClock = false;
     options.drawsAll = false;
+    options.slowStep = std::numeric_limits<double>::infinity();
     options.link = "0";  // a free port
     return options;
 }

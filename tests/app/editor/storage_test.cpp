@@ -18,6 +18,7 @@ ui::Settings unusual() {
     settings.folded = {};
     settings.place = {-1200, 40, 1500, 900, true};
     settings.folders = {{"exports", "/tmp/results"}};
+    settings.keys = {{"Remesh", "Ctrl+M"}};
     return settings;
 }
 
@@ -37,6 +38,7 @@ TEST(Settings, WhatIsWrongIsNamed) {
           std::pair{R"({"ui_scale": "1"})", "ui_scale"},
           std::pair{R"({"show_controls": 1})", "show_controls"},
           std::pair{R"({"folders": ["/tmp"]})", "folders"},
+          std::pair{R"({"keys": {"Remesh": "Strg+M"}})", "keys"},
           std::pair{R"({"plots": "frames"})", "plots"}, std::pair{R"({"plots": [1]})", "plots"}}) {
         EXPECT_THAT(inputErrorOf([&text = text] { parseSettings(text); }),
                     StartsWith(std::string(key) + ": "))
