@@ -172,7 +172,7 @@ void StartPage::load(const StartState& state) {
     }
     shown_ = state.cards;
     cards_ = *shown_;
-    cards_.push_back({"file", "Your own file...", "Open a model or a session, or drop it here."});
+    cards_.push_back({"file", "Your file...", "Open a model or a session, or drop it here."});
     pictures_.clear();
     for (const StartCard& card : cards_) {
         pictures_.push_back(card.picture ? textureOf(*card.picture) : gpu::Texture());
