@@ -121,7 +121,7 @@ TEST_F(Sweep, TheTableHasTheQualityOfTheCuts) {
     const auto names = cellsOf(lines[0]);
     const auto cells = cellsOf(lines[1]);
     const auto summary = nlohmann::json::parse(bytes("out/0/summary.json"));
-    const auto report = summary.at("cut_report");
+    const auto& report = summary.at("cut_report");
     const auto expectCell = [&](const std::string& name, const nlohmann::json& value) {
         const auto place = std::ranges::find(names, name) - names.begin();
         ASSERT_LT(place, std::ssize(cells)) << name;
