@@ -208,7 +208,7 @@ void Renderer::State::drawShadows(const SceneView& scene, const Frame& frame) {
 
 void Renderer::State::drawOverlays(const SceneView& scene, const Frame& frame) {
     const bool wanted = scene.overlays.any() || !scene.pinned.empty() ||
-                        scene.constraints.pullCount > 0 || scene.marks;
+                        !scene.pieceBoxes.empty() || scene.constraints.pullCount > 0 || scene.marks;
     if (!frame.hasBody || !wanted) {
         return;
     }

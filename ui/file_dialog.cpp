@@ -376,7 +376,10 @@ void FileDialog::drawOptions(const FileDialogState& state, std::vector<Action>& 
     }
     if (state.purpose == FilePurpose::exportMesh) {
         bool perPiece = state.filePerPiece;
-        if (checkbox("One file per piece", perPiece, "file.per_piece")) {
+        if (state.onePiece) {
+            ImGui::AlignTextToFramePadding();
+            textColored(palette().dimText, "The selected piece");
+        } else if (checkbox("One file per piece", perPiece, "file.per_piece")) {
             actions.emplace_back(FileAction(SetFilePerPiece{perPiece}));
         }
         ImGui::SameLine();

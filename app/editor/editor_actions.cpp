@@ -4,6 +4,7 @@
 #include "app/scene/editor_stroke.h"
 #include "app/scene/held_hands.h"
 #include "app/scene/readout/scene_readout.h"
+#include "app/scene/timeline/hooks.h"
 #include "app/scene/timeline/scene_recorder.h"
 #include "app/session/scene_origin.h"
 #include "app/tools/box_placement.h"
@@ -471,6 +472,23 @@ void exportPieces(State& s, EditorScene& now) {
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
+void removeLoad(State& s, EditorScene& now, std::size_t row) {
+    const std::vector<Load>& loads = now.readout().loads();
+    if (row >= loads.size()) {
+        return;
+    }
+    const Load load = loads[row];
+    if (isHook(load.hand)) {
+        now.hands().removeRetractor(load.hand);
+    } else if (load.hand >= 0) {
+        s.execute(Release{load.hand});
+    } else {
+        for (const Command& command : removalOf(load, now.simulation())) {
+            s.execute(command);
+        }
+    }
+}
+
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
 void placeBox(State& s, EditorScene& now) {
     const Bounds body = now.simulation().bounds();
@@ -537,7 +555,15 @@ struct Answer {
         });
     }
     void operator()(const ui::OpenStartScene& wanted) const { s.openStartScene(wanted.card); }
-    void operator()(const ui::HoverPiece& hover) const { s.view.display.hover(hover.piece); }
+    void operator()(const ui::HoverPiece& hover) const {
+        s.view.display.pieces.hovered = hover.piece;
+    }
+    void operator()(const ui::SelectPiece& row) const {
+        s.view.display.pieces.selected = row.piece;
+    }
+    void operator()(const ui::ColorPiece& row) const { s.view.display.color(row.piece, row.color); }
+    void operator()(const ui::HoverLoad& hover) const { s.view.display.loads.hovered = hover.load; }
+    void operator()(const ui::SelectLoad& row) const { s.view.display.loads.selected = row.load; }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
     template <class Kind>
     void operator()(const Kind& action) const {
@@ -554,6 +580,9 @@ struct Answer {
     // What needs an open document, whatever it is doing.
     void onScene(const ui::SetTools& wanted, const BusyScene&) const {
         setTools(s, wanted.settings);
+    }
+    void onScene(const ui::ExportSelectedPiece&, const BusyScene&) const {
+        s.browse(FilePurpose::exportMesh, BrowseFor::selectedPiece);
     }
     void onScene(const ui::FramePiece& wanted, const BusyScene& now) const {
         const Bounds piece = s.view.display.boundsOf(now, wanted.piece);
@@ -594,6 +623,7 @@ struct Answer {
     void onBody(const ui::RenameMark& wanted, EditorScene& now) const {
         now.timeline().log().rename(wanted.id, wanted.name);
     }
+    void onBody(const ui::RemoveLoad& row, EditorScene& now) const { removeLoad(s, now, row.load); }
     void onBody(const ui::ExportPieces&, EditorScene& now) const { exportPieces(s, now); }
 };
 

@@ -341,6 +341,28 @@ void Editor::State::browseToSaveMaterial() {
     browse(ui::FilePurpose::saveMaterial);
 }
 
+namespace {
+
+void exportTo(Editor::State& s, const ChosenFile& chosen) {
+    EditorScene& scene = *s.scene;
+    ExportTarget target{chosen.file, chosen.filePerPiece,
+                        chosen.inScene ? Coordinates::scene : Coordinates::model};
+    if (chosen.what == BrowseFor::selectedPiece) {
+        const std::vector<int> places = scene.simulation().trianglesOfPieces();
+        const auto piece = static_cast<std::size_t>(s.view.display.pieces.selected);
+        if (piece >= places.size()) {
+            s.toast.show("The piece to be exported is gone.", true);
+            return;
+        }
+        target.pieceAt = places[piece];
+    }
+    s.work.onceSaved = nullptr;
+    s.work.save(startExport(std::move(target), scene.document(), scene.simulation(),
+                            s.view.display.look(scene.document())));
+}
+
+}  // namespace
+
 /// One file after the other.
 void Editor::State::save(const ChosenFile& chosen) {
     if (const FileSaving* const before = work.saving()) {
@@ -352,10 +374,7 @@ void Editor::State::save(const ChosenFile& chosen) {
         return;
     }
     if (chosen.purpose == ui::FilePurpose::exportMesh) {
-        work.onceSaved = nullptr;
-        const auto coordinates = chosen.inScene ? Coordinates::scene : Coordinates::model;
-        work.save(startExport({chosen.file, chosen.filePerPiece, coordinates}, scene->document(),
-                              scene->simulation(), view.display.look(scene->document())));
+        exportTo(*this, chosen);
         return;
     }
     if (chosen.purpose == ui::FilePurpose::saveMaterial) {

@@ -223,7 +223,7 @@ void OverlayPass::drawMarks(const SceneView& scene, const Frame& frame) {
 void OverlayPass::drawBoxes(const SceneView& scene, const Frame& frame) {
     std::vector<shared::vec4> ends;
     for (const Bounds& box : scene.pieceBoxes) {
-        if (scene.overlays.boxes && !box.empty()) {
+        if (!box.empty()) {
             const auto lines = edgesOf(box);
             ends.insert(ends.end(), lines.begin(), lines.end());
         }

@@ -56,7 +56,7 @@ struct SceneView {
     std::vector<PixelRect> covered;  ///< by panels: nothing is drawn there, which saves time
     Overlays overlays;
     ConstraintView constraints;         ///< what the overlays show
-    std::vector<Bounds> pieceBoxes;     ///< around the pieces [m]
+    std::vector<Bounds> pieceBoxes;     ///< that are drawn around pieces [m]
     std::vector<std::uint32_t> pinned;  ///< vertices that are marked as pinned
     /// Further marks, such as faults; null for none. A change needs another pointer.
     std::shared_ptr<const std::vector<Marks>> marks;

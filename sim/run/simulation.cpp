@@ -467,6 +467,10 @@ const std::vector<std::uint32_t>& Simulation::pinnedVertices() const {
     return state_->body.memory.pins.vertices();
 }
 
+const std::vector<Pins::Motion>& Simulation::motions() const {
+    return state_->body.memory.pins.motions();
+}
+
 const std::vector<Pins::Force>& Simulation::forces() const {
     return state_->body.memory.pins.forces();
 }

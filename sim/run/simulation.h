@@ -115,6 +115,8 @@ class Simulation {
     const std::vector<StaticBox>& boxes() const;
     /// Pinned vertices, ascending.
     const std::vector<std::uint32_t>& pinnedVertices() const;
+    /// The motions of pinned vertices, ended ones too.
+    const std::vector<Pins::Motion>& motions() const;
     /// The forces on regions.
     const std::vector<Pins::Force>& forces() const;
     /// The hands that hold something, by their numbers.

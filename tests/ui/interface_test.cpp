@@ -43,6 +43,8 @@ class InterfaceTest : public GlTest {
             } else {
                 if (const auto* hover = std::get_if<HoverPiece>(&action)) {
                     model.pieces.hovered = hover->piece;
+                } else if (const auto* load = std::get_if<HoverLoad>(&action)) {
+                    model.body.loads.hovered = load->load;
                 }
                 others.push_back(action);
             }
@@ -390,8 +392,18 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     EXPECT_EQ(std::get<HoverPiece>(others[0]).piece, 1);
     press(true);
     press(false);
-    ASSERT_EQ(others.size(), 2U);
-    EXPECT_EQ(std::get<FramePiece>(others[1]).piece, 1);
+    ASSERT_EQ(others.size(), 3U);
+    EXPECT_EQ(std::get<SelectPiece>(others[1]).piece, 1);
+    EXPECT_EQ(std::get<FramePiece>(others[2]).piece, 1);
+    EXPECT_FALSE(interface->itemRects().contains("piece.export")) << "none is selected";
+    model.pieces.selected = 1;
+    update({});
+    clickOn("piece.export");
+    EXPECT_TRUE(std::holds_alternative<ExportSelectedPiece>(others.back()));
+    moveTo(row.x + 0.7 * row.width, row.y + row.height / 2);
+    press(true);
+    press(false);
+    EXPECT_EQ(std::get<SelectPiece>(others.back()).piece, -1) << "a second click ends that";
     others.clear();
     clickOn("eye.0");
     ASSERT_EQ(others.size(), 2U);
@@ -403,6 +415,22 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
     others.clear();
     clickOn("pieces.show_all");
     EXPECT_TRUE(std::holds_alternative<ShowPiece>(others.back()));
+}
+
+TEST_F(InterfaceTest, TheListOfLoadsHighlightsSelectsAndRemoves) {
+    EXPECT_FALSE(interface->itemRects().contains("section.loads"));
+    model.body.loads.rows = {{"Pin", "fixed", "", 12}, {"Force", "1.5 N", "1.5, 0, 0 N", 8}};
+    update({});
+    update({});
+    clickOn("load.1");
+    ASSERT_EQ(others.size(), 2U);
+    EXPECT_EQ(std::get<HoverLoad>(others[0]).load, 1);
+    EXPECT_EQ(std::get<SelectLoad>(others[1]).load, 1);
+    model.body.loads.selected = 1;
+    clickOn("load.1");
+    EXPECT_EQ(std::get<SelectLoad>(others.back()).load, -1) << "a second click ends that";
+    clickOn("load.remove.0");
+    EXPECT_EQ(std::get<RemoveLoad>(others.back()).load, 0);
 }
 
 TEST_F(InterfaceTest, AQuestionAsideLeavesTheViewOpenAndTheLegendFree) {

@@ -50,29 +50,6 @@ void drawSwitches(const PanelModel& model, std::vector<Action>& actions) {
     }
 }
 
-/// A colour that can be chosen, and a mark that brings the model's own back.
-bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own,
-                 const char* tooltip) {
-    const Vec3f shown = chosen.value_or(own).cast<float>();
-    std::array<float, 3> color{shown.x(), shown.y(), shown.z()};
-    bool changed = false;
-    if (ImGui::ColorEdit3(label, color.data(),
-                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoOptions)) {
-        chosen = Vec3(color[0], color[1], color[2]);
-        changed = true;
-    }
-    describeItem(std::string("color.") + label, tooltip);
-    if (chosen) {
-        ImGui::SameLine();
-        if (resetButton(label)) {
-            chosen.reset();
-            changed = true;
-        }
-        itemTooltip("Reset colour");
-    }
-    return changed;
-}
-
 const char* labelOf(std::optional<render::LookName> look) {
     return look ? render::rowOf(*look).label : "As in the file";
 }
@@ -254,6 +231,28 @@ bool chooseSection(render::SectionPlane& plane, const PanelModel& model) {
 }
 
 }  // namespace
+
+bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own,
+                 const char* tooltip) {
+    const Vec3f shown = chosen.value_or(own).cast<float>();
+    std::array<float, 3> color{shown.x(), shown.y(), shown.z()};
+    bool changed = false;
+    if (ImGui::ColorEdit3(label, color.data(),
+                          ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoOptions)) {
+        chosen = Vec3(color[0], color[1], color[2]);
+        changed = true;
+    }
+    describeItem(std::string("color.") + label, tooltip);
+    if (chosen) {
+        ImGui::SameLine();
+        if (resetButton(label)) {
+            chosen.reset();
+            changed = true;
+        }
+        itemTooltip("Reset colour");
+    }
+    return changed;
+}
 
 void drawDisplay(const PanelModel& model, std::vector<Action>& actions) {
     DisplaySettings display = model.display;

@@ -76,8 +76,18 @@ void drawCuts(const CutsState& cuts);
 /// Draws the choosers of the window's theme and scale.
 void drawWindowRows(const Settings& settings, std::vector<Action>& actions);
 
+/// Draws a colour that can be chosen, and once it is a mark that resets it to `own`. Returns
+/// whether it changed.
+bool chooseColor(const char* label, std::optional<Vec3>& chosen, const Vec3& own,
+                 const char* tooltip);
+
+/// Draws a row per thing that holds or pulls the body, with its value and a button that removes it.
+/// Hovered rows return an action, clicked ones are selected.
+void drawLoads(const LoadsState& loads, std::vector<Action>& actions);
+
 /// Draws a row per piece: an eye that hides it, its colour, triangles, volume and share of its rest
-/// volume. Hovered rows return an action, clicked ones frame their piece.
+/// volume. Hovered rows return an action, clicked ones select and frame their piece; a selected one
+/// can be coloured and exported.
 void drawPieces(const PiecesState& pieces, const DisplaySettings& display,
                 std::vector<Action>& actions);
 /// The height [px] in which drawPieces() shows all rows without scrolling, in the current window.

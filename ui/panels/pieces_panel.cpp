@@ -12,6 +12,7 @@ namespace kerf::ui {
 namespace {
 
 constexpr float kRowPadding = 0.2F;  ///< above and below a row [font sizes]
+constexpr float kRoomyTitle = 18;    ///< has room for all buttons beside its text [font sizes]
 
 /// An open eye, or one with a bar across.
 void drawEye(const ImVec2& center, float size, bool open) {
@@ -43,22 +44,33 @@ void eyeCell(int index, const PieceRow& piece, std::vector<Action>& actions) {
     itemTooltip(piece.hidden ? "Show" : "Hide. It still moves and is still cut");
 }
 
-void chipCell(int index) {
+ImU32 colorOf(int index, const PieceRow& piece) {
+    const Vec3 own = piece.color.value_or(Vec3::Zero());
+    return piece.color ? ImGui::ColorConvertFloat4ToU32({static_cast<float>(own.x()),
+                                                         static_cast<float>(own.y()),
+                                                         static_cast<float>(own.z()), 1})
+                       : pieceColor(index);
+}
+
+void chipCell(int index, const PieceRow& piece) {
     const float side = 0.75F * ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float top = at.y + (ImGui::GetTextLineHeight() - side) / 2;
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side},
-                                              pieceColor(index), side / 4);
+                                              colorOf(index, piece), side / 4);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.3F * side);
     ImGui::Text("%d", index + 1);
 }
 
 /// The whole row takes the pointer, the eye on top of it. True while the pointer is there.
-bool rowButton(int index, std::vector<Action>& actions) {
+bool rowButton(int index, bool selected, std::vector<Action>& actions) {
     const ImGuiSelectableFlags flags =
         ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap;
-    if (ImGui::Selectable("##row", false, flags)) {
-        actions.emplace_back(FramePiece{index});
+    if (ImGui::Selectable("##row", selected, flags)) {
+        actions.emplace_back(SelectPiece{selected ? -1 : index});
+        if (!selected) {
+            actions.emplace_back(FramePiece{index});
+        }
     }
     noteItem("piece." + std::to_string(index));
     const bool hovered = ImGui::IsItemHovered(
@@ -89,14 +101,15 @@ void drawDetails(const PieceRow& piece) {
 }
 
 /// True while the pointer is on the row.
-bool drawRow(int index, const PieceRow& piece, bool details, std::vector<Action>& actions) {
+bool drawRow(int index, const PiecesState& pieces, bool details, std::vector<Action>& actions) {
+    const PieceRow& piece = pieces.rows[static_cast<std::size_t>(index)];
     ImGui::TableNextRow();
     ImGui::PushID(index);
     ImGui::TableNextColumn();
-    const bool hovered = rowButton(index, actions);
+    const bool hovered = rowButton(index, index == pieces.selected, actions);
     eyeCell(index, piece, actions);
     ImGui::TableNextColumn();
-    chipCell(index);
+    chipCell(index, piece);
     ImGui::TableNextColumn();
     textRight(std::to_string(piece.triangles));
     ImGui::TableNextColumn();
@@ -179,12 +192,31 @@ int drawRows(const PiecesState& pieces, bool details, std::vector<Action>& actio
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const int piece = order[static_cast<std::size_t>(i)];
-            const bool on =
-                drawRow(piece, pieces.rows[static_cast<std::size_t>(piece)], details, actions);
-            hovered = on ? piece : hovered;
+            hovered = drawRow(piece, pieces, details, actions) ? piece : hovered;
         }
     }
     return hovered;
+}
+
+/// What can be done with the selected piece, in the heading.
+void drawSelected(const PiecesState& pieces, std::vector<Action>& actions) {
+    if (pieces.selected < 0 || pieces.selected >= static_cast<int>(pieces.rows.size())) {
+        return;
+    }
+    const ImVec4 usual = ImGui::ColorConvertU32ToFloat4(pieceColor(pieces.selected));
+    std::optional<Vec3> color = pieces.rows[static_cast<std::size_t>(pieces.selected)].color;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SameLine(0, gap);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, 0});
+    if (chooseColor("##piece", color, {usual.x, usual.y, usual.z},
+                    "Colour of the selected piece, in the view only")) {
+        actions.emplace_back(ColorPiece{pieces.selected, color});
+    }
+    ImGui::PopStyleVar();
+    ImGui::SameLine(0, gap);
+    if (smallButton("Export", "piece.export", "Export the selected piece alone")) {
+        actions.emplace_back(ExportSelectedPiece{});
+    }
 }
 
 /// Buttons at the right end of the heading: all columns, and the export.
@@ -226,7 +258,13 @@ void slideApart(const DisplaySettings& chosen, std::vector<Action>& actions) {
 void drawTitle(const PiecesState& pieces, const DisplaySettings& chosen,
                std::vector<Action>& actions) {
     const auto hidden = std::ranges::count_if(pieces.rows, &PieceRow::hidden);
-    ImGui::TextDisabled("Pieces: %zu", pieces.rows.size());
+    const bool roomy = ImGui::GetContentRegionAvail().x > kRoomyTitle * ImGui::GetFontSize();
+    if (roomy || pieces.selected < 0) {
+        ImGui::TextDisabled("Pieces: %zu", pieces.rows.size());
+    } else {
+        ImGui::TextUnformatted("");
+    }
+    drawSelected(pieces, actions);
     drawTableButtons(chosen, actions);
     if (hidden == 0) {
         if (pieces.rows.size() > 1) {

@@ -110,6 +110,29 @@ struct OpenStartScene {
 struct HoverPiece {
     int piece = -1;
 };
+/// Selects a piece, -1 for none.
+struct SelectPiece {
+    int piece = -1;
+};
+/// Gives a piece a colour in the view, or its look again.
+struct ColorPiece {
+    int piece = 0;
+    std::optional<Vec3> color;  ///< in display colours, 0 to 1
+};
+/// Asks for a file to export the selected piece.
+struct ExportSelectedPiece {};
+/// The pointer hovers over a row of the supports and loads, -1 for none.
+struct HoverLoad {
+    int load = -1;
+};
+/// Selects a row of the supports and loads, -1 for none.
+struct SelectLoad {
+    int load = -1;
+};
+/// Removes what that row shows from the body.
+struct RemoveLoad {
+    std::size_t load = 0;
+};
 /// Brings a piece into view.
 struct FramePiece {
     int piece = 0;
@@ -128,6 +151,7 @@ using Action =
                  SetDisplay, PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial,
                  SaveMaterial, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
                  ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, OpenStartScene,
-                 HoverPiece, FramePiece, ShowPiece, ExportPieces, AnswerQuestion, FileAction>;
+                 HoverPiece, SelectPiece, FramePiece, ShowPiece, ColorPiece, ExportSelectedPiece,
+                 ExportPieces, HoverLoad, SelectLoad, RemoveLoad, AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

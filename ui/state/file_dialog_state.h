@@ -52,6 +52,7 @@ struct FileDialogState {
     std::string problem;               ///< one sentence; empty for none
     bool asksToOverwrite = false;      ///< the file exists
     bool filePerPiece = false;         ///< of an export
+    bool onePiece = false;             ///< of an export: the selected one
     bool inScene = false;              ///< of an export: in metres of the scene
     FilmLook film;                     ///< of a film
     bool adds = false;                 ///< adds the file to the scene instead of replacing it

@@ -17,6 +17,22 @@
 
 namespace kerf::ui {
 
+/// One row of what holds or pulls the body: pins that hang together, a motion, the forces on the
+/// same vertices, a hand or a retractor.
+struct LoadRow {
+    std::string_view kind;  ///< "Pin"
+    std::string value;      ///< with its unit: "1.5 N"
+    std::string detail;     ///< a sentence for the tooltip
+    std::size_t vertices = 0;
+};
+
+/// What the list of supports and loads shows.
+struct LoadsState {
+    std::vector<LoadRow> rows;
+    int hovered = -1;   ///< of rows; -1 for none
+    int selected = -1;  ///< likewise
+};
+
 /// The state of the body for several panels.
 struct BodyReport {
     double size = 1;               ///< its diagonal at rest [m]
@@ -26,6 +42,7 @@ struct BodyReport {
     int triangles = 0;
     std::size_t pinned = 0;  ///< pinned vertices and forces
     std::size_t hooks = 0;   ///< of retractors, which hold cuts open
+    LoadsState loads;
 };
 
 /// One row of the history: a change that can be undone or redone.
@@ -183,7 +200,8 @@ struct LogLine {
 /// What the list of pieces shows.
 struct PiecesState {
     std::vector<PieceRow> rows;
-    int hovered = -1;  ///< of rows; -1 for none
+    int hovered = -1;   ///< of rows; -1 for none
+    int selected = -1;  ///< likewise
 };
 
 /// What the plots show.

@@ -20,6 +20,7 @@ struct PieceRow {
     double shareOfAll = 0;            ///< of the volume of all pieces, 1 = all
     Bounds bounds{};                  ///< [m]
     std::optional<PieceSums> sums{};  ///< none until requested while paused
+    std::optional<Vec3> color{};      ///< of the view; none: its look
 };
 
 /// The columns of the table, in their order.

@@ -200,6 +200,7 @@ void FileChooser::describe(ui::PanelModel& model) const {
     if (browser_) {
         model.files = browser_->state();
         model.files.adds = what_ == BrowseFor::addition;
+        model.files.onePiece = what_ == BrowseFor::selectedPiece;
         model.files.preview = preview_.lines();
     }
     model.files.recent = recent_.files();

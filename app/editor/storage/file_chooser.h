@@ -12,6 +12,7 @@ enum class BrowseFor : std::uint8_t {
     itself,           ///< nothing
     addition,         ///< of one to be opened: its model is added to the scene
     testWithPicture,  ///< of a test: add a picture of its end
+    selectedPiece,    ///< of an export: only that one
 };
 
 /// A file chosen by the user, and its purpose.

@@ -82,8 +82,16 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
     if (simulation.hands().empty() && simulation.forces().empty()) {
         view.constraints.pullCount = 0;  // those of a step before it let go
     }
-    view.pieceBoxes = simulation.pieceBounds();
     view.pinned = simulation.pinnedVertices();
+}
+
+/// Dots on the vertices of a load, beside the marks that are there.
+void markLoad(const Load& load, render::SceneView& view) {
+    constexpr render::DisplayColor kColor{86, 180, 233};
+    auto marks = view.marks ? *view.marks : std::vector<render::Marks>{};
+    marks.push_back({"", kColor, {}, load.vertices});
+    std::erase_if(marks.back().dots, [&](std::uint32_t v) { return v >= view.body.vertexCount; });
+    view.marks = std::make_shared<const std::vector<render::Marks>>(std::move(marks));
 }
 
 }  // namespace
@@ -93,7 +101,8 @@ void BodyDisplay::begin(const Document& document) {
     settings.apart = 0;
     settings.section.reset();
     hidden_.clear();
-    hovered_ = -1;
+    colors_.clear();
+    pieces = loads = {};
 }
 
 void BodyDisplay::show(int piece, bool visible) {
@@ -101,6 +110,13 @@ void BodyDisplay::show(int piece, bool visible) {
         hidden_.erase(piece);
     } else {
         hidden_.insert(piece);
+    }
+}
+
+void BodyDisplay::color(int piece, const std::optional<Vec3>& color) {
+    colors_.erase(piece);
+    if (color) {
+        colors_.emplace(piece, *color);
     }
 }
 
@@ -133,23 +149,33 @@ render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
         if (settings.overlays.faults && scene.document().faults.any()) {
             view.marks = scene.readout().faultMarks();
         }
+        const auto& held = scene.readout().loads();
+        if (const auto load = static_cast<std::size_t>(loads.shown()); load < held.size()) {
+            markLoad(held[load], view);
+        }
+        const auto piece = static_cast<std::size_t>(pieces.selected);
+        if (settings.overlays.boxes) {
+            view.pieceBoxes = bounds;
+        } else if (piece < bounds.size()) {
+            view.pieceBoxes = {bounds[piece]};
+        }
     }
     return view;
 }
 
 Bounds BodyDisplay::boundsOf(const BusyScene& scene) const {
-    const std::vector<Bounds>& pieces = scene.pieceBounds();
-    return settings.apart > 0 ? shownBounds(pieces, looksOf(pieces)) : scene.bounds();
+    const std::vector<Bounds>& bounds = scene.pieceBounds();
+    return settings.apart > 0 ? shownBounds(bounds, looksOf(bounds)) : scene.bounds();
 }
 
 Bounds BodyDisplay::boundsOf(const BusyScene& scene, int piece) const {
-    const std::vector<Bounds>& pieces = scene.pieceBounds();
+    const std::vector<Bounds>& bounds = scene.pieceBounds();
     const auto index = static_cast<std::size_t>(piece);
-    if (piece < 0 || index >= pieces.size()) {
+    if (piece < 0 || index >= bounds.size()) {
         return {};
     }
-    const std::vector<render::PieceLook> looks = looksOf(pieces);
-    return looks.empty() ? pieces[index] : shifted(pieces[index], looks[index].shift);
+    const std::vector<render::PieceLook> looks = looksOf(bounds);
+    return looks.empty() ? bounds[index] : shifted(bounds[index], looks[index].shift);
 }
 
 render::BodyLook BodyDisplay::look(const Document& document) const {
@@ -158,22 +184,28 @@ render::BodyLook BodyDisplay::look(const Document& document) const {
 
 /// The look of each piece; empty where all look as always.
 std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& bounds) const {
-    const bool plain = hovered_ < 0 && settings.apart == 0 && hidden_.empty();
+    const bool plain =
+        pieces.hovered < 0 && settings.apart == 0 && hidden_.empty() && colors_.empty();
     std::vector<render::PieceLook> looks(plain ? 0 : bounds.size());
     if (settings.apart > 0) {
         shiftApart(bounds, settings.apart, looks);
     }
     for (std::size_t p = 0; p < looks.size(); ++p) {
         looks[p].hidden = hidden_.contains(static_cast<int>(p));
+        if (const auto own = colors_.find(static_cast<int>(p)); own != colors_.end()) {
+            looks[p].tint = render::toLinear(own->second);
+            looks[p].strength = 1;
+        }
     }
-    if (hovered_ >= 0 && hovered_ < static_cast<int>(looks.size())) {
-        looks[hovered_].tint = linearOf(ui::pieceColor(hovered_));
-        looks[hovered_].strength = kHighlight;
+    if (pieces.hovered >= 0 && pieces.hovered < static_cast<int>(looks.size())) {
+        looks[pieces.hovered].tint = linearOf(ui::pieceColor(pieces.hovered));
+        looks[pieces.hovered].strength = kHighlight;
     }
     return looks;
 }
 
-void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) const {
+/// The rows of another list of loads are others.
+void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) {
     model.display = settings;
     if (!scene) {
         return;
@@ -183,9 +215,19 @@ void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) const 
     model.looks.ownSkin = render::toDisplay(look.skin);
     model.looks.ownFlesh = render::toDisplay(look.inner);
     model.looks.hasOwnColors = scene.document().looks.colored();
-    model.pieces.hovered = hovered_;
+    if (const std::size_t count = model.body.loads.rows.size(); count != loadCount_) {
+        loadCount_ = count;
+        loads = {};
+    }
+    model.body.loads.hovered = loads.hovered;
+    model.body.loads.selected = loads.selected;
+    model.pieces.hovered = pieces.hovered;
+    model.pieces.selected = pieces.selected;
     for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
-        model.pieces.rows[p].hidden = hidden_.contains(static_cast<int>(p));
+        ui::PieceRow& row = model.pieces.rows[p];
+        const auto own = colors_.find(static_cast<int>(p));
+        row.hidden = hidden_.contains(static_cast<int>(p));
+        row.color = own != colors_.end() ? std::optional(own->second) : std::nullopt;
     }
 }
 

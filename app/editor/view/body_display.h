@@ -6,19 +6,32 @@
 
 namespace kerf::app {
 
-/// The display of the body: its settings, the hidden pieces, and the one hovered in their list. It
-/// is not part of the simulation: hidden pieces move and are cut, and undo does not affect it.
+/// The rows of a list that the pointer is on, and that is selected; -1 for none.
+struct ListMarks {
+    int hovered = -1;
+    int selected = -1;
+
+    bool operator==(const ListMarks&) const = default;
+    /// The one to be highlighted; -1 for none.
+    int shown() const { return hovered < 0 ? selected : hovered; }
+};
+
+/// The display of the body: its settings, the hidden and the coloured pieces, and what is marked in
+/// their list and in that of the loads. It is not part of the simulation: hidden pieces move and
+/// are cut, and undo does not affect it.
 class BodyDisplay {
   public:
     ui::DisplaySettings settings;
+    ListMarks pieces;
+    ListMarks loads;
 
     bool operator==(const BodyDisplay&) const = default;
 
     /// Shows a document that was just opened: all of it, together, in the colours of its session.
     void begin(const Document& document);
-    /// Highlights the piece under the pointer, -1 for none.
-    void hover(int piece) { hovered_ = piece; }
     void show(int piece, bool visible);
+    /// Gives a piece a colour, in display colours, or its look again.
+    void color(int piece, const std::optional<Vec3>& color);
     /// Draws the pieces together again, as before any tool touches them. Returns whether they were
     /// apart.
     bool join();
@@ -33,14 +46,15 @@ class BodyDisplay {
     /// The scene with the display settings, if BusyScene::isWhole().
     render::SceneView viewOf(const BusyScene& scene) const;
     /// Sets the settings, and of an open `scene` the colours of the model itself, and which rows of
-    /// its pieces are hidden or hovered.
-    void describe(const BusyScene& scene, ui::PanelModel& model) const;
+    /// its pieces and loads are hidden or marked.
+    void describe(const BusyScene& scene, ui::PanelModel& model);
 
   private:
     std::vector<render::PieceLook> looksOf(const std::vector<Bounds>& bounds) const;
 
     std::set<int> hidden_;
-    int hovered_ = -1;
+    std::map<int, Vec3> colors_;  ///< of pieces
+    std::size_t loadCount_ = 0;   ///< of the list whose rows are marked
 };
 
 }  // namespace kerf::app

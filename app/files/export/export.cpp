@@ -428,13 +428,19 @@ std::vector<ExportedFile> encodeExport(const ExportTarget& target, const Surface
                           ? gatherInScene(mesh, pieces, looks, place.origin)
                           : gatherInModel(mesh, pieces, looks, place.placement));
     ExportWriter writer(target, whole);
+    const auto piece = [&](int number) {
+        return partOf(whole, [number](const ExportFace& face) { return face.piece == number; });
+    };
+    if (target.pieceAt) {
+        writer.add(target.file, piece(pieces.ofVertex[mesh.triangle(*target.pieceAt)[0]]));
+        return writer.takeFiles();
+    }
     if (!target.filePerPiece) {
         writer.add(target.file, whole);
         return writer.takeFiles();
     }
-    for (int piece = 0; piece < static_cast<int>(pieces.pieces.size()); ++piece) {
-        const auto belongs = [&](const ExportFace& face) { return face.piece == piece; };
-        writer.add(pieceFile(target.file, piece), partOf(whole, belongs));
+    for (int number = 0; number < static_cast<int>(pieces.pieces.size()); ++number) {
+        writer.add(pieceFile(target.file, number), piece(number));
     }
     return writer.takeFiles();
 }

@@ -38,6 +38,8 @@ struct ExportTarget {
     Coordinates coordinates = Coordinates::scene;
     /// The folder of a relative `file`.
     std::filesystem::path folder{};
+    /// A triangle of the only piece to be exported, instead of all.
+    std::optional<int> pieceAt{};
 };
 struct ExportedFile {
     std::filesystem::path file;

@@ -147,6 +147,8 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.body.boxes = countedFrom(simulation.boxes(), toScene);
     model.body.pinned = simulation.pinnedVertices().size() + simulation.forces().size();
     model.body.hooks = hooksOf(simulation.hands()).size();
+    loads_.follow(simulation, body_.document.session.origin);
+    std::ranges::transform(loads_.loads(), std::back_inserter(model.body.loads.rows), &Load::row);
     model.body.size = body_.rest.bounds().diagonal();
     model.body.bounds = simulation.bounds();
     model.parameters.iterations = report.iterations;

@@ -2,6 +2,7 @@
 
 #include "app/scene/readout/cut_quality.h"
 #include "app/scene/readout/editor_readings.h"
+#include "app/scene/readout/load_table.h"
 #include "app/scene/readout/surface_look.h"
 #include "app/scene/timeline/scene_timeline.h"
 #include "app/session/skin_follower.h"
@@ -76,6 +77,8 @@ class SceneReadout {
     const std::vector<ui::PieceRow>& measurePieces();
     /// The document's faults as marks on the present body, where its triangles are undivided.
     const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
+    /// What holds or pulls the body, as the panels show it.
+    const std::vector<Load>& loads() const { return loads_.loads(); }
     const EditorReadings& readings() const { return readings_; }
     /// The forces on the blade in the steps so far, where they are measured.
     const ForceTrace& forces() const { return forces_; }
@@ -115,6 +118,7 @@ class SceneReadout {
     VolumeWatch volumes_;
     PieceTable pieces_;
     MarkTable marks_;
+    LoadTable loads_;
     std::shared_ptr<const std::vector<render::Marks>> faultMarks_;
     int marksTriangles_ = -1;  ///< of the body that those are of
 };

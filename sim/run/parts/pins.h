@@ -94,6 +94,8 @@ class Pins {
     /// The pinned vertices, ascending.
     const std::vector<std::uint32_t>& vertices() const { return fixed_.vertices(); }
     const std::vector<Force>& forces() const { return forces_; }
+    /// Those that have ended hold on.
+    const std::vector<Motion>& motions() const { return motions_; }
     /// Whether some of them are on the move.
     bool moves() const;
     /// How many vertices are held, each as often as it is.
