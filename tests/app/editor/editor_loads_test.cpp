@@ -32,8 +32,9 @@ class EditorLoadsTest : public EditorTest {
     /// A cap that moves, out of the middle of one that is fixed: boxes about the one hold the
     /// other.
     void pinRingAndMiddle() {
-        execute(Pin{Ball{{0, 0, 0.5}, 0.35}});
-        execute(Pin{.region = Ball{{0, 0, 0.5}, 0.2}, .velocity = Vec3(0, 0.5, 0), .seconds = 0.1});
+        const Vec3 corner = Vec3::Constant(0.29);
+        execute(Pin{Ball{corner, 0.35}});
+        execute(Pin{.region = Ball{corner, 0.2}, .velocity = Vec3(0, 0.5, 0), .seconds = 0.1});
     }
     void saveAndReplay() {
         saveByKeys();
