@@ -8,6 +8,7 @@ import typing
 import numpy as np
 
 from . import bodies, drawing
+from .legs import StoredEnergy
 from .workshop import ROOT, picture, progress, publish, remove, save_figure, table
 
 MATERIALS = ("gelatin", "silicone", "liver")
@@ -263,8 +264,9 @@ class Ring:
 class Trouser:
     """A sheet with two legs that hands pull apart across it (Rivlin and Thomas 1953).
 
-    Legs that hardly stretch move by twice the length of the tear: the energy release rate is 2 F
-    over the thickness, and the hands' work over the torn area.
+    The toughness is the hands' work, less what the legs store by finite elements as they get
+    longer, over the torn area. 2 F over the thickness is the energy release rate of long legs
+    alone: it tells when to pull slowly.
     """
     name = "trouser"
     squares = {"coarse": 4.5, "fine": 6.5}  #: over a leg: the slit lies amid squares
@@ -296,13 +298,33 @@ class Trouser:
         return [(side, [-self.length / 2, side * self.height / 2, 0], self.REACH * self.height)
                 for side in (1, -1)]
 
+    @property
+    def hand_stiffness(self):
+        """Of hands in a unit of volume, for a leg whose width and modulus are 1."""
+        return self.material.density * (HAND_RATE * self.height)**2 / self.material.modulus
+
+    @property
+    def most_force(self):
+        """At which it has not torn, in the same units."""
+        return MOST_RELEASE * self.thickness / self.height / self.SIZE / 2
+
     def calibrate(self):
-        """The force is measured."""
+        """Finds what the legs store by opening and length of the slit. The force is measured."""
+        self.stored = StoredEnergy(self)
 
     def toughness_from(self, points):
-        """Work by torn area, or 2 F over the thickness in the mean [J/m^2]."""
+        """[J/m^2]"""
         start, end = points[0], points[-1]
-        return (end.work - start.work) / ((end.torn - start.torn) * self.ligament)
+        released = end.work - self.energy(end) - start.work + self.energy(start)
+        return released / ((end.torn - start.torn) * self.ligament)
+
+    def energy(self, point):
+        """What the legs store [J]."""
+        return self.stored(point.opening, self.length_of(point.torn))
+
+    def length_of(self, torn):
+        """Of the slit, in widths of a leg."""
+        return self.LEGS + (self.LENGTH - self.LEGS) * torn
 
     def grips(self, sim):
         return Hands(sim, self)
