@@ -16,7 +16,7 @@ MOST_ERROR = 0.15
 MOST_MISSING = 0.05
 
 #: Without what is not measured. Without a strength no second tear begins elsewhere.
-PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "wall_coarsening": 1,
+PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "damping": 0, "wall_coarsening": 1,
           "tensile_strength": 1e9}
 STEP = 4  # squares that a wave in a bar passes in a time step
 ITERATIONS = 24  # in such a step
@@ -359,9 +359,10 @@ class Hands:
         force = self.opening = 0
         for way, _, held, rest in self.hands:
             now, moved = self.sim.positions[held], self.sim.positions[held] - before[held]
-            # In the mean over the step, in which the hand is where it is led from the start.
+            # In the mean over an implicit step, in which the hand goes where it is led.
+            led = way * (self.led - self.speed * self.step / report.implicit_steps / 2)
             pull = mass[held][:, None] * (
-                HAND_RATE**2 * (rest + way * self.led - now + moved / 2)
+                HAND_RATE**2 * (rest + led - now + moved / 2)
                 + 2 * HAND_RATE * (way * self.speed - moved / self.step))
             self.work += (pull * moved).sum()
             force += (pull @ way).sum()
