@@ -8,7 +8,8 @@ import sys
 
 import kerf
 
-from . import bar, blade, fem, iterations, materials, paper, paper_figures, paper_report, practice, tear
+from . import (bar, blade, fem, fracture, iterations, materials, paper, paper_figures, paper_report,
+               practice, tear)
 from .workshop import progress, remove, write
 
 # As `kerf --help` says.
@@ -21,7 +22,8 @@ MOST_REPEATS = 100
 #: Experiments of Kerf's own, which "all" leaves out: each has a folder of its name. They print
 #: their report, or with --json their summary, and return what failed as a sentence, or "".
 OWN = {"bar": bar.run, "fem": fem.run, "blade": blade.run, "materials": materials.run,
-       "iterations": iterations.run, "tear": tear.run, "practice": practice.run}
+       "iterations": iterations.run, "tear": tear.run, "fracture": fracture.run,
+       "practice": practice.run}
 
 
 class Parser(argparse.ArgumentParser):

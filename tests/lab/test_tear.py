@@ -49,6 +49,14 @@ class Tear(unittest.TestCase):
         self.assertEqual(len(points) - len(edges) + len(triangles), 0)
         self.assertAlmostEqual(bodies.volume(points, triangles), 1.5 * np.pi, delta=0.02)
 
+    def test_work_that_legs_store_is_no_toughness(self):
+        """As finite elements have it: straight legs, whose energy is linear in opening and slit."""
+        trouser = tear.Trouser(JELLY, "coarse")
+        trouser.stored = lambda opening, length: 2 * opening + length
+        start, end = (Point(0.001 * torn, 0, torn, 3 * torn, 0, 0, 0) for torn in (0.2, 0.45))
+        expected = (3 * 0.25 - 2 * 0.00025 - 4 * 0.25) / (0.25 * trouser.ligament)
+        self.assertAlmostEqual(trouser.toughness_from([start, end]) / expected, 1)
+
     def test_quick_tears_one_of_each(self):
         wanted = list(tear.cases(quick=True))
         self.assertEqual([kind.name for kind, *_ in wanted], [s.name for s in tear.SPECIMENS])
