@@ -135,31 +135,25 @@ void askAboutRepair(State& s) {
     s.redraw.scene();
 }
 
-/// The largest distance of places from a surface [m].
-double farthest(const std::vector<Vec3>& places, const SurfaceMesh& surface) {
+/// The largest distance of vertices, about 20,000 of them, from another surface [m].
+double farthest(const std::vector<Vec3>& vertices, const SurfaceMesh& surface) {
+    const std::size_t stride = 1 + vertices.size() / 20000;
     std::vector<int> triangles(surface.triangleSlots());
     std::iota(triangles.begin(), triangles.end(), 0);
     NearestTriangle nearest(triangles, [&](int t) { return restCornersOf(surface, t); });
     double most = 0;
-    for (const Vec3& place : places) {
-        const auto [a, b, c] = restCornersOf(surface, nearest.find(place));
-        const Vec3 weights = closestWeights(place, a, b, c);
-        most = std::max(most, (weights[0] * a + weights[1] * b + weights[2] * c - place).norm());
+    for (std::size_t v = 0; v < vertices.size(); v += stride) {
+        most = std::max(most, (nearest.closestPoint(vertices[v]) - vertices[v]).norm());
     }
     return most;
 }
 
 /// A scene before its triangles were changed.
 struct Before {
-    explicit Before(const EditorScene& scene) : figures(figuresOf(scene)) {
-        constexpr std::size_t kPlaces = 20000;
-        const std::vector<Vec3>& all = scene.rest().uncut().mesh.restPositions();
-        for (std::size_t v = 0; v < all.size(); v += 1 + all.size() / kPlaces) {
-            places.push_back(all[v]);
-        }
-    }
+    explicit Before(const EditorScene& scene)
+        : figures(figuresOf(scene)), body(scene.simulation().uncut()) {}
     TriangleFigures figures;
-    std::vector<Vec3> places;  ///< some of its vertices
+    std::shared_ptr<const UncutBody> body;
 };
 
 void tellOfExchange(State& s, const std::string& change, const Before& before) {
@@ -168,8 +162,9 @@ void tellOfExchange(State& s, const std::string& change, const Before& before) {
     outcome += change == kPart ? std::to_string(now.simulation().modelCount())
                                : changeText(before.figures, figuresOf(now));
     if (change == kRemesh) {
-        outcome += fmt::format("; the surface moved by up to {}",
-                               lengthText(farthest(before.places, now.rest().uncut().mesh)));
+        outcome += fmt::format(
+            "; the surface moved by up to {}",
+            lengthText(farthest(before.body->mesh.restPositions(), now.rest().uncut().mesh)));
     }
     spdlog::info("{}: {}", s.scene->document().name, outcome);
     s.toast.offer(outcome, {ui::ActionId::undo, "Undo"});
@@ -258,7 +253,7 @@ namespace {
 std::string slownessText(const EditorScene& scene, double bearable) {
     constexpr int kLarge = 20000;  // triangles; fewer need no forecast
     const SurfaceMesh& mesh = scene.rest().uncut().mesh;
-    if (mesh.triangleSlots() < kLarge || std::isinf(bearable)) {
+    if (!scene.document().guess || mesh.triangleSlots() < kLarge || !std::isfinite(bearable)) {
         return "";
     }
     const RealTimeForecast forecast = realTimeForecast(mesh, scene.simulation().params());
@@ -278,8 +273,7 @@ void Editor::State::tellOfModel(std::string note) {
     const ModelFigures& model = scene->rest().models().front();
     const double diagonal = model.bounds.diagonal();
     const bool coarse = scene->document().guess && isCoarse(model.triangles, diagonal);
-    const std::string slow =
-        scene->document().guess ? slownessText(*scene, clock.slowStep()) : std::string();
+    const std::string slow = slownessText(*scene, clock.slowStep());
     note += slow;
     if (coarse) {
         note += fmt::format(" {}. With edges of {} it bends and cuts well.",

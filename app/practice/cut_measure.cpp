@@ -149,12 +149,6 @@ void measureLines(const TaskBody& body, CutScore& score) {
     score.depthInBand = inBand.mean;
 }
 
-Vec3 closestOn(const Corners& triangle, const Vec3& p) {
-    const auto& [a, b, c] = triangle;
-    const Vec3 weights = closestWeights(p, a, b, c);
-    return weights[0] * a + weights[1] * b + weights[2] * c;
-}
-
 /// What margins are measured from: walls of blades on what is not spared.
 struct SparingWalls {
     explicit SparingWalls(const TaskBody& body) {
@@ -173,7 +167,7 @@ struct SparingWalls {
         NearestTriangle surface(model, corners);
         Statistics margin;
         for (const Vec3& p : points) {
-            margin.add((closestOn(corners(surface.find(p)), p) - p).norm());
+            margin.add((surface.closestPoint(p) - p).norm());
         }
         return margin;
     }

@@ -44,7 +44,7 @@ class Row(typing.NamedTuple):
 
     @property
     def is_within(self):
-        return self.ratio is not None and abs(self.ratio - 1) <= MOST_ERROR
+        return self.ratio is not None and bool(abs(self.ratio - 1) <= MOST_ERROR)
 
 
 # --- Bars -----------------------------------------------------------------------------------------
@@ -185,6 +185,11 @@ def failure_of(rows):
                  for r in rows if not r.is_within), "")
 
 
+def summary_of(rows):
+    return {"problems": [{**r._asdict(), "ratio": r.ratio, "within": r.is_within} for r in rows],
+            "not_run": OTHERS}
+
+
 def run(arguments):
     """Prints the report. Returns what is off as a sentence, or ""."""
     folder = arguments.out / "fracture"
@@ -193,7 +198,5 @@ def run(arguments):
     for name, problem in PROBLEMS.items():
         progress(f"fracture: {name}")
         rows.append(problem())
-    publish(arguments, folder, report_of(rows), {
-        "problems": [{**r._asdict(), "ratio": r.ratio, "within": r.is_within} for r in rows],
-        "not_run": OTHERS})
+    publish(arguments, folder, report_of(rows), summary_of(rows))
     return failure_of(rows)

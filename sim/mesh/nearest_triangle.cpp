@@ -32,6 +32,10 @@ int NearestTriangle::find(const Vec3& p) {
     return found;
 }
 
+Vec3 NearestTriangle::closestPoint(const Vec3& p) {
+    return closestOn(cornersOf_(find(p)), p);
+}
+
 /// -1 where none is within reach.
 int NearestTriangle::findWithin(const Vec3& p, double reach) {
     const Bounds around = widened(Bounds{p, p}, reach);

@@ -18,6 +18,8 @@ class NearestTriangle {
 
     /// The triangle nearest to p; the lowest of equally near ones.
     int find(const Vec3& p);
+    /// The point of them nearest to p.
+    Vec3 closestPoint(const Vec3& p);
 
   private:
     Bounds boundsOf(int id) const;

@@ -38,6 +38,12 @@ Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) 
     return Vec3(overA, overB, overC) / (overA + overB + overC);
 }
 
+Vec3 closestOn(const Corners& triangle, const Vec3& p) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 weights = closestWeights(p, a, b, c);
+    return weights[0] * a + weights[1] * b + weights[2] * c;
+}
+
 double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 ab = b - a;
     const double square = ab.squaredNorm();

@@ -65,6 +65,9 @@ inline double tetrahedronVolume(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// (Ericson, Real-Time Collision Detection, 5.1.5).
 Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// The point of a triangle closest to p.
+Vec3 closestOn(const Corners& triangle, const Vec3& p);
+
 /// Distance of p from the segment ab.
 double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 

@@ -1,5 +1,6 @@
 """Challenge problems of fracture: what is expected, and what the report says."""
 
+import json
 import unittest
 
 import numpy as np
@@ -29,7 +30,7 @@ class Fracture(unittest.TestCase):
         self.assertTrue(0.5 < share < 1, f"{share}: the end of the slit gives way")
 
     def test_what_is_off_is_told(self):
-        rows = [Row("pure shear", "toughness", 2, 1.9), Row("trousers", "toughness", 2, 3),
+        rows = [Row("pure shear", "toughness", 2, np.float64(1.9)), Row("trousers", "toughness", 2, 3),
                 Row("trousers", "toughness", 2, None)]
         self.assertEqual(fracture.failure_of(rows[:1]), "")
         self.assertEqual(fracture.failure_of(rows[:2]),
@@ -38,6 +39,8 @@ class Fracture(unittest.TestCase):
         report = fracture.report_of(rows)
         self.assertIn("Within 15 %: 1 of 3.", report)
         self.assertIn("| trousers | toughness | 2 | - | - | no |", report)
+        within = json.loads(json.dumps(fracture.summary_of(rows)))["problems"]
+        self.assertEqual([r["within"] for r in within], [True, False, False])
         self.assertEqual(len(fracture.PROBLEMS) + len(fracture.OTHERS), 9)
 
 

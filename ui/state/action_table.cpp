@@ -64,7 +64,7 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return m.parameters.now.gravity.norm() > 0; }},
     ActionRow{ActionId::remesh, at(Key::r, kShift, "Shift+R"), "Remesh", "Edit", withBody},
     ActionRow{ActionId::remeshCoarser, at(Key::r, kControlShift, "Ctrl+Shift+R"),
-              "Remesh to 5,000 triangles", "Edit",
+              "Remesh to about 5,000 triangles", "Edit",
               [](const PanelModel& m) { return m.body.triangles > kFewTriangles; }},
     ActionRow{ActionId::partModel, at(Key::o, kShift, "Shift+O"), "Split into models", "Edit",
               [](const PanelModel& m) { return m.model.objects > 1; }},

@@ -306,7 +306,8 @@ bool Practice::follow(EditorScene& scene, const ui::Settings& settings) {
 }
 
 bool Practice::isDue(const EditorScene& scene) const {
-    return finishing_ && task_ && !scene.stroke().drawing() && scene.stroke().pending() == 0;
+    return finishing_ && task_ && uncut_ == scene.simulation().uncut() &&
+           !scene.stroke().drawing() && scene.stroke().pending() == 0;
 }
 
 std::string Practice::judge(EditorScene& scene, Session played, const std::string& person) {

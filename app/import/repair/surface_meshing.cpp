@@ -137,11 +137,7 @@ class OldSurface {
         : soup_{soup.positions, soup.triangles, {}},
           nearest_(numbers(), [this](int t) { return repair::cornersOf(soup_, t); }) {}
 
-    Vec3 nearest(const Vec3& place) {
-        const Corners at = repair::cornersOf(soup_, nearest_.find(place));
-        const Vec3 weights = closestWeights(place, at[0], at[1], at[2]);
-        return weights[0] * at[0] + weights[1] * at[1] + weights[2] * at[2];
-    }
+    Vec3 nearest(const Vec3& place) { return nearest_.closestPoint(place); }
 
   private:
     std::vector<int> numbers() const {
