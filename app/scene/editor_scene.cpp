@@ -19,13 +19,16 @@ bool takesBodyElsewhere(const Command& command) {
            std::holds_alternative<Restart>(command) || std::holds_alternative<Place>(command);
 }
 
-/// Of a command that takes the body elsewhere, in the plots.
+/// Of a command after which the body is another, in the plots.
 const char* markOf(const Command& command) {
     if (std::holds_alternative<Undo>(command)) {
         return "undo";
     }
     if (std::holds_alternative<Place>(command)) {
         return "placed";
+    }
+    if (std::holds_alternative<RemovePiece>(command)) {
+        return "deleted";
     }
     return std::holds_alternative<Redo>(command) ? "redo" : "restart";
 }
@@ -114,6 +117,10 @@ std::string EditorScene::execute(const Command& command) {
         hands().letGoForGood();
         forgetStroke();
     }
+    const bool removes = std::holds_alternative<RemovePiece>(command);
+    if (removes && !simulation().blade()) {
+        timeline().takeOver();
+    }
     const Params before = simulation().params();
     const bool bladeIsDown = simulation().blade() && simulation().bladeActions().empty();
     std::string problem = timeline().perform(command);
@@ -123,6 +130,8 @@ std::string EditorScene::execute(const Command& command) {
     if (problem.empty() && takesBodyElsewhere(command)) {
         chooseAsBefore(before);
         timeline().releaseHandsButHooks();
+    }
+    if (problem.empty() && (takesBodyElsewhere(command) || removes)) {
         readout().addJump(markOf(command));
     }
     if (const auto* set = std::get_if<SetParam>(&command); set != nullptr && problem.empty()) {

@@ -62,6 +62,7 @@ inline constexpr Limits kScales{1e-6, 1e6};
 inline constexpr Limits kRadii{1e-9, kMaxSessionCoordinate};                  // [m]
 inline constexpr Limits kHands{0, 99};                                        // their numbers
 inline constexpr Limits kBoxNumbers{0, static_cast<double>(kMostBoxes) - 1};  // from 0
+inline constexpr Limits kPieceNumbers{0, 1e6};                                // from 0
 inline constexpr Limits kModelNumbers{0, kMostModels - 1};                    // from 0
 inline constexpr Limits kObjectNumbers{1, 1e6};
 inline constexpr Limits kBoxSizes{kLeastBoxSize, kLargestBoxSize};  // [m]
@@ -261,6 +262,12 @@ void describe(auto& fields, ChangeBox& change) {
 void describe(auto& fields, RemoveBox& remove) {
     fields.type({"remove_box", "Takes a box away. Those behind it in the list move up."});
     fields.required({"box", "The number of the box, from 0."}, remove.index, kBoxNumbers);
+}
+
+void describe(auto& fields, RemovePiece& remove) {
+    fields.type({"remove_piece",
+                 "Takes a piece away, with what holds or pulls it. Those behind it move up."});
+    fields.required({"piece", "The number of the piece, from 0."}, remove.piece, kPieceNumbers);
 }
 
 void describe(auto& fields, Restart&) {

@@ -248,6 +248,10 @@ class Simulation:
         """Removes a box; those after it in the list move up."""
         self.apply("remove_box", box=box)
 
+    def remove_piece(self, piece: int) -> None:
+        """Removes a piece, by its place in `pieces`, from 0; those after it move up."""
+        self.apply("remove_piece", piece=piece)
+
     @property
     def boxes(self) -> List[Dict[str, Tuple[float, float, float]]]:
         """The current boxes: `center`, `size` [m], `rotate` [degrees]."""

@@ -1,7 +1,10 @@
 // How each kind of command is carried out.
 
+#include <spdlog/fmt/fmt.h>
+
 #include "sim/base/math.h"
 #include "sim/base/size_params.h"
+#include "sim/run/blade/cut_followers.h"
 #include "sim/run/simulation_state.h"
 
 namespace kerf {
@@ -165,6 +168,34 @@ std::string Simulation::State::carryOut(const ChangeBox& change) {
 template <>
 std::string Simulation::State::carryOut(const RemoveBox& remove) {
     return apply(edited(input.boxes, remove));
+}
+
+template <>
+std::string Simulation::State::carryOut(const RemovePiece& remove) {
+    const std::vector<int>& pieces = body.model().pieceOfVertex;
+    const auto vertex = std::ranges::find(pieces, std::max(remove.piece, 0));
+    const std::size_t count = body.model().pieces.size();
+    if (remove.piece < 0 || vertex == pieces.end()) {
+        return fmt::format("There is no piece {}; they count from 0 to {}.", remove.piece,
+                           count - 1);
+    }
+    if (count == 1 || input.blade.isPlaced()) {
+        return count == 1 ? "This is the only piece; a scene keeps one."
+                          : "A stroke is under way; end it before you remove a piece.";
+    }
+    const int at = static_cast<int>(vertex - pieces.begin());
+    log.noteBody("Delete piece " + std::to_string(remove.piece + 1), log.captureForUndo(body),
+                 output, BodyGesture::none, remove.piece);
+    log.touch();
+    endTear(body, log.history(), output);
+    body.mesh().bringAll();
+    followCut(body.cutter->removePieceAt(at), body, log.history(), output);
+    body.memory.hands.forgetDead(body.mesh());
+    body.memory.guard.startAnew();
+    body.holdPins();
+    body.measureAtRest();
+    publish();
+    return "";
 }
 
 std::string Simulation::State::apply(BoxEdit edit) {

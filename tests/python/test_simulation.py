@@ -221,6 +221,17 @@ class Body(TestCase):
         sim.unpin(center=[0, 2, 0], radius=5)
         self.assertEqual((len(sim.pinned), len(sim.boxes)), (0, 1))
 
+    def test_a_piece_is_removed(self):
+        sim = kerf.Simulation("sphere20", params={"floor": None, "gravity": [0, 0, 0]})
+        sim.move_blade([0.1, 2, -2], [0.1, 2, 2])
+        sim.sweep([0.1, -2, -2], [0.1, -2, 2], 30)
+        sim.lift_blade()
+        self.assertEqual(sim.step().pieces, 2)
+        kept = sim.pieces.triangles[1]
+        sim.remove_piece(0)
+        np.testing.assert_array_equal(sim.pieces.triangles, [kept])
+        self.assertRaises(kerf.InputError, sim.remove_piece, 0)
+
     def test_time_stands_and_parameters_change(self):
         sim = kerf.Simulation("sphere20", params={"floor": None})
         sim.hold()

@@ -80,6 +80,7 @@ std::string sessionWithEveryEvent() {
                        {"step": 3, "type": "change_box", "box": 2, "center": [0, 0.2, 0],
                         "size": [1, 2, 3], "rotate": [0, 0.1, 0], "continues": true},
                        {"step": 3, "type": "remove_box", "box": 2},
+                       {"step": 3, "type": "remove_piece", "piece": 1},
                        {"step": 3, "type": "undo"}, {"step": 3, "type": "redo"},
                        {"step": 4, "type": "restart"},
                        {"step": 4, "type": "place", "unit": "in", "up": "-x", "scale": 0.1,

@@ -33,6 +33,7 @@ struct NameOf {
     std::string operator()(const AddBox&) const { return "A box is put up"; }
     std::string operator()(const ChangeBox&) const { return "The box is moved"; }
     std::string operator()(const RemoveBox&) const { return "The box is taken away"; }
+    std::string operator()(const RemovePiece&) const { return "A piece is taken away"; }
     std::string operator()(const Restart&) const { return "The whole body again"; }
     std::string operator()(const Place&) const { return "Placed otherwise"; }
     std::string operator()(const Undo&) const { return "Undo"; }

@@ -74,6 +74,9 @@ struct Told {
     std::pair<Kind, std::string> operator()(const RemoveBox& box) const {
         return {Kind::scene, "Box " + std::to_string(box.index) + " removed"};
     }
+    std::pair<Kind, std::string> operator()(const RemovePiece& removed) const {
+        return {Kind::scene, "Piece " + std::to_string(removed.piece + 1) + " deleted"};
+    }
     std::pair<Kind, std::string> operator()(const Place&) const {
         return {Kind::scene, "Placement"};
     }

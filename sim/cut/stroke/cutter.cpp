@@ -98,6 +98,12 @@ CutDelta Cutter::mend(const std::vector<int>& triangles) {
     return cut::mend(state_->body, triangles);
 }
 
+CutDelta Cutter::removePieceAt(int vertex) {
+    assert(!inStroke());
+    state_->noteMotion();
+    return cut::removePiece(state_->body, state_->body.pieces.labels().ofVertex()[vertex]);
+}
+
 void Cutter::prepare() {
     state_->body.surface.prepare();
     state_->body.pieces.measureVolumes();

@@ -68,6 +68,9 @@ class Cutter {
     /// CutSettings::cleanUp.
     CutDelta mend(const std::vector<int>& triangles);
 
+    /// Removes the piece of a vertex; only between strokes.
+    CutDelta removePieceAt(int vertex);
+
     /// Whether a stroke is in progress.
     bool inStroke() const;
     /// Whether the running stroke has made walls.

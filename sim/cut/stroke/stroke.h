@@ -59,5 +59,8 @@ struct Stroke {
 WoundClosing closeWounds(CutBody& body, CutDelta& delta);
 /// Removes short edges at some triangles between strokes. Returns the change.
 CutDelta mend(CutBody& body, const std::vector<int>& triangles);
+/// Removes a piece between strokes, by its number among the cutter's; -1 is none. Returns the
+/// change.
+CutDelta removePiece(CutBody& body, int piece);
 
 }  // namespace kerf::cut

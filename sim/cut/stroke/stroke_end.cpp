@@ -182,4 +182,11 @@ CutDelta mend(CutBody& body, const std::vector<int>& triangles) {
     return delta;
 }
 
+CutDelta removePiece(CutBody& body, int piece) {
+    CutDelta delta;
+    delta.firstNewVertex = body.mesh.vertexCount();
+    body.follow({.triangles = removePieces(body.mesh, body.pieces.labels(), {piece}, 0, delta)});
+    return delta;
+}
+
 }  // namespace kerf::cut

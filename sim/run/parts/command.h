@@ -90,6 +90,11 @@ struct ChangeBox {
 struct RemoveBox {
     int index = 0;
 };
+/// Removes the piece of this number, from 0 in the order in which they came off, with what holds or
+/// pulls it. Those behind it move up. Not the last piece, and not during a stroke.
+struct RemovePiece {
+    int piece = 0;
+};
 /// Restores the uncut body at rest; parameters, boxes and time stay.
 struct Restart {};
 /// Restart, with a new placement of a model: unit, rotation, scale, position. Parameters that
@@ -100,8 +105,9 @@ struct Place {
     bool continues = false;
     int model = 0;  ///< of the scene, by number
 };
-/// Undoes the last change: a cut or a grab (with all later motion of the body), a restart, a
-/// placement, a parameter, pins or a box. A blade in the body is lifted first; time goes on.
+/// Undoes the last change: a cut, a grab or a removed piece (with all later motion of the body), a
+/// restart, a placement, a parameter, pins or a box. A blade in the body is lifted first; time goes
+/// on.
 struct Undo {};
 /// Redoes the last undone change.
 struct Redo {};
@@ -113,6 +119,6 @@ struct SetTime {
 
 using Command =
     std::variant<MoveBlade, LiftBlade, SetParam, Grab, Drag, Release, Pin, MovePins, ApplyForce,
-                 AddBox, ChangeBox, RemoveBox, Restart, Place, Undo, Redo, SetTime>;
+                 AddBox, ChangeBox, RemoveBox, RemovePiece, Restart, Place, Undo, Redo, SetTime>;
 
 }  // namespace kerf

@@ -84,6 +84,13 @@ std::string Hands::release(const Release& release) {
     return removed > 0 ? "" : emptyHand(release.hand);
 }
 
+void Hands::forgetDead(const SurfaceMesh& mesh) {
+    for (Hand& hand : hands_) {
+        std::erase_if(hand.held, [&](const Held& held) { return mesh.outgoing(held.vertex) < 0; });
+    }
+    std::erase_if(hands_, [](const Hand& hand) { return hand.held.empty(); });
+}
+
 std::vector<shared::PullRecord> Hands::advance(double timeStep) {
     std::vector<shared::PullRecord> pulls;
     for (Hand& hand : hands_) {

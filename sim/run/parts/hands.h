@@ -38,6 +38,9 @@ class Hands {
     std::vector<std::uint32_t> heldVertices() const;
     bool empty() const { return hands_.empty(); }
 
+    /// Lets go of vertices that are no more; a hand that holds no other vanishes.
+    void forgetDead(const SurfaceMesh& mesh);
+
     /// The springs of the coming step of `timeStep` [s]; moves the hands to their targets.
     std::vector<shared::PullRecord> advance(double timeStep);
 

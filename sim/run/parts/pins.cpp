@@ -99,6 +99,8 @@ bool Pins::follow(const SurfaceMesh& mesh, const CutDelta& delta) {
     for (Force& force : forces_) {
         force.held.follow(mesh, delta);
     }
+    std::erase_if(motions_, [](const Motion& motion) { return motion.held.empty(); });
+    std::erase_if(forces_, [](const Force& force) { return force.held.empty(); });
     return fixed_.follow(mesh, delta);
 }
 

@@ -37,12 +37,14 @@ struct UndoEntry {
         std::vector<StaticBox> after;
         int changed = -1;  ///< number of the box that was changed; -1 for none
     };
-    /// A cut, a grab, moved pins, a restart or a placement. `after` is known while it is undone.
+    /// A cut, a grab, moved pins, a removed piece, a restart or a placement. `after` is known while
+    /// it is undone.
     struct BodySnapshotChange {
         SnapshotPointer before;
         SnapshotPointer after;
         BodyGesture gesture = BodyGesture::none;
         std::vector<ParamChange> params = {};  ///< that were adapted to the size
+        int removedPiece = -1;                 ///< its number before that; -1 for none
     };
 
     std::string name;  ///< for display: "Cut 2", "Gravity: none"

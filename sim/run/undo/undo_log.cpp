@@ -79,10 +79,11 @@ void UndoLog::noteBoxes(std::vector<StaticBox> before, const BoxEdit& edit, doub
 }
 
 void UndoLog::noteBody(std::string name, SnapshotPointer before, SimulationOutput& output,
-                       BodyGesture gesture) {
+                       BodyGesture gesture, int removedPiece) {
     if (before) {
-        history_.add({std::move(name), output.clock.time,
-                      UndoEntry::BodySnapshotChange{std::move(before), nullptr, gesture}});
+        history_.add(
+            {std::move(name), output.clock.time,
+             UndoEntry::BodySnapshotChange{std::move(before), nullptr, gesture, {}, removedPiece}});
         output.toldTooLarge = false;
     } else if (history_.keeps()) {
         history_.forgetAll();

@@ -38,7 +38,7 @@ class UndoLog {
     /// Records a change of the body. `before` is null if no snapshot fits, or none is kept. Reports
     /// one that is too large, so that neither it nor earlier changes can be undone.
     void noteBody(std::string name, SnapshotPointer before, SimulationOutput& output,
-                  BodyGesture gesture = BodyGesture::none);
+                  BodyGesture gesture = BodyGesture::none, int removedPiece = -1);
 
     /// Whether the last change was such a gesture, which may continue.
     bool continuesBody(BodyGesture gesture);
