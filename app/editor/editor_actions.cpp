@@ -162,8 +162,40 @@ void freePins(State& s, EditorScene& now) {
     }
 }
 
+void removeLoad(State& s, EditorScene& now, std::size_t row) {
+    const std::vector<Load>& loads = now.readout().loads();
+    if (row >= loads.size()) {
+        return;
+    }
+    const Load load = loads[row];
+    if (isHook(load.hand)) {
+        now.hands().removeRetractor(load.hand);
+    } else if (load.hand >= 0) {
+        s.execute(Release{load.hand});
+    } else {
+        for (const Command& command : removalOf(load, now.simulation())) {
+            s.execute(command);
+        }
+    }
+}
+
 void removeRetractor(State& s, EditorScene& now) {
     s.view.tools.get<RetractTool>().removeOne(s.view.context({&now, false}));
+}
+
+/// A hook that is in use goes before what is selected in a list.
+void deleteSelected(State& s, EditorScene& now) {
+    const BodyDisplay& shown = s.view.display;
+    const bool retracts = s.view.tools.settings().tool == ui::ToolKind::retract;
+    if (retracts && !now.hands().hooks().empty()) {
+        removeRetractor(s, now);
+    } else if (shown.loads.selected >= 0) {
+        removeLoad(s, now, static_cast<std::size_t>(shown.loads.selected));
+    } else if (shown.pieces.selected >= 0) {
+        s.execute(RemovePiece{shown.pieces.selected});
+    } else {
+        removeRetractor(s, now);
+    }
 }
 
 void toggleLink(State& s, EditorScene& now) {
@@ -370,6 +402,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::remeshCoarser,
             [](State& s, EditorScene& now) { s.remesh(now.body().coarser(ui::kFewTriangles)); }},
     Handler{ActionId::partModel, [](State& s, EditorScene&) { s.partModel(); }},
+    Handler{ActionId::deleteSelected, deleteSelected},
     Handler{ActionId::bringDown,
             [](State& s, const BusyScene& now) {
                 if (!s.comesBack()) {
@@ -377,7 +410,6 @@ constexpr std::array kOtherHandlers{
                 }
             }},
     Handler{ActionId::freePins, freePins},
-    Handler{ActionId::removeRetractor, removeRetractor},
     Handler{ActionId::link, toggleLink},
     Handler{ActionId::playPause, playOrPause},
     Handler{ActionId::letFall, letFall},
@@ -472,23 +504,6 @@ void exportPieces(State& s, EditorScene& now) {
                           const std::filesystem::path& file) { writeOutputFile(file, text); });
 }
 
-void removeLoad(State& s, EditorScene& now, std::size_t row) {
-    const std::vector<Load>& loads = now.readout().loads();
-    if (row >= loads.size()) {
-        return;
-    }
-    const Load load = loads[row];
-    if (isHook(load.hand)) {
-        now.hands().removeRetractor(load.hand);
-    } else if (load.hand >= 0) {
-        s.execute(Release{load.hand});
-    } else {
-        for (const Command& command : removalOf(load, now.simulation())) {
-            s.execute(command);
-        }
-    }
-}
-
 /// Where it is seen; what has no room beside the panels is brought into view with the body.
 void placeBox(State& s, EditorScene& now) {
     const Bounds body = now.simulation().bounds();
@@ -563,7 +578,6 @@ struct Answer {
     }
     void operator()(const ui::ColorPiece& row) const { s.view.display.color(row.piece, row.color); }
     void operator()(const ui::HoverLoad& hover) const { s.view.display.loads.hovered = hover.load; }
-    void operator()(const ui::SelectLoad& row) const { s.view.display.loads.selected = row.load; }
     void operator()(const ui::ShowPiece& row) const { s.view.display.show(row.piece, row.visible); }
     template <class Kind>
     void operator()(const Kind& action) const {
@@ -578,6 +592,9 @@ struct Answer {
     }
 
     // What needs an open document, whatever it is doing.
+    void onScene(const ui::SelectLoad& row, const BusyScene& now) const {
+        s.view.display.select(now.loads(), row.load);
+    }
     void onScene(const ui::SetTools& wanted, const BusyScene&) const {
         setTools(s, wanted.settings);
     }
@@ -627,6 +644,20 @@ struct Answer {
     void onBody(const ui::ExportPieces&, EditorScene& now) const { exportPieces(s, now); }
 };
 
+/// The piece that a command removes or brings back; -1 for none.
+int pieceOf(const Command& command, const UndoHistory& history) {
+    if (const auto* remove = std::get_if<RemovePiece>(&command)) {
+        return remove->piece;
+    }
+    const bool undo = std::holds_alternative<Undo>(command);
+    if (undo ? !history.canUndo() : !std::holds_alternative<Redo>(command) || !history.canRedo()) {
+        return -1;
+    }
+    const UndoEntry& entry = undo ? history.lastDone() : history.firstUndone();
+    const auto* change = std::get_if<UndoEntry::BodySnapshotChange>(&entry.change);
+    return change != nullptr ? change->removedPiece : -1;
+}
+
 bool needsBody(const ui::Action& action) {
     if (const auto* id = std::get_if<ActionId>(&action)) {
         return std::holds_alternative<void (*)(State&, EditorScene&)>(handlerOf(*id).perform);
@@ -662,7 +693,11 @@ bool Editor::State::execute(const Command& command) {
     if (steps) {
         view.cancelTools(restingScene());  // Neither a stroke nor a pull goes on elsewhere.
     }
+    const int piece = pieceOf(command, scene->simulation().history());
     const std::string problem = scene->execute(command);
+    if (piece >= 0 && problem.empty()) {
+        view.display.followRemoval(piece, std::holds_alternative<Undo>(command));
+    }
     if (showsMaterial) {
         shown = colorsOfMaterial(*this);
     }

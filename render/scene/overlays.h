@@ -45,6 +45,8 @@ struct Marks {
     DisplayColor color{};
     std::vector<std::uint32_t> lines;  ///< pairs of vertices of the body
     std::vector<std::uint32_t> dots;   ///< vertices of the body
+
+    bool operator==(const Marks&) const = default;
 };
 
 /// A plane that opens the view of the body, without cutting it.

@@ -87,8 +87,8 @@ TEST(ActionTable, RowsFollowTheModel) {
         }
     }
     EXPECT_EQ(unavailable, (std::vector{ActionId::undo, ActionId::redo, ActionId::remeshCoarser,
-                                        ActionId::partModel, ActionId::bringDown,
-                                        ActionId::freePins, ActionId::removeRetractor,
+                                        ActionId::partModel, ActionId::deleteSelected,
+                                        ActionId::bringDown, ActionId::freePins,
                                         ActionId::finishTry, ActionId::loop, ActionId::showApart}));
     EXPECT_TRUE(isOn(model, actionOf(ToolKind::stroke)));
     EXPECT_FALSE(isOn(model, actionOf(ToolKind::pin)));

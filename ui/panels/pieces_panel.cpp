@@ -12,7 +12,7 @@ namespace kerf::ui {
 namespace {
 
 constexpr float kRowPadding = 0.2F;  ///< above and below a row [font sizes]
-constexpr float kRoomyTitle = 18;    ///< has room for all buttons beside its text [font sizes]
+constexpr float kRoomyTitle = 23;    ///< has room for all buttons beside its text [font sizes]
 
 /// An open eye, or one with a bar across.
 void drawEye(const ImVec2& center, float size, bool open) {
@@ -216,6 +216,11 @@ void drawSelected(const PiecesState& pieces, std::vector<Action>& actions) {
     ImGui::SameLine(0, gap);
     if (smallButton("Export", "piece.export", "Export the selected piece alone")) {
         actions.emplace_back(ExportSelectedPiece{});
+    }
+    ImGui::SameLine(0, gap);
+    if (smallButton("Delete", "piece.delete",
+                    "Delete the selected piece, with what holds or pulls it")) {
+        actions.emplace_back(RemovePiece{pieces.selected});
     }
 }
 

@@ -184,11 +184,11 @@ bool drawPinRows(const Rows& rows) {
 bool drawRetractRow(const Rows& rows) {
     drawTearing(rows);
     if (rows.model.body.hooks > 0) {
-        drawButton("Remove last", "retract.remove", -1, ActionId::removeRetractor, rows.actions);
+        drawButton("Remove last", "retract.remove", -1, ActionId::deleteSelected, rows.actions);
         return false;
     }
     ImGui::TextDisabled("No retractors in use");
-    describeItem("retract.remove", describeAction(ActionId::removeRetractor));
+    describeItem("retract.remove", describeAction(ActionId::deleteSelected));
     return false;
 }
 

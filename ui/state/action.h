@@ -149,9 +149,10 @@ struct ShowPiece {
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, RenameMark, SetTools,
                  SetDisplay, PlaceModel, RemoveModel, Remesh, UnitePieces, TakeMaterial,
-                 SaveMaterial, PlaceBox, ChangeBox, RemoveBox, CancelWork, SetSettings, SetPlotView,
-                 ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment, OpenStartScene,
-                 HoverPiece, SelectPiece, FramePiece, ShowPiece, ColorPiece, ExportSelectedPiece,
-                 ExportPieces, HoverLoad, SelectLoad, RemoveLoad, AnswerQuestion, FileAction>;
+                 SaveMaterial, PlaceBox, ChangeBox, RemoveBox, RemovePiece, CancelWork, SetSettings,
+                 SetPlotView, ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment,
+                 OpenStartScene, HoverPiece, SelectPiece, FramePiece, ShowPiece, ColorPiece,
+                 ExportSelectedPiece, ExportPieces, HoverLoad, SelectLoad, RemoveLoad,
+                 AnswerQuestion, FileAction>;
 
 }  // namespace kerf::ui

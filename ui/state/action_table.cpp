@@ -68,13 +68,16 @@ constexpr std::array kOtherActions{
               [](const PanelModel& m) { return m.body.triangles > kFewTriangles; }},
     ActionRow{ActionId::partModel, at(Key::o, kShift, "Shift+O"), "Split into models", "Edit",
               [](const PanelModel& m) { return m.model.objects > 1; }},
+    ActionRow{ActionId::deleteSelected, at(Key::del, kPlain, "Delete"),
+              "Delete selected, or a retractor", "Edit",
+              [](const PanelModel& m) {
+                  return m.body.hooks > 0 || m.body.loads.selected >= 0 || m.pieces.selected >= 0;
+              }},
     ActionRow{
         ActionId::bringDown, at(Key::enter, kPlain, "Enter"), "Drop the guillotine", "Tool",
         [](const PanelModel& m) { return withBody(m) && !rowOf(m.tools.tool).trigger.empty(); }},
     ActionRow{ActionId::freePins, at(Key::p, kShift, "Shift+P"), "Unpin all", "Tool",
               [](const PanelModel& m) { return m.body.pinned > 0; }},
-    ActionRow{ActionId::removeRetractor, at(Key::del, kPlain, "Delete"), "Remove retractor", "Tool",
-              [](const PanelModel& m) { return m.body.hooks > 0; }},
     ActionRow{ActionId::link, at(Key::l, kControl, "Ctrl+L"), "Link to other programs", "Tool",
               withBody, [](const PanelModel& m) { return !m.view.link.empty(); }},
     ActionRow{ActionId::playPause, at(Key::space, kPlain, "Space"), "Play or pause", "Time",
@@ -253,6 +256,7 @@ std::vector<PointerHint> pointerTable(MouseScheme scheme) {
         {"Shift+left drag", "Stroke: 15\u00b0 steps. Pin: box"},
         {"Ctrl+left drag", "Pin: unpin. Move: snap"},
         {"Right-click a hook", "Remove retractor"},
+        {"Right-click a pin, force or hand", "Select it in the list"},
         {dragsThat(ViewMotion::orbit, scheme), "Rotate view"},
         {dragsThat(ViewMotion::pan, scheme), "Pan view"},
         {zoom.empty() ? "Wheel" : "Wheel, " + zoom, "Zoom at pointer"},

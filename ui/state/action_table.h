@@ -33,10 +33,10 @@ enum class ActionId : std::uint8_t {
     remesh,
     remeshCoarser,
     partModel,
+    deleteSelected,
     firstTool,  ///< one for each ToolKind, see actionOf()
     bringDown = firstTool + kTools,
     freePins,
-    removeRetractor,
     link,
     playPause,
     letFall,

@@ -42,6 +42,7 @@ class BusyScene {
     Bounds homeBounds() const { return scene_->rest().lines().value_or(bounds()); }
     const std::vector<Bounds>& pieceBounds() const { return scene_->simulation().pieceBounds(); }
     const auto& faultMarks() const { return scene_->readout().faultMarks(); }
+    const std::vector<Load>& loads() const { return scene_->readout().loads(); }
     bool running() const { return scene_->running(); }
     bool pulling() const { return scene_->hands().pulling(); }
     bool recording() const { return scene_->recorder().recording(); }

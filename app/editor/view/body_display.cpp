@@ -85,39 +85,27 @@ void addOverlays(const render::Overlays& overlays, const Simulation& simulation,
     view.pinned = simulation.pinnedVertices();
 }
 
-/// Dots on the vertices of a load, beside the marks that are there.
-void markLoad(const Load& load, render::SceneView& view) {
-    constexpr render::DisplayColor kColor{86, 180, 233};
-    auto marks = view.marks ? *view.marks : std::vector<render::Marks>{};
-    marks.push_back({"", kColor, {}, load.vertices});
-    std::erase_if(marks.back().dots, [&](std::uint32_t v) { return v >= view.body.vertexCount; });
-    view.marks = std::make_shared<const std::vector<render::Marks>>(std::move(marks));
-}
-
 }  // namespace
 
 void BodyDisplay::begin(const Document& document) {
     settings.colors = document.session.colors;
     settings.apart = 0;
     settings.section.reset();
-    hidden_.clear();
-    colors_.clear();
+    own_.clear();
     pieces = loads = {};
+    selectedLoad_.reset();
 }
 
-void BodyDisplay::show(int piece, bool visible) {
-    if (visible) {
-        hidden_.erase(piece);
-    } else {
-        hidden_.insert(piece);
-    }
+void BodyDisplay::followRemoval(int piece, bool back) {
+    own(piece);
+    const auto place = own_.begin() + piece;
+    back ? own_.insert(place, OwnLook{}) : own_.erase(place);
+    pieces = {};
 }
 
-void BodyDisplay::color(int piece, const std::optional<Vec3>& color) {
-    colors_.erase(piece);
-    if (color) {
-        colors_.emplace(piece, *color);
-    }
+BodyDisplay::OwnLook& BodyDisplay::own(int piece) {
+    own_.resize(std::max(own_.size(), static_cast<std::size_t>(piece) + 1));
+    return own_[piece];
 }
 
 bool BodyDisplay::join() {
@@ -146,13 +134,7 @@ render::SceneView BodyDisplay::viewOf(const BusyScene& busy) const {
         view.focus = shownBounds(bounds, view.pieces);
     } else {
         addOverlays(settings.overlays, scene.simulation(), view);
-        if (settings.overlays.faults && scene.document().faults.any()) {
-            view.marks = scene.readout().faultMarks();
-        }
-        const auto& held = scene.readout().loads();
-        if (const auto load = static_cast<std::size_t>(loads.shown()); load < held.size()) {
-            markLoad(held[load], view);
-        }
+        view.marks = scene.readout().marks(settings.overlays.faults, loads.shown());
         const auto piece = static_cast<std::size_t>(pieces.selected);
         if (settings.overlays.boxes) {
             view.pieceBoxes = bounds;
@@ -184,16 +166,17 @@ render::BodyLook BodyDisplay::look(const Document& document) const {
 
 /// The look of each piece; empty where all look as always.
 std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& bounds) const {
-    const bool plain =
-        pieces.hovered < 0 && settings.apart == 0 && hidden_.empty() && colors_.empty();
+    const bool plain = pieces.hovered < 0 && settings.apart == 0 &&
+                       std::ranges::count(own_, OwnLook{}) == std::ssize(own_);
     std::vector<render::PieceLook> looks(plain ? 0 : bounds.size());
     if (settings.apart > 0) {
         shiftApart(bounds, settings.apart, looks);
     }
     for (std::size_t p = 0; p < looks.size(); ++p) {
-        looks[p].hidden = hidden_.contains(static_cast<int>(p));
-        if (const auto own = colors_.find(static_cast<int>(p)); own != colors_.end()) {
-            looks[p].tint = render::toLinear(own->second);
+        const OwnLook own = p < own_.size() ? own_[p] : OwnLook{};
+        looks[p].hidden = own.hidden;
+        if (own.color) {
+            looks[p].tint = render::toLinear(*own.color);
             looks[p].strength = 1;
         }
     }
@@ -204,7 +187,12 @@ std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& b
     return looks;
 }
 
-/// The rows of another list of loads are others.
+void BodyDisplay::select(const std::vector<Load>& rows, int row) {
+    const bool any = row >= 0 && row < static_cast<int>(rows.size());
+    loads.selected = any ? row : -1;
+    selectedLoad_ = any ? std::optional(rows[row]) : std::nullopt;
+}
+
 void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) {
     model.display = settings;
     if (!scene) {
@@ -215,19 +203,17 @@ void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) {
     model.looks.ownSkin = render::toDisplay(look.skin);
     model.looks.ownFlesh = render::toDisplay(look.inner);
     model.looks.hasOwnColors = scene.document().looks.colored();
-    if (const std::size_t count = model.body.loads.rows.size(); count != loadCount_) {
-        loadCount_ = count;
-        loads = {};
-    }
+    const std::vector<Load>& rows = scene.loads();
+    loads.hovered = std::min(loads.hovered, static_cast<int>(rows.size()) - 1);
+    select(rows, selectedLoad_ ? rowOf(*selectedLoad_, rows) : -1);  // others came or went
     model.body.loads.hovered = loads.hovered;
     model.body.loads.selected = loads.selected;
     model.pieces.hovered = pieces.hovered;
     model.pieces.selected = pieces.selected;
     for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
-        ui::PieceRow& row = model.pieces.rows[p];
-        const auto own = colors_.find(static_cast<int>(p));
-        row.hidden = hidden_.contains(static_cast<int>(p));
-        row.color = own != colors_.end() ? std::optional(own->second) : std::nullopt;
+        const OwnLook own = p < own_.size() ? own_[p] : OwnLook{};
+        model.pieces.rows[p].hidden = own.hidden;
+        model.pieces.rows[p].color = own.color;
     }
 }
 

@@ -29,9 +29,13 @@ class BodyDisplay {
 
     /// Shows a document that was just opened: all of it, together, in the colours of its session.
     void begin(const Document& document);
-    void show(int piece, bool visible);
+    void show(int piece, bool visible) { own(piece).hidden = !visible; }
     /// Gives a piece a colour, in display colours, or its look again.
-    void color(int piece, const std::optional<Vec3>& color);
+    void color(int piece, const std::optional<Vec3>& color) { own(piece).color = color; }
+    /// Selects a row of the loads, -1 for none, and keeps to that load while rows come and go.
+    void select(const std::vector<Load>& rows, int row);
+    /// Follows that a piece was removed, or came back: those behind it have other numbers now.
+    void followRemoval(int piece, bool back);
     /// Draws the pieces together again, as before any tool touches them. Returns whether they were
     /// apart.
     bool join();
@@ -50,11 +54,16 @@ class BodyDisplay {
     void describe(const BusyScene& scene, ui::PanelModel& model);
 
   private:
+    struct OwnLook {
+        bool hidden = false;
+        std::optional<Vec3> color;
+        bool operator==(const OwnLook&) const = default;
+    };
+    OwnLook& own(int piece);
     std::vector<render::PieceLook> looksOf(const std::vector<Bounds>& bounds) const;
 
-    std::set<int> hidden_;
-    std::map<int, Vec3> colors_;  ///< of pieces
-    std::size_t loadCount_ = 0;   ///< of the list whose rows are marked
+    std::vector<OwnLook> own_;          ///< of the first pieces; the others look as always
+    std::optional<Load> selectedLoad_;  ///< as it was listed last
 };
 
 }  // namespace kerf::app

@@ -2,6 +2,7 @@
 
 #include "app/scene/document/rest_of_body.h"
 #include "app/scene/editor_stroke.h"
+#include "app/scene/section_pick.h"
 #include "app/tools/measure_tool.h"
 #include "app/tools/tool_marks.h"
 #include "render/scene/surface_field.h"
@@ -201,7 +202,46 @@ std::string EditorView::press(const ui::ButtonChange& change, const BusyScene& s
     if (display.join() && tools.inHand().aims()) {
         return "";  // What was aimed at is elsewhere.
     }
-    return tools.inHand().press(context(scene, change.modifiers));
+    std::string problem = tools.inHand().press(context(scene, change.modifiers));
+    if (tools.settings().tool == ui::ToolKind::move && !holds()) {
+        selectLoad(scene);
+    }
+    return problem;
+}
+
+/// The one of which a vertex or a hand is drawn nearest to the pointer; none behind the body.
+void EditorView::selectLoad(const BusyScene& scene) {
+    EditorScene* const now = scene.atRest();
+    if (now == nullptr || display.settings.apart > 0) {
+        return;
+    }
+    constexpr double kBehind = 0.05;  // of the body's diagonal
+    const render::Ray ray = frame().rayThrough(pointer);
+    const auto seen = pickVisible(*now, ray, display.settings.section);
+    const Vec3 farthest = ray.direction * kBehind * scene.bounds().diagonal();
+    std::vector<Vec3> places;
+    std::vector<int> rows;
+    const std::vector<Load>& loads = now->readout().takeLoads();
+    const SurfaceMesh& mesh = now->simulation().mesh();
+    for (const Load& load : loads) {
+        places.insert(places.end(), load.hands.begin(), load.hands.end());
+        for (const std::uint32_t v : load.vertices) {
+            const Vec3& at = mesh.position(static_cast<int>(v));
+            if (!seen || (at - seen->position - farthest).dot(ray.direction) < 0) {
+                places.push_back(at);
+            }
+        }
+        rows.resize(places.size(), static_cast<int>(&load - loads.data()));
+    }
+    // Between its dots, the triangle tells.
+    const auto touched = std::ranges::find_if(loads, [&](const Load& load) {
+        return seen && std::ranges::any_of(mesh.triangle(seen->triangle), [&](int v) {
+                   return std::ranges::count(load.vertices, static_cast<std::uint32_t>(v)) > 0;
+               });
+    });
+    const std::optional<int> found = handleAt(frame(), pointer, places);
+    const auto between = touched != loads.end() ? static_cast<int>(touched - loads.begin()) : -1;
+    display.select(loads, found ? rows[*found] : between);
 }
 
 bool EditorView::pressSection(const BusyScene& scene) {
@@ -212,7 +252,11 @@ bool EditorView::pressSection(const BusyScene& scene) {
 std::string EditorView::release(ui::Button button, const BusyScene& scene) {
     camera.release(button);
     if (button == ui::Button::right && scene && rightClicks()) {
-        tools.inHand().rightClick(context(scene));
+        if (tools.inHand().takesRightClicks()) {
+            tools.inHand().rightClick(context(scene));
+        } else {
+            selectLoad(scene);
+        }
     }
     if (button != ui::Button::left || !scene) {
         return "";
@@ -222,7 +266,7 @@ std::string EditorView::release(ui::Button button, const BusyScene& scene) {
 }
 
 bool EditorView::rightClicks() const {
-    return tools.inHand().takesRightClicks() && (pointer - rightPress_).norm() < kClick;
+    return (pointer - rightPress_).norm() < kClick;
 }
 
 void EditorView::turnWheel(double notches, const BusyScene& scene) {

@@ -78,7 +78,7 @@ struct EditorView {
     ToolContext context(const BusyScene& scene, const ui::Modifiers& modifiers = {});
     /// Whether a stroke or a pull is in progress, or a handle is held.
     bool holds() const { return tools.inHand().holds() || sectionTool.holds(); }
-    /// Whether the release of the right button ends a click for the tool, not a drag.
+    /// Whether the release of the right button ends a click, not a drag.
     bool rightClicks() const;
     /// Selects another tool, after releasing the old one, or another depth.
     void setTools(const ui::ToolSettings& settings, const BusyScene& scene);
@@ -94,6 +94,8 @@ struct EditorView {
     double freeShare() const;
     render::Camera fitted(render::Camera home, const Bounds& bounds) const;
     bool pressSection(const BusyScene& scene);
+    /// The load at the pointer, or none.
+    void selectLoad(const BusyScene& scene);
     Vec2 rightPress_ = Vec2::Zero();  ///< where the right button was pressed [px]
     int placement_ = 0;               ///< displayed EditorScene::placementRevision()
     Bounds restBounds_;               ///< of the body then [m]

@@ -90,6 +90,8 @@ void LoadTable::follow(const Simulation& simulation, const Vec3& origin) {
                           motion.held.vertices(),
                           motion.moved,
                           -1,
+                          motion.number,
+                          {},
                           {"Motion", lengthText(motion.moved.norm()),
                            "Displacement so far, at " + textOf(motion.velocity, "m/s")}});
     }
@@ -146,9 +148,20 @@ void LoadTable::addHand(const Hands::Hand& hand, const Vec3& origin) {
         loads_.back().row.value = lengthText((hand.to - loads_.back().value).norm());
         loads_.back().row.detail = "Distance between its hooks";
     }
+    loads_.back().hands.push_back(hand.to);
     for (const Hands::Held& held : hand.held) {
         loads_.back().vertices.push_back(static_cast<std::uint32_t>(held.vertex));
     }
+}
+
+/// Pins and forces have no numbers, but keep vertices through cuts and other changes.
+int rowOf(const Load& load, const std::vector<Load>& now) {
+    const bool numbered = load.hand >= 0 || load.motion >= 0;
+    const auto same = std::ranges::find_if(now, [&](const Load& other) {
+        return other.kind == load.kind && other.hand == load.hand && other.motion == load.motion &&
+               (numbered || without(load.vertices, other.vertices).size() < load.vertices.size());
+    });
+    return same != now.end() ? static_cast<int>(same - now.begin()) : -1;
 }
 
 std::vector<Command> removalOf(const Load& load, Simulation& simulation) {

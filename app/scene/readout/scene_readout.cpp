@@ -112,7 +112,28 @@ const std::vector<ui::PieceRow>& SceneReadout::measurePieces() {
     return pieces_.rows();
 }
 
-const std::shared_ptr<const std::vector<render::Marks>>& SceneReadout::faultMarks() {
+const std::vector<Load>& SceneReadout::takeLoads() {
+    loads_.follow(body_.simulation, body_.document.session.origin);
+    return loads_.loads();
+}
+
+SceneReadout::MarksPointer SceneReadout::marks(bool faults, int load) {
+    constexpr render::DisplayColor kColor{86, 180, 233};
+    const MarksPointer base = faults && body_.document.faults.any() ? faultMarks() : MarksPointer();
+    if (load < 0 || load >= static_cast<int>(loads().size())) {
+        return base;
+    }
+    auto all = base ? *base : std::vector<render::Marks>{};
+    all.push_back({"", kColor, {}, loads()[load].vertices});
+    const std::size_t vertices = body_.simulation.bodyView().vertexCount;
+    std::erase_if(all.back().dots, [&](std::uint32_t v) { return v >= vertices; });
+    if (!allMarks_ || *allMarks_ != all) {
+        allMarks_ = std::make_shared<const std::vector<render::Marks>>(std::move(all));
+    }
+    return allMarks_;
+}
+
+const SceneReadout::MarksPointer& SceneReadout::faultMarks() {
     const int triangles = body_.simulation.report().triangles;
     if (std::exchange(marksTriangles_, triangles) != triangles) {
         const SurfaceMesh& now = body_.simulation.meshAsRead();
@@ -147,8 +168,7 @@ void SceneReadout::describe(ui::PanelModel& model) {
     model.body.boxes = countedFrom(simulation.boxes(), toScene);
     model.body.pinned = simulation.pinnedVertices().size() + simulation.forces().size();
     model.body.hooks = hooksOf(simulation.hands()).size();
-    loads_.follow(simulation, body_.document.session.origin);
-    std::ranges::transform(loads_.loads(), std::back_inserter(model.body.loads.rows), &Load::row);
+    std::ranges::transform(takeLoads(), std::back_inserter(model.body.loads.rows), &Load::row);
     model.body.size = body_.rest.bounds().diagonal();
     model.body.bounds = simulation.bounds();
     model.parameters.iterations = report.iterations;

@@ -75,10 +75,16 @@ class SceneReadout {
     bool followPieceSums(bool wanted);
     /// The pieces as they are now, with their sums.
     const std::vector<ui::PieceRow>& measurePieces();
+    using MarksPointer = std::shared_ptr<const std::vector<render::Marks>>;
     /// The document's faults as marks on the present body, where its triangles are undivided.
-    const std::shared_ptr<const std::vector<render::Marks>>& faultMarks();
+    const MarksPointer& faultMarks();
+    /// These where `faults`, and dots on the vertices of a load, by its row; -1 for none. The same
+    /// pointer while they are the same.
+    MarksPointer marks(bool faults, int load);
     /// What holds or pulls the body, as the panels show it.
     const std::vector<Load>& loads() const { return loads_.loads(); }
+    /// What does so now.
+    const std::vector<Load>& takeLoads();
     const EditorReadings& readings() const { return readings_; }
     /// The forces on the blade in the steps so far, where they are measured.
     const ForceTrace& forces() const { return forces_; }
@@ -119,8 +125,9 @@ class SceneReadout {
     PieceTable pieces_;
     MarkTable marks_;
     LoadTable loads_;
-    std::shared_ptr<const std::vector<render::Marks>> faultMarks_;
+    MarksPointer faultMarks_;
     int marksTriangles_ = -1;  ///< of the body that those are of
+    MarksPointer allMarks_;    ///< with those of a load
 };
 
 }  // namespace kerf::app

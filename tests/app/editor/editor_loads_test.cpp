@@ -1,5 +1,8 @@
 // The list of supports and loads, and the selected piece, in the whole editor without a window.
 
+#include "app/scene/readout/scene_readout.h"
+#include "app/tools/view_frame.h"
+
 namespace kerf::app {
 namespace {
 
@@ -24,6 +27,20 @@ class EditorLoadsTest : public EditorTest {
             kinds.emplace_back(row.kind);
         }
         return kinds;
+    }
+    Vec3 placeOf(int row) {
+        const std::uint32_t v = scene().readout().loads().at(row).vertices.front();
+        return simulation().mesh().position(static_cast<int>(v));
+    }
+    /// Selects with this button what is drawn at a place, by the camera of the document.
+    int clickAt(const Vec3& place, Button button) {
+        const ui::Rect view = ui::layoutPanels(1280, 1000, 1, {}, true).view;
+        const auto at = ViewFrame{document().camera, 1280, 1000}.toPixel(place);
+        moveTo(at->x + view.x + view.width / 2 - 640, at->y + view.y + view.height / 2 - 500, 2);
+        press(true, button);
+        press(false, button);
+        settle();
+        return panels().body.loads.selected;
     }
     void remove(int row) {
         click("load.remove." + std::to_string(row));
@@ -116,8 +133,8 @@ TEST_F(EditorLoadsTest, ARowIsHighlightedUnderThePointerAndOnceItIsClicked) {
     frames(2);
     moveTo(kWidth / 2.0, 5, 2);
     const std::vector<std::uint8_t> plain = viewPixels(editor->readPicture());
-    const ui::Rect row = editor->itemRects().at("load.0");
-    moveTo(row.x + 20, row.y + row.height / 2, 3);
+    const ui::Rect item = editor->itemRects().at("load.0");
+    moveTo(item.x + 20, item.y + item.height / 2, 3);
     EXPECT_EQ(panels().body.loads.hovered, 0);
     const std::vector<std::uint8_t> hovered = viewPixels(editor->readPicture());
     EXPECT_NE(hovered, plain);
@@ -132,7 +149,46 @@ TEST_F(EditorLoadsTest, ARowIsHighlightedUnderThePointerAndOnceItIsClicked) {
     click("load.0");
     execute(Pin{Ball{{0, 0.5, 0}, 0.1}});
     frames(2);
-    EXPECT_EQ(panels().body.loads.selected, -1) << "the rows may be others now";
+    const int row = panels().body.loads.selected;
+    ASSERT_GE(row, 0);
+    EXPECT_NEAR(placeOf(row).z(), 0.5, 0.1) << "it stays on that pin";
+    remove(1 - row);
+    EXPECT_EQ(panels().body.loads.selected, 0);
+    remove(0);
+    EXPECT_EQ(panels().body.loads.selected, -1);
+}
+
+TEST_F(EditorLoadsTest, AClickOnAMarkSelectsItsRow) {
+    execute(Pin{Ball{{-0.3, 0, 0.4}, 0.1}});
+    execute(ApplyForce{Ball{{0.3, 0, 0.4}, 0.1}, Vec3(1, 0, 0)});
+    execute(Grab{50, Vec3(0, 0.35, 0.35), 0.1});
+    execute(Pin{.region = Ball{{0, -0.35, -0.35}, 0.1}, .velocity = Vec3(0, 0.1, 0)});
+    ASSERT_THAT(kinds(), ElementsAre("Pin", "Motion", "Force", "Retractor"));
+    const std::vector<std::uint8_t> plain = viewPixels(editor->readPicture());
+    EXPECT_EQ(clickAt(placeOf(0), Button::right), 0);
+    EXPECT_NE(viewPixels(editor->readPicture()), plain);
+    EXPECT_EQ(clickAt(placeOf(2), Button::right), 2);
+    EXPECT_EQ(clickAt({0, 0.35, 0.35}, Button::right), 3);
+    EXPECT_EQ(clickAt(placeOf(1), Button::right), -1) << "the body is before it";
+    tap(Key::u);
+    EXPECT_EQ(clickAt(placeOf(0), Button::left), 0);
+    EXPECT_EQ(clickAt({0, 0, 0.5}, Button::left), -1) << "there is none";
+    EXPECT_EQ(clickAt(placeOf(2), Button::left), 2);
+    tap(Key::del);
+    settle();
+    EXPECT_THAT(kinds(), ElementsAre("Pin", "Motion", "Retractor"));
+    EXPECT_EQ(simulation().report().pieces, 1);
+}
+
+TEST_F(EditorLoadsTest, MarksAreMadeAnewOnlyWhenTheyChange) {
+    execute(Pin{Ball{{-0.3, 0, 0.4}, 0.1}});
+    execute(Pin{Ball{{0.3, 0, 0.4}, 0.1}});
+    SceneReadout& readout = scene().readout();
+    EXPECT_EQ(readout.marks(false, -1), nullptr);
+    const auto first = readout.marks(false, 0);
+    playFor(2);
+    EXPECT_EQ(readout.marks(false, 0), first);
+    EXPECT_NE(readout.marks(false, 1), first);
 }
 
 class EditorPieceTest : public EditorLoadsTest {
@@ -157,6 +213,50 @@ TEST_F(EditorPieceTest, AClickSelectsAPieceAndAnotherEndsThat) {
     EXPECT_NE(pixels(), plain) << "a box is around it";
     click("piece.1");
     EXPECT_EQ(panels().pieces.selected, -1);
+}
+
+TEST_F(EditorPieceTest, ItIsDeletedRecordedUndoneAndRedone) {
+    const std::string whole = simulation().stateHash();
+    const int triangles = panels().pieces.rows[0].triangles;
+    click("eye.0");
+    click("piece.1");
+    settle();
+    tap(Key::del);
+    settle();
+    ASSERT_EQ(panels().pieces.rows.size(), 1U);
+    EXPECT_EQ(panels().pieces.rows[0].triangles, triangles);
+    EXPECT_TRUE(panels().pieces.rows[0].hidden);
+    EXPECT_EQ(panels().pieces.selected, -1);
+    EXPECT_EQ(panels().session.past.back().text, "Piece 2 deleted");
+    const std::string left = simulation().stateHash();
+    undo();
+    EXPECT_EQ(simulation().stateHash(), whole);
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    EXPECT_TRUE(panels().pieces.rows[0].hidden);
+    tap(Key::z, {.shift = true, .control = true});
+    settle();
+    EXPECT_EQ(simulation().stateHash(), left);
+    playFor(3);
+    saveAndReplay();
+}
+
+TEST_F(EditorPieceTest, WhatWasHiddenStaysSoWhenOneBeforeItGoes) {
+    click("eye.1");
+    click("piece.0");
+    settle();
+    click("piece.delete");
+    settle();
+    ASSERT_EQ(panels().pieces.rows.size(), 1U);
+    EXPECT_TRUE(panels().pieces.rows[0].hidden);
+    undo();
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    EXPECT_FALSE(panels().pieces.rows[0].hidden);
+    EXPECT_TRUE(panels().pieces.rows[1].hidden);
+    execute(RemovePiece{0});
+    const std::size_t marks = panels().session.past.size();
+    EXPECT_EQ(scene().execute(RemovePiece{0}), "This is the only piece; a scene keeps one.");
+    frames(1);
+    EXPECT_EQ(panels().session.past.size(), marks) << "a refusal is not recorded";
 }
 
 TEST_F(EditorPieceTest, AColourIsOfTheViewAlone) {
