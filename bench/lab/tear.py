@@ -18,7 +18,7 @@ MOST_MISSING = 0.05
 #: Without what is not measured. Without a strength no second tear begins elsewhere.
 PARAMS = {"gravity": [0, 0, 0], "floor": None, "air_drag": 0, "damping": 0, "wall_coarsening": 1,
           "tensile_strength": 1e9}
-STEP = 4  # squares that a wave in a bar passes in a time step
+STEP = 2  # squares that a wave in a bar passes in a time step
 ITERATIONS = 24  # in such a step
 SHORTEST, LONGEST = 0.0005, 0.02  # of time steps [s]
 RESOLUTIONS = ("coarse", "fine")

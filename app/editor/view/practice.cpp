@@ -388,7 +388,7 @@ void Practice::addTo(ui::Overlay& overlay, const ViewFrame& view,
                 {Kind::spared, {outline[i], outline[(i + 1) % outline.size()]}});
         }
     }
-    for (const Trace& trace : traces_) {
+    for (const WorldTrace& trace : traces_) {
         const Vec3 sight =
             view.camera.orthographic ? view.camera.forward() : Vec3(trace.from - view.camera.eye);
         if (trace.normal.dot(sight) <= 0) {

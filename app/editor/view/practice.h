@@ -39,7 +39,7 @@ class Practice {
 
   private:
     /// A line of the world [m].
-    struct Trace {
+    struct WorldTrace {
         ui::Overlay::Trace::Kind kind;
         Vec3 from;
         Vec3 to;
@@ -69,7 +69,7 @@ class Practice {
     std::shared_ptr<const UncutBody> uncut_;  ///< on which the lines were found
     std::vector<std::vector<SurfaceAnchor>> lines_;
     std::vector<std::vector<Vec3>> spared_;  ///< points of what must not be cut [m]
-    std::vector<Trace> traces_;              ///< on the present body
+    std::vector<WorldTrace> traces_;         ///< on the present body
     int revision_ = -1;                      ///< of it
     OtherTry expert_;
     OtherTry last_;

@@ -15,9 +15,13 @@ struct CopyPairing {
     std::vector<int> unpaired;  ///< copies without an edge to the neighbour
 
     /// Whether every copy of either point has a partner of its own.
-    bool isOneToOne(const SharedStar& from, const SharedStar& to) const {
-        return unpaired.empty() && from.copies.size() == to.copies.size() &&
-               edges.size() == to.copies.size();
+    bool isOneToOne(const SurfaceMesh& mesh, const SharedStar& to) const {
+        std::set<int> partners;
+        for (const int h : edges) {
+            partners.insert(mesh.target(h));
+        }
+        return unpaired.empty() && edges.size() == to.copies.size() &&
+               partners.size() == to.copies.size();
     }
 };
 
@@ -184,7 +188,7 @@ class Collapse {
     bool mayMeetInTheMiddle(const CopyPairing& pairing) const {
         return target_ == CollapseTarget::end ||
                (!workspace_.isKept(to_.copies) && !to_.isCorner() &&
-                from_.featureCount() == to_.featureCount() && pairing.isOneToOne(from_, to_));
+                from_.featureCount() == to_.featureCount() && pairing.isOneToOne(mesh_, to_));
     }
 
     void makePatches(const CopyPairing& pairing) {

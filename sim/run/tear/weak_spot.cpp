@@ -22,21 +22,6 @@ Eigen::Matrix3d gradientOf(const Corners& rest, const Corners& now) {
     return moved * metric.inverse() * edges.transpose();
 }
 
-/// Of a triangle and those at its corners, by area at rest: one alone may stretch for its shape.
-Eigen::Matrix3d meanGradient(const SurfaceMesh& mesh, int t) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    double area = 0;
-    for (const int v : mesh.triangle(t)) {
-        mesh.forEachOutgoing(v, [&](int h) {
-            const Corners rest = restCornersOf(mesh, SurfaceMesh::triangleOf(h));
-            const double share = triangleArea(rest);
-            sum += share * gradientOf(rest, cornersOf(mesh, SurfaceMesh::triangleOf(h)));
-            area += share;
-        });
-    }
-    return sum / area;
-}
-
 /// The largest principal stretch and its present direction.
 struct Stretch {
     double size = 0;
@@ -46,6 +31,44 @@ struct Stretch {
 Stretch largestStretch(const Eigen::Matrix3d& gradient) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretches(gradient * gradient.transpose());
     return {std::sqrt(std::max(stretches.eigenvalues()[2], 0.0)), stretches.eigenvectors().col(2)};
+}
+
+// A cohesive zone is 3.5 edges long or longer (kEdgesInZone). The strength of a body is that of the
+// mean over 0.7 of it, the line method of critical distances (Taylor, 2007).
+constexpr int kRings = 3;
+
+/// The vertices within so many edges of a triangle.
+std::set<int> verticesAround(const SurfaceMesh& mesh, int t) {
+    std::set<int> around(mesh.triangle(t).begin(), mesh.triangle(t).end());
+    for (int ring = 1; ring < kRings; ++ring) {
+        for (const int v : std::vector<int>(around.begin(), around.end())) {
+            mesh.forEachOutgoing(v, [&](int h) { around.insert(mesh.target(h)); });
+        }
+    }
+    return around;
+}
+
+/// In the mean over the skin around a triangle, along directions in its plane. Where the skin is
+/// curved the mean at rest is shorter too.
+Stretch meanStretch(const SurfaceMesh& mesh, int t) {
+    const Corners own = restCornersOf(mesh, t);
+    Eigen::Matrix<double, 3, 2> plane;
+    plane.col(0) = (own[1] - own[0]).stableNormalized();
+    plane.col(1) = unitNormal<Vec3>(own[0], own[1], own[2]).cross(plane.col(0));
+    Eigen::Matrix<double, 3, 2> atRest = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Matrix<double, 3, 2> now = atRest;
+    for (const int v : verticesAround(mesh, t)) {
+        mesh.forEachOutgoing(v, [&](int h) {
+            const Corners rest = restCornersOf(mesh, SurfaceMesh::triangleOf(h));
+            const double area = triangleArea(rest);
+            atRest += area * gradientOf(rest, rest) * plane;
+            now += area * gradientOf(rest, cornersOf(mesh, SurfaceMesh::triangleOf(h))) * plane;
+        });
+    }
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> stretches(
+        now.transpose() * now, atRest.transpose() * atRest);
+    return {std::sqrt(std::max(stretches.eigenvalues()[1], 0.0)),
+            (now * stretches.eigenvectors().col(1)).stableNormalized()};
 }
 
 bool counts(const SurfaceMesh& mesh, int t, const StrongPlaces& strong) {
@@ -65,7 +88,7 @@ std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
     for (const int t : livingTriangles(mesh)) {
         const Eigen::Matrix3d own = gradientOf(restCornersOf(mesh, t), cornersOf(mesh, t));
         if (largestStretch(own).size > most.size && counts(mesh, t, strong)) {
-            const Stretch mean = largestStretch(meanGradient(mesh, t));
+            const Stretch mean = meanStretch(mesh, t);
             weakest = mean.size > most.size ? t : weakest;
             most = mean.size > most.size ? mean : most;
         }

@@ -17,7 +17,7 @@ struct StrongPlaces {
     double reach = 0;          ///< around each [m]
 };
 
-/// The place of the skin that is stretched most, in the mean of a triangle and its neighbours, if
+/// The place of the skin that is stretched most, in the mean over three edges around a triangle, if
 /// by more than `least`, as a share of its length. O(triangles).
 std::optional<WeakSpot> findWeakSpot(const SurfaceMesh& mesh, double least,
                                      const StrongPlaces& strong);

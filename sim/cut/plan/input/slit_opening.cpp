@@ -72,9 +72,9 @@ bool isBesideFront(const OpeningInput& step, const Vec3& p) {
     return false;
 }
 
-class Opening {
+class SlitOpener {
   public:
-    Opening(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const OpeningInput& step)
+    SlitOpener(const SurfaceMesh& mesh, const BroadPhase& broadPhase, const OpeningInput& step)
         : mesh_(mesh), broadPhase_(broadPhase), step_(step), swept_(sweptTriangles(step)) {}
 
     std::map<int, Vec3> run() {
@@ -324,7 +324,7 @@ bool isEndOfSlit(const SurfaceMesh& mesh, int v, int stroke) {
 
 SlitOpening::SlitOpening(const SurfaceMesh& mesh, const BroadPhase& broadPhase,
                          const OpeningInput& step)
-    : displacements_(Opening(mesh, broadPhase, step).run()) {
+    : displacements_(SlitOpener(mesh, broadPhase, step).run()) {
     for (const auto& [v, way] : displacements_) {
         reach_ = std::max(reach_, way.norm());
         opensPast_ |= step.past.contains(v);

@@ -56,10 +56,10 @@ double RungSpacing::at(double s, double edge) const {
     if (places_.size() < 2) {
         return edge;
     }
-    const auto next = std::clamp(std::ranges::lower_bound(places_, s, {}, &Place::s),
+    const auto next = std::clamp(std::ranges::lower_bound(places_, s, {}, &RowHeight::s),
                                  places_.begin() + 1, places_.end() - 1);
-    const Place& p = *(next - 1);
-    const Place& q = *next;
+    const RowHeight& p = *(next - 1);
+    const RowHeight& q = *next;
     const double share = std::clamp((s - p.s) / (q.s - p.s), 0.0, 1.0);
     const double row = std::lerp(p.height, q.height, share);
     return std::min(grading_.lengthAt(edge, std::lerp(p.fromRim, q.fromRim, share)),

@@ -43,12 +43,12 @@ class RungSpacing {
     double at(double s, double edge) const;
 
   private:
-    struct Place {
+    struct RowHeight {
         double s;
         double fromRim;  ///< distance along the front to its nearer end; 0 outside [m]
         double height;   ///< of the row [m]
     };
-    std::vector<Place> places_;  ///< nodes of the old rung; none where nothing grows
+    std::vector<RowHeight> places_;  ///< nodes of the old rung; none where nothing grows
     WallGrading grading_;
 };
 
