@@ -186,12 +186,11 @@ void removeRetractor(State& s, EditorScene& now) {
 /// A hook that is in use goes before what is selected in a list.
 void deleteSelected(State& s, EditorScene& now) {
     const BodyDisplay& shown = s.view.display;
-    const bool retracts = s.view.tools.settings().tool == ui::ToolKind::retract;
-    if (retracts && !now.hands().hooks().empty()) {
-        removeRetractor(s, now);
-    } else if (shown.loads.selected >= 0) {
+    const bool hook =
+        s.view.tools.settings().tool == ui::ToolKind::retract && !now.hands().hooks().empty();
+    if (!hook && shown.loads.selected >= 0) {
         removeLoad(s, now, static_cast<std::size_t>(shown.loads.selected));
-    } else if (shown.pieces.selected >= 0) {
+    } else if (!hook && shown.pieces.selected >= 0) {
         s.execute(RemovePiece{shown.pieces.selected});
     } else {
         removeRetractor(s, now);
