@@ -119,7 +119,7 @@ const std::vector<Load>& SceneReadout::takeLoads() {
 
 SceneReadout::MarksPointer SceneReadout::marks(bool faults, int load) {
     constexpr render::DisplayColor kColor{86, 180, 233};
-    const MarksPointer base = faults && body_.document.faults.any() ? faultMarks() : MarksPointer();
+    MarksPointer base = faults && body_.document.faults.any() ? faultMarks() : MarksPointer();
     if (load < 0 || load >= static_cast<int>(loads().size())) {
         return base;
     }
