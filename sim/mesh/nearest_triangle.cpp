@@ -44,9 +44,7 @@ int NearestTriangle::findWithin(const Vec3& p, double reach) {
     tree_.find([this](int id) { return boundsOf(id); },
                [&](const Bounds& box) { return box.overlaps(around); },
                [&](int id) {
-                   const auto [a, b, c] = cornersOf_(id);
-                   const Vec3 w = closestWeights(p, a, b, c);
-                   const double distance = (w[0] * a + w[1] * b + w[2] * c - p).norm();
+                   const double distance = (closestOn(cornersOf_(id), p) - p).norm();
                    if (distance < least || (distance == least && id < found)) {
                        least = distance;
                        found = id;

@@ -30,8 +30,8 @@ class Fracture(unittest.TestCase):
         self.assertTrue(0.5 < share < 1, f"{share}: the end of the slit gives way")
 
     def test_what_is_off_is_told(self):
-        rows = [Row("pure shear", "toughness", 2, np.float64(1.9)), Row("trousers", "toughness", 2, 3),
-                Row("trousers", "toughness", 2, None)]
+        rows = [Row("pure shear", "toughness", 2, np.float64(1.9)),
+                Row("trousers", "toughness", 2, 3), Row("trousers", "toughness", 2, None)]
         self.assertEqual(fracture.failure_of(rows[:1]), "")
         self.assertEqual(fracture.failure_of(rows[:2]),
                          "fracture: trousers: 150 % of what is expected.")
