@@ -241,9 +241,7 @@ TEST_F(PicturePairs, APieceMovedByTwoPixelsIsADifference) {
 TEST_F(PicturePairs, AShadowThatIsGoneIsADifference) {
     Stage stage(cubeSphere(8));
     const Image lit = pictureOf(stage);
-    Bounds elsewhere;
-    elsewhere.add(Vec3(99, 0, 0));
-    elsewhere.add(Vec3(100, 1, 1));
+    Bounds elsewhere{Vec3(99, 0, 0), Vec3(100, 1, 1)};
     stage.scene.focus = elsewhere;  // no shadow is drawn but there
     const PictureComparison comparison = comparePictures(lit, pictureOf(stage));
     EXPECT_GT(comparison.worst, 1.1 * kTolerantLimits.worst) << comparison;

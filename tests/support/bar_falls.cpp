@@ -1,9 +1,8 @@
 #include "tests/support/bar_falls.h"
 
-#include <cstdio>
-
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
+#include "tests/support/formatted.h"
 #include "tests/support/shapes.h"
 
 namespace kerf::test {
@@ -108,13 +107,10 @@ BarFigures fallOnBar(const BarFall& fall, Params params) {
 }
 
 std::string text(const BarFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "pierced after %3d of %d steps, at most %.3f m, at the end %.3f m; volume at "
-                  "least %.4f, at the end %.4f; fastest %.1f m/s",
-                  f.pierced, f.steps, f.longest, f.longestLast, f.leastVolume, f.lastVolume,
-                  f.fastest);
-    return line;
+    return formatted(
+        "pierced after %3d of %d steps, at most %.3f m, at the end %.3f m; volume at "
+        "least %.4f, at the end %.4f; fastest %.1f m/s",
+        f.pierced, f.steps, f.longest, f.longestLast, f.leastVolume, f.lastVolume, f.fastest);
 }
 
 }  // namespace kerf::test

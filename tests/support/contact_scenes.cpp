@@ -1,6 +1,5 @@
 #include "tests/support/contact_scenes.h"
 
-#include <cstdio>
 #include <ctime>
 
 #include "sim/base/stopwatch.h"
@@ -10,6 +9,7 @@
 #include "sim/cut/exact/jitter.h"
 #include "sim/mesh/triangle.h"
 #include "sim/run/simulation.h"
+#include "tests/support/formatted.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
@@ -199,13 +199,10 @@ HalvesFigures restHalves(bool sphere, const Params& params, double seconds) {
 }
 
 std::string text(const HalvesFigures& f) {
-    char line[256];
-    std::snprintf(
-        line, sizeof line,
+    return formatted(
         "separation %.4f  height %.4f  shift %.4f diag  penetration %.2e diag  jitter %.6f "
         "diag/s (whole %.6f)  contacts %d",
         f.separation, f.height, f.shift, f.penetration, f.jitter, f.wholeJitter, f.contacts);
-    return line;
 }
 
 namespace {
@@ -244,13 +241,11 @@ OctopusFigures dropOctopus(const Params& params) {
 }
 
 std::string text(const OctopusFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "intersections %d at the start, %d at the end (%d of close neighbours)  most "
-                  "contacts %d  jitter %.5f "
-                  "diag/s",
-                  f.intersectionsAtStart, f.intersections, f.folds, f.mostContacts, f.jitter);
-    return line;
+    return formatted(
+        "intersections %d at the start, %d at the end (%d of close neighbours)  most "
+        "contacts %d  jitter %.5f "
+        "diag/s",
+        f.intersectionsAtStart, f.intersections, f.folds, f.mostContacts, f.jitter);
 }
 
 namespace {
@@ -289,12 +284,10 @@ SpeedFigures timeDrop(const std::string& model, const Params& given, double seco
 }
 
 std::string text(const SpeedFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "%ld steps, without contact %.2f ms, with %.2f ms (medians), ratio %.2f, of all "
-                  "steps together %.2f",
-                  f.steps, f.plain, f.touching, f.touching / f.plain, f.touchingSum / f.plainSum);
-    return line;
+    return formatted(
+        "%ld steps, without contact %.2f ms, with %.2f ms (medians), ratio %.2f, of all "
+        "steps together %.2f",
+        f.steps, f.plain, f.touching, f.touching / f.plain, f.touchingSum / f.plainSum);
 }
 
 namespace {
@@ -368,13 +361,10 @@ CrowdFigures throwCrowd(double speed, const Params& given, int steps) {
 }
 
 std::string text(const CrowdFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "%d vertices, processor time of a step: lying %.1f ms, thrown %.1f ms (medians), "
-                  "ratio %.2f, longest %.1f ms; ends as %s",
-                  f.vertices, f.lying, f.thrown, f.thrown / f.lying, f.longest,
-                  f.stateHash.c_str());
-    return line;
+    return formatted(
+        "%d vertices, processor time of a step: lying %.1f ms, thrown %.1f ms (medians), "
+        "ratio %.2f, longest %.1f ms; ends as %s",
+        f.vertices, f.lying, f.thrown, f.thrown / f.lying, f.longest, f.stateHash.c_str());
 }
 
 namespace {
@@ -448,13 +438,11 @@ CostFigures dropHalves(int triangles, const Params& given, double seconds) {
 }
 
 std::string text(const CostFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "%d triangles, %d steps: deform %.1f ms, collide %.1f ms a step, ratio %.2f, in "
-                  "the worst tenth %.2f; most contacts %d; ends as %s",
-                  f.triangles, f.steps, f.deform / f.steps, f.collide / f.steps,
-                  f.collide / f.deform, f.worst, f.mostContacts, f.stateHash.c_str());
-    return line;
+    return formatted(
+        "%d triangles, %d steps: deform %.1f ms, collide %.1f ms a step, ratio %.2f, in "
+        "the worst tenth %.2f; most contacts %d; ends as %s",
+        f.triangles, f.steps, f.deform / f.steps, f.collide / f.steps, f.collide / f.deform,
+        f.worst, f.mostContacts, f.stateHash.c_str());
 }
 
 CollisionFigures collideSpheres(const Params& given) {
@@ -499,13 +487,10 @@ CollisionFigures collideSpheres(const Params& given) {
 }
 
 std::string text(const CollisionFigures& f) {
-    char line[256];
-    std::snprintf(
-        line, sizeof line,
+    return formatted(
         "%d steps in contact, parted %d  drift of momentum %.2e, of angular momentum %.2e  energy "
         "left %.3f  deepest %.2e diag",
         f.stepsInContact, f.parted, f.linearDrift, f.angularDrift, f.energyLeft, f.penetration);
-    return line;
 }
 
 namespace {
@@ -615,12 +600,10 @@ void RandomDropFigures::add(const RandomDropFigures& other) {
 }
 
 std::string text(const RandomDropFigures& f) {
-    char line[256];
-    std::snprintf(line, sizeof line,
-                  "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d, of close "
-                  "neighbours %d more",
-                  f.runs, f.nonFinite, f.escaped, f.tunnels, f.intersections, f.crumpled);
-    return line;
+    return formatted(
+        "%d runs, not finite %d, escaped %d, tunnels %d, intersecting pairs %d, of close "
+        "neighbours %d more",
+        f.runs, f.nonFinite, f.escaped, f.tunnels, f.intersections, f.crumpled);
 }
 
 }  // namespace kerf::test

@@ -1,5 +1,7 @@
 #include "tests/support/cut_strokes.h"
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -304,6 +306,12 @@ CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
         check.unmirrored = checkMirroredWalls(mesh);
     }
     return check;
+}
+
+void expectSound(const CutCheck& check) {
+    EXPECT_EQ(check.problem, "");
+    EXPECT_EQ(check.unmirrored, "");
+    EXPECT_EQ(check.refused, 0) << check.reason;
 }
 
 CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke) {

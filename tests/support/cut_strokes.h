@@ -64,6 +64,17 @@ using BetweenSteps = std::function<void(SurfaceMesh&, int step)>;
 CutCheck runStroke(Cutter& cutter, SurfaceMesh& mesh, const Stroke& stroke,
                    const BetweenSteps& between = {});
 CutCheck runStroke(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke);
+/// Leads the blade along a stroke to its end; `see` is given the result of each step.
+template <class See>
+void eachStep(Cutter& cutter, const Stroke& stroke, See&& see) {
+    cutter.begin(stroke.front());
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        see(cutter.advance(stroke[i]));
+    }
+    see(cutter.finish());
+}
+/// All invariants held, and no step was refused.
+void expectSound(const CutCheck& check);
 
 /// Everything that a mesh holds, as text of bytes: equal exactly where the meshes are.
 std::string fingerprint(const SurfaceMesh& mesh);

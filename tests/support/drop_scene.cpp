@@ -1,11 +1,11 @@
 #include "tests/support/drop_scene.h"
 
-#include <cstdio>
-
 #include "sim/mesh/invariants.h"
 #include "sim/run/simulation.h"
 #include "tests/support/folds.h"
+#include "tests/support/formatted.h"
 #include "tests/support/shape_error.h"
+#include "tests/support/shapes.h"
 
 namespace kerf::test {
 
@@ -42,16 +42,6 @@ ShapeErrors shapeErrors(Simulation& simulation, double bodyVolume) {
         }
     }
     return errors;
-}
-
-double topSpeed(const SurfaceMesh& mesh) {
-    double top = 0;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        if (mesh.outgoing(v) >= 0) {
-            top = std::max(top, mesh.velocity(v).norm());
-        }
-    }
-    return top;
 }
 
 /// Through the middle of the box, along z turned by `azimuth`, a little askew.
@@ -113,14 +103,11 @@ std::string dropTableHead() {
 }
 
 std::string dropTableRow(const std::string& name, const DropFigures& f) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "%-26s %6d %9d  %13.3f %7.3f %7.3f %11.2f %6.2f %14.2f %6.2f %6d %11.3f %9d\n",
-                  name.c_str(), f.pieces, f.triangles, 100 * f.meanVolume, 100 * f.leastVolume,
-                  100 * f.finalVolume, 100 * f.peakError, 100 * f.finalError,
-                  100 * f.peakErrorOfPiece, 100 * f.finalErrorOfPiece, f.folds, f.finalSpeed,
-                  f.messages);
-    return text;
+    return formatted("%-26s %6d %9d  %13.3f %7.3f %7.3f %11.2f %6.2f %14.2f %6.2f %6d %11.3f %9d\n",
+                     name.c_str(), f.pieces, f.triangles, 100 * f.meanVolume, 100 * f.leastVolume,
+                     100 * f.finalVolume, 100 * f.peakError, 100 * f.finalError,
+                     100 * f.peakErrorOfPiece, 100 * f.finalErrorOfPiece, f.folds, f.finalSpeed,
+                     f.messages);
 }
 
 }  // namespace kerf::test

@@ -1,10 +1,10 @@
 #include "tests/support/moving_scenes.h"
 
 #include <chrono>
-#include <cstdio>
 #include <stdexcept>
 
 #include "sim/mesh/invariants.h"
+#include "tests/support/formatted.h"
 #include "tests/support/scene_player.h"
 #include "tests/support/shapes.h"
 
@@ -368,13 +368,6 @@ const std::map<std::string, Scene>& scenes() {
         {"plane banana", [](const SceneRun& run) { return randomPlane(run, builtin("banana")); }},
     };
     return table;
-}
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    char text[256];
-    std::snprintf(text, sizeof text, format, values...);
-    return text;
 }
 
 }  // namespace

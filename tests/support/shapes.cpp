@@ -297,6 +297,30 @@ TriangleSoup boxSoup(const Vec3& size, int n) {
     return soup;
 }
 
+SurfaceMesh movedBy(SurfaceMesh mesh, const Vec3& way) {
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        mesh.setPosition(v, mesh.position(v) + way);
+        mesh.setRestPosition(v, mesh.position(v));
+    }
+    return mesh;
+}
+
+Vec3 middleOf(const SurfaceMesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : mesh.positions()) {
+        sum += p;
+    }
+    return sum / mesh.vertexCount();
+}
+
+double topSpeed(const SurfaceMesh& mesh) {
+    double top = 0;
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        top = std::max(top, mesh.outgoing(v) < 0 ? 0.0 : mesh.velocity(v).norm());
+    }
+    return top;
+}
+
 SurfaceMesh meshOf(const TriangleSoup& soup) {
     return SurfaceMesh::fromTriangles(soup.positions, soup.triangles);
 }

@@ -34,6 +34,12 @@ SurfaceMesh bentTube(int along = 24, int around = 12);
 SurfaceMesh gradedSphere(double coarse = 0.16);
 SurfaceMesh gradedTorus(double coarse = 0.16);
 SurfaceMesh box(const Vec3& size = Vec3::Ones(), int n = 1);
+/// The mesh elsewhere, at rest too.
+SurfaceMesh movedBy(SurfaceMesh mesh, const Vec3& way);
+/// The mean of its vertices.
+Vec3 middleOf(const SurfaceMesh& mesh);
+/// Of its living vertices [m/s].
+double topSpeed(const SurfaceMesh& mesh);
 
 /// A builtin model as its file has it, read without assimp and without a child process: "sphere20",
 /// "sphere80", "sphere768", "banana" or "octopus".

@@ -1,12 +1,11 @@
 #include "tests/support/thin_walls.h"
 
-#include <cstdio>
-
 #include "sim/base/stopwatch.h"
 #include "sim/mesh/invariants.h"
 #include "sim/mesh/triangle.h"
 #include "sim/repair/surface_contact.h"
 #include "sim/run/simulation.h"
+#include "tests/support/formatted.h"
 #include "tests/support/self_intersections.h"
 #include "tests/support/shapes.h"
 
@@ -305,21 +304,16 @@ bool WallFigures::isRight() const {
 }
 
 std::string text(const WallScene& scene) {
-    std::array<char, 200> line{};
-    std::snprintf(line.data(), line.size(), "%-5s 1/%-4.3g %-7s %-5s %g ms", scene.shape.c_str(),
-                  1 / scene.wall, scene.cut.c_str(), scene.motion.c_str(), 1000 * scene.timeStep);
-    return line.data();
+    return formatted("%-5s 1/%-4.3g %-7s %-5s %g ms", scene.shape.c_str(), 1 / scene.wall,
+                     scene.cut.c_str(), scene.motion.c_str(), 1000 * scene.timeStep);
 }
 
 std::string text(const WallFigures& f) {
-    std::array<char, 200> line{};
-    std::snprintf(
-        line.data(), line.size(),
+    return formatted(
         "%s pieces %d triangles %d volume %.4f to %.4f crossings %d, deep %d%s messages %d, "
         "%.1f s",
         f.isRight() ? "right" : "WRONG", f.pieces, f.triangles, f.leastVolume, f.mostVolume,
         f.crossings, f.deepCrossings, f.closed ? "" : " OPEN", f.messages, f.wallTime);
-    return line.data();
 }
 
 }  // namespace kerf::test

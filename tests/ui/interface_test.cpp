@@ -19,8 +19,7 @@ class InterfaceTest : public GlTest {
         model.name = "ball";
         model.plots.history = &history;
         model.pieces.rows = {{768, 4.18, 1.0}};
-        update({});
-        update({});
+        settle();
     }
     void TearDown() override {
         interface.reset();
@@ -63,6 +62,29 @@ class InterfaceTest : public GlTest {
         update({KeyChange{key, true, {}}});
         update({KeyChange{key, false, {}}});
         update({});
+    }
+    /// What takes two pictures to find its place.
+    void settle() {
+        update({});
+        update({});
+    }
+    void type(const std::string& text) {
+        for (const char letter : text) {
+            update({Character{static_cast<unsigned char>(letter)}});
+        }
+    }
+    void typeInto(const std::string& item, const std::string& text) {
+        clickOn(item);
+        type(text);
+        tap(Key::enter);
+    }
+    /// Opens a number where the pointer stands over it.
+    void controlClickOn(const std::string& item) {
+        const Rect place = interface->itemRects().at(item);
+        update({PointerMove{
+            place.x + place.width / 2, place.y + place.height / 2, {.control = true}}});
+        update({ButtonChange{Button::left, true, {.control = true}}});
+        update({ButtonChange{Button::left, false, {}}});
     }
     void clickOn(const std::string& item) {
         const Rect place = interface->itemRects().at(item);
@@ -208,8 +230,7 @@ TEST_F(InterfaceTest, PlotsAreChosenAndExported) {
 TEST_F(InterfaceTest, StrengthsHaveRowsWhileTheBodyTears) {
     clickOn("parameters.more");
     const auto rows = [&] {
-        update({});
-        update({});
+        settle();
         std::set<std::string> shown;
         for (const char* name :
              {"tearing", "tensile_strength", "skin_toughness", "skin_tensile_strength"}) {
@@ -255,8 +276,7 @@ TEST_F(InterfaceTest, AnEdgeIsDraggedAndPutsItsPanelAway) {
 
 TEST_F(InterfaceTest, BarsDivideThePanels) {
     model.pieces.rows.resize(20, model.pieces.rows[0]);
-    update({});
-    update({});
+    settle();
     for (const char* name : {"splitter.pieces", "splitter.plots"}) {
         const Rect bar = interface->itemRects().at(name);
         moveTo(bar.x + bar.width / 2, bar.y + bar.height / 2);
@@ -271,8 +291,7 @@ TEST_F(InterfaceTest, BarsDivideThePanels) {
 TEST_F(InterfaceTest, AShortListOfPiecesLeavesItsRoomToTheSections) {
     const double one = interface->itemRects().at("splitter.pieces").y;
     model.pieces.rows.resize(20, model.pieces.rows[0]);
-    update({});
-    update({});
+    settle();
     EXPECT_LT(interface->itemRects().at("splitter.pieces").y, one - 40);
 }
 
@@ -341,16 +360,9 @@ TEST_F(InterfaceTest, TheEdgeOfARemeshIsThatInTheScene) {
     scaled.edge = 0.015;
     model.model.models = {scaled};
     model.settings.folded = {"experiments", "tools", "simulation", "display", "cuts", "window"};
-    update({});
-    update({});
-    const Rect field = interface->itemRects().at("model.edge");
-    const Vec2 middle(field.x + field.width / 2, field.y + field.height / 2);
-    update({PointerMove{middle.x(), middle.y(), {.control = true}}});
-    update({ButtonChange{Button::left, true, {.control = true}}});
-    update({ButtonChange{Button::left, false, {}}});
-    for (const char digit : std::string("0.004")) {
-        update({Character{static_cast<unsigned>(digit)}});
-    }
+    settle();
+    controlClickOn("model.edge");
+    type("0.004");
     tap(Key::enter);
     clickOn("model.remesh");
     ASSERT_FALSE(others.empty());
@@ -376,8 +388,7 @@ TEST_F(InterfaceTest, ACardOpensItsExperiment) {
     model.experiments[1].name = "banana";
     model.experiments[1].ours = RunFigures{60.5, 99.9};
     model.settings.folded = {"model", "tools", "simulation", "display", "cuts"};
-    update({});
-    update({});
+    settle();
     clickOn("experiment.banana");
     ASSERT_EQ(others.size(), 1U);
     EXPECT_EQ(std::get<OpenExperiment>(others[0]).name, "banana");
@@ -420,8 +431,7 @@ TEST_F(InterfaceTest, ThePieceListHighlightsFramesAndHides) {
 TEST_F(InterfaceTest, TheListOfLoadsHighlightsSelectsAndRemoves) {
     EXPECT_FALSE(interface->itemRects().contains("section.loads"));
     model.body.loads.rows = {{"Pin", "fixed", "", 12}, {"Force", "1.5 N", "1.5, 0, 0 N", 8}};
-    update({});
-    update({});
+    settle();
     clickOn("load.1");
     ASSERT_EQ(others.size(), 2U);
     EXPECT_EQ(std::get<HoverLoad>(others[0]).load, 1);
@@ -440,8 +450,7 @@ TEST_F(InterfaceTest, AQuestionAsideLeavesTheViewOpenAndTheLegendFree) {
                       .text = "broken.obj: 12 open edges. Filling 1 hole would close it.",
                       .choices = {"Fill 1 hole", "Cancel"},
                       .aside = true};
-    update({});
-    update({});
+    settle();
     const Rect view = interface->freeView();
     const ItemRects& items = interface->itemRects();
     const Rect choice = items.at("question.0");
@@ -459,8 +468,7 @@ TEST_F(InterfaceTest, AQuestionAsideLeavesTheViewOpenAndTheLegendFree) {
     ASSERT_EQ(others.size(), 1U);
     EXPECT_EQ(std::get<AnswerQuestion>(others[0]).choice, 0);
     model.question.aside = false;
-    update({});
-    update({});
+    settle();
     moveTo(view.x + view.width / 2, view.y + view.height / 8);
     EXPECT_FALSE(interface->pointsBesideQuestion()) << "in the middle it is modal";
 }
@@ -479,8 +487,7 @@ TEST_F(InterfaceTest, ThemeAndSizeAreChosen) {
 TEST_F(InterfaceTest, AnotherScaleMakesEverythingLarger) {
     const double before = interface->itemRects().at("param.iterations").height;
     interface->restyle(Theme::light, 1.5F);
-    update({});
-    update({});
+    settle();
     EXPECT_NEAR(interface->itemRects().at("param.iterations").height, 1.5 * before, 2);
 }
 
@@ -510,10 +517,8 @@ TEST_F(InterfaceTest, ANumberIsDraggedAndTyped) {
     moveTo(middle.x() + 20, middle.y());
     press(false);
     EXPECT_GT(model.parameters.now.iterations, before);
-    update({PointerMove{middle.x(), middle.y(), {.control = true}}});
-    update({ButtonChange{Button::left, true, {.control = true}}});
-    update({ButtonChange{Button::left, false, {}}});
-    update({Character{'7'}});
+    controlClickOn("param.iterations.number");
+    type("7");
     tap(Key::enter);
     EXPECT_EQ(model.parameters.now.iterations, 7);
 }
@@ -523,13 +528,12 @@ TEST_F(InterfaceTest, ANumberIsTypedAfterOneClickAndChangesOnceItIsAccepted) {
     model.parameters.now.iterations = 35;
     update({});
     clickOn("param.iterations.number");
-    update({Character{'1'}});
-    update({Character{'2'}});
+    type("12");
     EXPECT_EQ(model.parameters.now.iterations, 35);  // what was there is selected, and typed over
     tap(Key::enter);
     EXPECT_EQ(model.parameters.now.iterations, 12);
     clickOn("param.iterations.number");
-    update({Character{'9'}});
+    type("9");
     tap(Key::escape);
     EXPECT_EQ(model.parameters.now.iterations, 12);
     clickOn("param.iterations.number");
@@ -538,73 +542,54 @@ TEST_F(InterfaceTest, ANumberIsTypedAfterOneClickAndChangesOnceItIsAccepted) {
 }
 
 TEST_F(InterfaceTest, ATypedNumberBeyondItsRangeBecomesTheNearestOne) {
-    clickOn("param.iterations.number");
-    for (const char digit : {'9', '9', '9', '9', '9', '9'}) {
-        update({Character{static_cast<unsigned char>(digit)}});
-    }
-    tap(Key::enter);
+    typeInto("param.iterations.number", "999999");
     EXPECT_EQ(model.parameters.now.iterations, findParam("iterations")->high);
 }
 
 TEST_F(InterfaceTest, ACommaIsThePointOfATypedNumber) {
-    const auto type = [&](const std::string& text) {
-        clickOn("param.ispc_stiffness.number");
-        for (const char letter : text) {
-            update({Character{static_cast<unsigned char>(letter)}});
-        }
-        tap(Key::enter);
-        return model.parameters.now.ispcStiffness;
-    };
-    EXPECT_EQ(type("0,25"), 0.25);
-    EXPECT_EQ(type("0"), 0);
-    EXPECT_EQ(type("1e-2"), 0.01);
+    for (const auto& [text, number] :
+         std::map<std::string, double>{{"0,25", 0.25}, {"0", 0}, {"1e-2", 0.01}}) {
+        typeInto("param.ispc_stiffness.number", text);
+        EXPECT_EQ(model.parameters.now.ispcStiffness, number);
+    }
 }
 
 TEST_F(InterfaceTest, AUnitIsTypedWithANumberAndOneThatDoesNotFitIsRefused) {
-    const std::string fits = "refused.Type a time, such as 0.3 s";
-    const auto type = [&](const std::string& text) {
+    struct Typed {
+        const char* text;
+        double time;
+        bool refused;
+    };
+    for (const Typed& typed : {Typed{"3 ms", 0.003, false}, Typed{"3 mm", 0.003, true},
+                               Typed{"0.002", 0.002, false}, Typed{"", 0.002, false}}) {
         clickOn("param.time_step.number");
-        for (const char letter : text) {
-            update({Character{static_cast<unsigned char>(letter)}});
-        }
+        type(typed.text);
         update({KeyChange{Key::enter, true, {}}});
         update({KeyChange{Key::enter, false, {}}});
-        return model.parameters.now.timeStep;
-    };
-    EXPECT_EQ(type("3 ms"), 0.003);
-    EXPECT_FALSE(interface->itemRects().contains(fits));
-    EXPECT_EQ(type("3 mm"), 0.003);
-    EXPECT_TRUE(interface->itemRects().contains(fits));
-    EXPECT_EQ(type("0.002"), 0.002);
-    EXPECT_FALSE(interface->itemRects().contains(fits)) << "it was said once";
-    EXPECT_EQ(type(""), 0.002);
-    EXPECT_FALSE(interface->itemRects().contains(fits)) << "nothing was typed";
+        EXPECT_EQ(model.parameters.now.timeStep, typed.time) << typed.text;
+        EXPECT_EQ(interface->itemRects().contains("refused.Type a time, such as 0.3 s"),
+                  typed.refused)
+            << typed.text;
+    }
 }
 
 TEST_F(InterfaceTest, AQuestionStaysOpenWhereItsNumberIsRefused) {
     model.question = {.title = "Thicken", .text = "How thick?", .choices = {"Thicken", "Cancel"}};
     model.question.number = AskedNumber{"Thickness", "mm", 10, 1, 23};
-    const auto type = [&](const std::string& text) {
-        others.clear();
-        clickOn("question.number");
-        for (const char letter : text) {
-            update({Character{static_cast<unsigned char>(letter)}});
-        }
-        tap(Key::enter);
-        return others.empty() ? 0 : std::get<AnswerQuestion>(others[0]).number;
-    };
-    update({});
-    update({});
-    EXPECT_EQ(type("5 kg"), 0);
-    EXPECT_EQ(type("0.5 cm"), 5);
+    settle();
+    typeInto("question.number", "5 kg");
+    EXPECT_TRUE(others.empty());
+    typeInto("question.number", "0.5 cm");
+    ASSERT_FALSE(others.empty());
+    EXPECT_EQ(std::get<AnswerQuestion>(others[0]).number, 5);
 }
 
 TEST_F(InterfaceTest, TabGoesOnToTheNextNumber) {
     clickOn("param.gravity.number");
-    update({Character{'1'}});
+    type("1");
     tap(Key::tab);
     update({});
-    update({Character{'2'}});
+    type("2");
     tap(Key::enter);
     EXPECT_EQ(model.parameters.now.gravity.x(), 1);
     EXPECT_EQ(model.parameters.now.gravity.y(), 2);
@@ -618,8 +603,7 @@ TEST_F(InterfaceTest, ANumberOfABoxIsTypedAfterOneClick) {
     clickOn("box.0");
     update({});
     clickOn("box.0.Rotate");
-    update({Character{'4'}});
-    update({Character{'5'}});
+    type("45");
     others.clear();
     tap(Key::enter);
     ASSERT_EQ(others.size(), 1U);
@@ -630,8 +614,7 @@ TEST_F(InterfaceTest, TheTimeLineTakesTheWholeWidthBelowTheView) {
     model.session.playback.step = 10;
     model.session.playback.steps = 100;
     model.session.past = {{1, 20, SessionMark::Kind::stroke, "Stroke"}};
-    update({});
-    update({});
+    settle();
     const Rect bar = interface->itemRects().at("scrubber");
     EXPECT_GT(bar.width, 0.8 * kWidth);
     EXPECT_LT(interface->freeView().y + interface->freeView().height, bar.y);
@@ -655,8 +638,7 @@ TEST_F(InterfaceTest, WorkIsGivenUpOnlyWhereItMayEnd) {
 /// A stroke may begin under the box.
 TEST_F(InterfaceTest, TheBoxOfWorkTakesPressesOnItsButtonAlone) {
     model.work = {.title = "Cutting", .stage = "Step 3 of 60", .done = 3, .all = 60};
-    update({});
-    update({});
+    settle();
     const Rect button = interface->itemRects().at("work.cancel");
     moveTo(button.x + button.width / 2, button.y + button.height / 2);
     EXPECT_TRUE(interface->ownsPointer());
@@ -687,8 +669,7 @@ TEST_F(InterfaceTest, LinesEndInNoNumberAndNotBeforeItsUnit) {
 
 TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
     clickOn("plots.choose");
-    update({});
-    update({});
+    settle();
     const Rect button = interface->itemRects().at("plots.choose");
     EXPECT_GE(interface->itemRects().at("plots.frames").y, button.y + button.height);
 }
@@ -696,8 +677,7 @@ TEST_F(InterfaceTest, APopupOpensBelowItsButton) {
 TEST_F(InterfaceTest, AClickOnATitleOfThePiecesSortsThem) {
     model.pieces.rows = {{100, 1, 1.0}, {300, 3, 1.0}, {200, 2, 1.0}};
     model.settings.piecesShare = 0.6;  // room for all three
-    update({});
-    update({});
+    settle();
     const auto top = [this](int piece) {
         return interface->itemRects().at("piece." + std::to_string(piece)).y;
     };
@@ -758,14 +738,8 @@ class CommandBoxTest : public InterfaceTest {
         model.settings.folded.emplace_back("simulation");
         model.help.samples = std::make_shared<const std::vector<StartCard>>(
             std::vector<StartCard>{{"liver", "Liver", "Incise it."}, {"egg", "Hollow egg", ""}});
-        update({});
-        update({});
+        settle();
         asked.clear();
-    }
-    void type(const std::string& text) {
-        for (const char letter : text) {
-            update({Character{static_cast<unsigned char>(letter)}});
-        }
     }
     bool finds(const std::string& name) const {
         return interface->itemRects().contains("command." + name);

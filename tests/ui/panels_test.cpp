@@ -12,29 +12,7 @@
 namespace kerf::ui {
 namespace {
 
-std::vector<Shortcut> allShortcuts() {
-    std::vector<Shortcut> all;
-    for (const ActionRow& row : actionTable()) {
-        if (row.shortcut.key != Key::none) {
-            all.push_back(row.shortcut);
-        }
-        if (row.second.key != Key::none) {
-            all.push_back(row.second);
-        }
-    }
-    return all;
-}
-
-TEST(ActionTable, EveryKeyStandsOnce) {
-    const std::vector<Shortcut> table = allShortcuts();
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        for (std::size_t j = i + 1; j < table.size(); ++j) {
-            EXPECT_FALSE(table[i].key == table[j].key && table[i].modifiers == table[j].modifiers)
-                << table[i].text << " and " << table[j].text << " are one key";
-        }
-    }
-}
-
+// So no key stands twice.
 TEST(ActionTable, EveryRowIsFoundByItsKeys) {
     for (const ActionRow& row : actionTable()) {
         if (row.shortcut.key != Key::none) {
@@ -46,16 +24,13 @@ TEST(ActionTable, EveryRowIsFoundByItsKeys) {
     }
 }
 
-TEST(ActionTable, EveryRowSaysWhatItDoes) {
+TEST(ActionTable, EveryActionHasARowThatSaysWhatItDoes) {
     for (const ActionRow& row : actionTable()) {
         EXPECT_EQ(row.shortcut.text.empty(), row.shortcut.key == Key::none) << row.label;
         EXPECT_EQ(row.second.text.empty(), row.second.key == Key::none) << row.label;
         EXPECT_FALSE(row.label.empty());
         EXPECT_FALSE(row.group.empty());
     }
-}
-
-TEST(ActionTable, EveryActionHasARow) {
     for (int id = 0; id < static_cast<int>(ActionId::count); ++id) {
         EXPECT_EQ(static_cast<int>(rowOf(static_cast<ActionId>(id)).id), id);
     }
@@ -119,10 +94,8 @@ TEST(ActionTable, KeysOfTheUserReplaceAnActionsOwn) {
 }
 
 TEST(ActionTable, TheDocsHaveTheSame) {
-    std::ifstream file(KERF_SOURCE_DIR "/docs/editor.md");
-    std::stringstream text;
-    text << file.rdbuf();
-    EXPECT_NE(text.str().find(actionsAsMarkdown()), std::string::npos)
+    EXPECT_NE(readBytes(KERF_SOURCE_DIR "/docs/editor.md").find(actionsAsMarkdown()),
+              std::string::npos)
         << "docs/editor.md needs this table:\n"
         << actionsAsMarkdown();
 }
@@ -241,17 +214,13 @@ class LayoutTest : public ::testing::TestWithParam<std::array<float, 3>> {
     Layout layout() const { return layoutPanels(width(), height(), GetParam()[2]); }
 };
 
-TEST_P(LayoutTest, PanelsDoNotOverlap) {
+TEST_P(LayoutTest, PanelsDoNotOverlapAndTheFreeViewHasTheMiddleOfThePicture) {
     const Layout l = layout();
     EXPECT_FALSE(overlap(l.controls, l.plots));
     EXPECT_FALSE(overlap(l.controls, l.status));
     EXPECT_FALSE(overlap(l.plots, l.status));
     EXPECT_FALSE(overlap(l.view, l.controls));
     EXPECT_FALSE(overlap(l.view, l.plots));
-}
-
-TEST_P(LayoutTest, TheFreeViewHasTheMiddleOfThePicture) {
-    const Layout l = layout();
     EXPECT_NEAR(l.view.x + l.view.width / 2, width() / 2, 1e-3);
     EXPECT_GE(l.view.width, width() / 4);
 }

@@ -159,12 +159,6 @@ TEST(CommandLine, AModelThatChangedIsRefused) {
                   "a.obj: the model is not the one");
 }
 
-TEST(CommandLine, TextRenamedToObjIsRefused) {
-    const test::TemporaryFolder folder;
-    writeText(folder / "notes.obj", "Dear diary, today I did not model anything.\n");
-    expectMistake(runKerf({"inspect", folder / "notes.obj"}), 3, "notes.obj");
-}
-
 TEST(CommandLine, AnOpenMeshIsReportedAndRefused) {
     const test::TemporaryFolder folder;
     writeText(folder / "open.obj", openBox());

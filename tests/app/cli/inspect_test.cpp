@@ -349,19 +349,6 @@ TEST_F(Inspect, EdgesThatMakeTooManyTrianglesAreRefusedAtOnce) {
     EXPECT_FALSE(fs::exists(folder / "fine.ply"));
 }
 
-/// How many pixels have about this colour.
-int pixelsOf(const render::Image& image, const std::array<int, 3>& color) {
-    int found = 0;
-    for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-        bool alike = true;
-        for (std::size_t c = 0; c < 3; ++c) {
-            alike = alike && std::abs(image.pixels[i + c] - color[c]) < 12;
-        }
-        found += alike ? 1 : 0;
-    }
-    return found;
-}
-
 constexpr std::array<int, 3> kOpen{213, 94, 0};
 constexpr std::array<int, 3> kOpposed{204, 121, 167};
 constexpr std::array<int, 3> kDouble{0, 158, 115};
@@ -381,9 +368,9 @@ TEST_F(Inspect, APictureHasLinesOfEachFaultAndItsLegend) {
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
     for (const auto& color : {kOpen, kOpposed, kDouble}) {
-        EXPECT_GT(pixelsOf(picture, color), 150);
+        EXPECT_GT(pixelsOf(color, picture.pixels), 150);
     }
-    EXPECT_EQ(pixelsOf(picture, kNeedle), 0);
+    EXPECT_EQ(pixelsOf(kNeedle, picture.pixels), 0);
 }
 
 TEST_F(Inspect, APictureOfASoundModelHasNoLines) {
@@ -392,7 +379,7 @@ TEST_F(Inspect, APictureOfASoundModelHasNoLines) {
     const render::Image picture = render::readPng(folder / "ball.png");
     EXPECT_EQ(picture.width, 1280);
     for (const auto& color : {kOpen, kOpposed, kDouble, kNeedle}) {
-        EXPECT_EQ(pixelsOf(picture, color), 0);
+        EXPECT_EQ(pixelsOf(color, picture.pixels), 0);
     }
 }
 
@@ -404,8 +391,8 @@ TEST_F(Inspect, APictureShowsWhatARepairLeaves) {
                                     "--picture", file("closed.png")});
     EXPECT_EQ(run.exitCode, 0) << run.errors;
     const render::Image picture = render::readPng(folder / "closed.png");
-    EXPECT_EQ(pixelsOf(picture, kOpen), 0);
-    EXPECT_GT(pixelsOf(picture, kNeedle), 150);
+    EXPECT_EQ(pixelsOf(kOpen, picture.pixels), 0);
+    EXPECT_GT(pixelsOf(kNeedle, picture.pixels), 150);
 }
 
 TEST_F(Inspect, RefusesPicturesThatCannotBe) {

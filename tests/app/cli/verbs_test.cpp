@@ -319,16 +319,13 @@ TEST(ReadMask, TakesFourWholeNumbersAlone) {
     }
 }
 
-TEST_F(CompareVerb, UnreadablePictureIsAnInputErrorThatNamesIt) {
-    arguments_.b = folder_ / "missing.png";
-    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<InputError>(HasSubstr("missing.png")));
-    EXPECT_EQ(out_.str(), "");
-}
-
-TEST_F(CompareVerb, DifferenceThatCannotBeWrittenIsAnOutputError) {
+TEST_F(CompareVerb, NamesThePictureThatItCannotReadOrWrite) {
     write("b.png", 100, 200);
     arguments_.diff = folder_ / "nowhere" / "diff.png";
     EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<OutputError>(HasSubstr("nowhere")));
+    arguments_.b = folder_ / "missing.png";
+    EXPECT_THAT([this] { run(); }, testing::ThrowsMessage<InputError>(HasSubstr("missing.png")));
+    EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(CompareVerb, TheDifferenceTakesThePlaceOfNoInputAndNoPipe) {

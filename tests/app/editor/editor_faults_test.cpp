@@ -9,20 +9,6 @@ namespace {
 
 constexpr std::array<int, 3> kOpen{213, 94, 0};
 
-/// How many pixels of the view have about this colour.
-int pixelsOf(const render::Image& image, const std::array<int, 3>& color) {
-    const std::vector<std::uint8_t> pixels = viewPixels(image);
-    int found = 0;
-    for (std::size_t i = 0; i + 3 < pixels.size(); i += 4) {
-        bool alike = true;
-        for (std::size_t c = 0; c < 3; ++c) {
-            alike = alike && std::abs(pixels[i + c] - color[c]) < 12;
-        }
-        found += alike ? 1 : 0;
-    }
-    return found;
-}
-
 class EditorFaultsTest : public EditorTest {
   protected:
     void SetUp() override {
@@ -50,22 +36,23 @@ class EditorFaultsTest : public EditorTest {
         frames(2);
     }
     std::string hash() { return editor->scene()->simulation().stateHash(); }
+    int seenPixelsOf(const std::array<int, 3>& color) {
+        return pixelsOf(color, viewPixels(editor->readPicture()));
+    }
     void cut() { dragAndSettle(kTop + Vec2(160, 0), kBottom + Vec2(160, 500), 12); }
     void undo() { tap(Key::z, {.control = true}, 2); }
     void redo() { tap(Key::y, {.control = true}, 2); }
+    template <class Row>
+    static std::vector<std::string> textsOf(const std::vector<Row>& rows, std::string Row::*text) {
+        std::vector<std::string> texts;
+        std::ranges::transform(rows, std::back_inserter(texts), text);
+        return texts;
+    }
     std::vector<std::string> faultLabels() {
-        std::vector<std::string> labels;
-        for (const ui::FaultRow& row : panels().looks.faults) {
-            labels.push_back(row.label);
-        }
-        return labels;
+        return textsOf(panels().looks.faults, &ui::FaultRow::label);
     }
     std::vector<std::string> changes() {
-        std::vector<std::string> names;
-        for (const ui::ChangeRow& row : panels().changes.rows) {
-            names.push_back(row.name);
-        }
-        return names;
+        return textsOf(panels().changes.rows, &ui::ChangeRow::name);
     }
 };
 
@@ -76,11 +63,11 @@ TEST_F(EditorFaultsTest, AModelWithFaultsStandsBehindTheQuestion) {
     EXPECT_TRUE(panels().looks.showsFaulty);
     ASSERT_EQ(panels().looks.faults.size(), 1U);
     EXPECT_THAT(panels().looks.faults[0].label, HasSubstr("open edges"));
-    EXPECT_GT(pixelsOf(editor->readPicture(), kOpen), 200);
+    EXPECT_GT(seenPixelsOf(kOpen), 200);
     tap(Key::escape, 2);
     EXPECT_FALSE(panels().looks.showsFaulty);
     EXPECT_THAT(panels().looks.faults, IsEmpty());
-    EXPECT_EQ(pixelsOf(editor->readPicture(), kOpen), 0);
+    EXPECT_EQ(seenPixelsOf(kOpen), 0);
     EXPECT_EQ(editor->title(), "Kerf - ball - 1 piece");
     EXPECT_EQ(editor->scene()->rest().homeView().eye, before.eye);
 }
@@ -200,13 +187,6 @@ TEST_F(EditorFaultsTest, AnAssemblyIsPartedIntoModelsAsAStepThatIsUndone) {
     EXPECT_EQ(hash(), whole);
 }
 
-TEST_F(EditorFaultsTest, ABallWithAHoleIsOfferedToBeFilledFirst) {
-    openBroken({"hole of one triangle"});
-    ASSERT_EQ(panels().question.choices.size(), 3U);
-    EXPECT_EQ(panels().question.choices[0], "Fill 1 hole");
-    EXPECT_EQ(panels().question.choices[1], "Thicken");
-}
-
 TEST_F(EditorFaultsTest, EvenTrianglesAreUndoneAndRedoneToTheBit) {
     const std::string before = hash();
     const int triangles = panels().body.triangles;
@@ -282,29 +262,6 @@ TEST_F(EditorFaultsTest, TheEdgesOfARemeshedModelAreChosen) {
     EXPECT_LT(panels().body.triangles, 700);
 }
 
-TEST_F(EditorFaultsTest, UndoBringsBackWhatWasCutBefore) {
-    cut();
-    const int pieces = editor->scene()->simulation().report().pieces;
-    ASSERT_FALSE(panels().model.untouched);
-    const std::string before = hash();
-    const std::size_t own = changes().size();
-    even();
-    EXPECT_THAT(panels().question.title, HasSubstr("reset the cuts?"));
-    confirm(2);
-    EXPECT_TRUE(panels().model.untouched);
-    EXPECT_EQ(changes().size(), own + 1);
-    undo();
-    EXPECT_EQ(hash(), before);
-    EXPECT_EQ(editor->scene()->simulation().report().pieces, pieces);
-    undo();
-    EXPECT_TRUE(panels().model.untouched) << "the cut before is undone in its turn";
-    redo();
-    EXPECT_EQ(hash(), before);
-    redo();
-    EXPECT_THAT(panels().toast.text, HasSubstr("Redone: Remesh"));
-    EXPECT_TRUE(panels().model.untouched);
-}
-
 TEST_F(EditorFaultsTest, AnotherChangeForgetsWhatWasUndone) {
     even();
     undo();
@@ -318,27 +275,34 @@ TEST_F(EditorFaultsTest, AnotherChangeForgetsWhatWasUndone) {
 
 TEST_F(EditorFaultsTest, TheHistoryGoesFromSceneToScene) {
     cut();
-    const std::string cutHash = hash();
+    ASSERT_FALSE(panels().model.untouched);
+    const std::string cutOnce = hash();
+    const std::size_t own = changes().size();
     even();
+    EXPECT_THAT(panels().question.title, HasSubstr("reset the cuts?"));
     confirm(2);
+    EXPECT_TRUE(panels().model.untouched);
+    EXPECT_EQ(changes().size(), own + 1);
     const std::string evened = hash();
     cut();
     const std::string both = hash();
     const std::size_t rows = changes().size();
+    for (const std::string& state : {evened, cutOnce}) {
+        undo();
+        EXPECT_EQ(hash(), state);
+    }
     editor->resize(1280, 1100);
     click("tab.History");
     while (panels().changes.done > 0) {
         undo();
     }
-    EXPECT_NE(hash(), cutHash);
+    EXPECT_NE(hash(), cutOnce);
     EXPECT_TRUE(panels().model.untouched);
     EXPECT_EQ(changes().size(), rows);
-    redo();
-    EXPECT_EQ(hash(), cutHash);
-    redo();
-    EXPECT_EQ(hash(), evened);
-    redo();
-    EXPECT_EQ(hash(), both);
+    for (const std::string& state : {cutOnce, evened, both}) {
+        redo();
+        EXPECT_EQ(hash(), state);
+    }
 }
 
 TEST_F(EditorFaultsTest, CancelLeavesEverythingAsItWas) {
@@ -372,12 +336,12 @@ TEST_F(EditorFaultsTest, FaultsOfTheOpenModelAreShownOnDemand) {
     EXPECT_THAT(panels().model.models[0].triangles, HasSubstr("12 triangles, 8 slivers"));
     unfoldModel();
     constexpr std::array<int, 3> kNeedle{230, 159, 0};
-    EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
+    EXPECT_EQ(seenPixelsOf(kNeedle), 0);
     click("model.faults", 2);
     EXPECT_THAT(faultLabels(), ElementsAre("8 slivers"));
-    EXPECT_GT(pixelsOf(editor->readPicture(), kNeedle), 100);
+    EXPECT_GT(seenPixelsOf(kNeedle), 100);
     click("model.faults", 2);
-    EXPECT_EQ(pixelsOf(editor->readPicture(), kNeedle), 0);
+    EXPECT_EQ(seenPixelsOf(kNeedle), 0);
     even();
     EXPECT_EQ(panels().model.faultCount, 0) << panels().toast.text;
 }

@@ -180,21 +180,18 @@ TEST_F(EditorJournalTest, WhatAPersonAddsToASessionComesBackWithIt) {
     expectAllIsBack(before, "Kerf - slice - 2 pieces");
 }
 
-TEST_F(EditorJournalTest, WhatWasNotChangedIsNotOffered) {
-    frames(5);
-    crash();
-    editor = newEditor();
-    EXPECT_FALSE(asksSoon());
-    expectFiles(1);
-}
-
-TEST_F(EditorJournalTest, WhatWasSavedIsNotOffered) {
-    cut();
-    saveByKeys();
-    crash();
-    editor = newEditor();
-    EXPECT_FALSE(asksSoon());
-    expectFiles(1);
+TEST_F(EditorJournalTest, WhatWasNotChangedOrIsSavedIsNotOffered) {
+    for (const bool saved : {false, true}) {
+        frames(5);
+        if (saved) {
+            cut();
+            saveByKeys();
+        }
+        crash();
+        editor = newEditor();
+        EXPECT_FALSE(asksSoon()) << saved;
+        expectFiles(1);
+    }
 }
 
 TEST_F(EditorJournalTest, DiscardedWorkIsGoneAndPutOffWorkIsOfferedAgain) {

@@ -10,11 +10,14 @@ class EditorMeasureTest : public EditorTest {
   protected:
     void SetUp() override {
         EditorTest::SetUp();
+        open(cubeDocument());
+    }
+    static Document cubeDocument() {
         Document document = sphereDocument();
         document.mesh = box(Vec3::Ones(), 4);
         document.restBounds = meshBounds(document.mesh);
         document.camera.eye = Vec3(0, 0, 3);
-        open(std::move(document));
+        return document;
     }
     void open(Document document) {
         start(options(), std::move(document));
@@ -72,10 +75,7 @@ TEST_F(EditorMeasureTest, AClickOnAPieceTellsItsAreaAndVolume) {
 }
 
 TEST_F(EditorMeasureTest, AModelInMillimetresIsToldInMillimetresToo) {
-    Document document = sphereDocument();
-    document.mesh = box(Vec3::Ones(), 4);
-    document.restBounds = meshBounds(document.mesh);
-    document.camera.eye = Vec3(0, 0, 3);
+    Document document = cubeDocument();
     document.session.placement.unit = LengthUnit::millimetre;
     document.placed = {{document.session.placement, 0}};
     open(std::move(document));
@@ -135,11 +135,10 @@ TEST_F(EditorMeasureTest, TheListIsSavedAndEmptied) {
     clickAt(0, -0.3);
     clickAt(0, 0.3);
     clickAndWait("measure.csv");
-    std::stringstream text;
-    text << std::ifstream(onlyFile(folder.path())).rdbuf();
-    EXPECT_THAT(text.str(), StartsWith("id,measure,quantity,value,unit,value_in_file,unit_in_file\n"
-                                       "1,distance,distance,0."));
-    EXPECT_THAT(text.str(), HasSubstr("\n2,distance,distance,"));
+    const std::string text = readBytes(onlyFile(folder.path()));
+    EXPECT_THAT(text, StartsWith("id,measure,quantity,value,unit,value_in_file,unit_in_file\n"
+                                 "1,distance,distance,0."));
+    EXPECT_THAT(text, HasSubstr("\n2,distance,distance,"));
     click("measure.remove.1");
     ASSERT_EQ(rows().size(), 1U);
     EXPECT_EQ(rows()[0].id, 2);
@@ -166,10 +165,9 @@ TEST_F(EditorMeasureTest, TheTableOfPiecesHasAllColumnsOnDemandAndSavesThem) {
         EXPECT_TRUE(piece.bounds.center().isApprox(piece.sums->centroid, 0.1));
     }
     clickAndWait("pieces.csv");
-    std::stringstream text;
-    text << std::ifstream(onlyFile(folder.path())).rdbuf();
-    EXPECT_THAT(text.str(), StartsWith("piece,triangles,volume_m3,"));
-    EXPECT_THAT(text.str(), HasSubstr("\n2,"));
+    const std::string text = readBytes(onlyFile(folder.path()));
+    EXPECT_THAT(text, StartsWith("piece,triangles,volume_m3,"));
+    EXPECT_THAT(text, HasSubstr("\n2,"));
 }
 
 TEST(SurfaceAnchor, EndsWhereItsMaterialIsGone) {

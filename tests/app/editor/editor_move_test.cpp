@@ -22,25 +22,18 @@ class EditorMoveTest : public EditorTest {
         tap(Key::u);
         moveTo(5, kHeight - 5, 2);
     }
+    Vec2 dotOf(int axis, bool square) {
+        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
+            if (dot.axis == axis && dot.square == square) {
+                return {dot.at.x, dot.at.y};
+            }
+        }
+        ADD_FAILURE() << "no such dot";
+        return kMiddle;
+    }
     /// Pixel of the tip of an arrow.
-    Vec2 tip(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
-            if (dot.axis == axis && !dot.square) {
-                return {dot.at.x, dot.at.y};
-            }
-        }
-        ADD_FAILURE() << "no arrow";
-        return kMiddle;
-    }
-    Vec2 square(int axis) {
-        for (const ui::Overlay::AxisDot& dot : panels().view.overlay.axisDots) {
-            if (dot.axis == axis && dot.square) {
-                return {dot.at.x, dot.at.y};
-            }
-        }
-        ADD_FAILURE() << "no square";
-        return kMiddle;
-    }
+    Vec2 tip(int axis) { return dotOf(axis, false); }
+    Vec2 square(int axis) { return dotOf(axis, true); }
     /// Some pixel of a ring that no arrow is near.
     Vec2 ring(int axis) {
         const auto& lines = panels().view.overlay.axisLines;

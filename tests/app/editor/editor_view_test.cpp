@@ -20,35 +20,6 @@ class EditorLegendTest : public EditorViewTest {
     }
 };
 
-TEST_F(EditorViewTest, WithoutPerspectiveAStrokeStillCutsTheSphereInTwo) {
-    tap(Key::digit5);
-    settle();
-    EXPECT_TRUE(panels().view.orthographic);
-    dragAndSettle(kTop, kBottom, 30);
-    EXPECT_EQ(editor->title(), "Kerf - ball - 2 pieces");
-}
-
-TEST_F(EditorViewTest, WithoutPerspectiveTheScalpelFindsTheSurface) {
-    tap(Key::digit5);
-    tap(Key::s);
-    dragAndSettle(Vec2(kWidth / 2.0 - 60, kHeight / 2.0), Vec2(kWidth / 2.0 + 60, kHeight / 2.0),
-                  12);
-    EXPECT_GT(panels().body.triangles, 768);
-    EXPECT_EQ(panels().changes.rows.size(), 1U);
-}
-
-TEST_F(EditorViewTest, WithoutPerspectiveAGuillotineHandleFollowsThePointer) {
-    tap(Key::digit5);
-    tap(Key::g);
-    moveTo(kWidth / 2.0, kHeight / 2.0, 2);
-    ASSERT_EQ(panels().view.overlay.handles.size(), 4U);
-    const ui::PlotPoint before = panels().view.overlay.handles[0].at;
-    drag(Vec2(before.x, before.y), Vec2(before.x + 40, before.y + 30), 3);
-    frames(2);
-    EXPECT_NEAR(panels().view.overlay.handles[0].at.x, before.x + 40, 0.5);
-    EXPECT_NEAR(panels().view.overlay.handles[0].at.y, before.y + 30, 0.5);
-}
-
 /// The last row of the picture that shows the ball, between the panels.
 int lowestOfBall(const render::Image& picture) {
     int lowest = 0;
@@ -248,19 +219,6 @@ TEST_F(EditorViewTest, AStrokeThatBeginsWhileTheViewFliesIsMadeInTheViewAtItsEnd
     EXPECT_NEAR(axis(0).z(), 1, 1e-3);
 }
 
-/// Pixels of the view that are nearly of this colour.
-int pixelsOf(const render::DisplayColor& color, const std::vector<std::uint8_t>& pixels) {
-    int count = 0;
-    for (std::size_t i = 0; i < pixels.size(); i += 4) {
-        bool near = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-            near = near && std::abs(int(pixels[i + k]) - int(color[k])) < 12;
-        }
-        count += near ? 1 : 0;
-    }
-    return count;
-}
-
 TEST_F(EditorViewTest, EachOverlayIsDrawnInItsColourWithALegend) {
     struct Marking {
         Key key;
@@ -342,46 +300,32 @@ TEST_F(EditorViewTest, TheFinePictureIsSmootherAndTheChoiceIsKept) {
     EXPECT_EQ(viewPixels(editor->readPicture()), light);
 }
 
-TEST_F(EditorViewTest, ColoursAreKeptInTheSessionAndShownAgain) {
-    const Session before = [&] {
-        Session session;
-        session.model.builtin = "sphere80";
-        session.steps = 1;
-        session.params.floor = -0.7;
-        session.view = render::Camera{.eye = {0, 0.4, 3}};
-        session.colors.skin = Vec3(0.1, 0.2, 0.9);
-        return session;
-    }();
-    writeText(folder / "blue.kerf.json", formatSession(before, folder.path()));
-    open(folder / "blue.kerf.json");
-    moveTo(5, 5);
-    settle();
-    EXPECT_EQ(panels().display.colors.skin, Vec3(0.1, 0.2, 0.9));
-    const render::Image picture = editor->readPicture();
-    const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
-    EXPECT_GT(picture.pixels[middle + 2], 2 * picture.pixels[middle]) << "blue, not red";
-    fs::remove(folder / "blue.kerf.json");
-    saveByKeys();
-    EXPECT_EQ(readSession(onlyFile(folder.path())).colors.skin, before.colors.skin);
-}
-
-TEST_F(EditorViewTest, ALookIsKeptInTheSessionAndShownAgain) {
-    Session before;
-    before.model.builtin = "sphere80";
-    before.steps = 1;
-    before.view = render::Camera{.eye = {0, 0.4, 3}};
-    before.colors.look = render::LookName::marble;
-    writeText(folder / "stone.kerf.json", formatSession(before, folder.path()));
-    open(folder / "stone.kerf.json");
-    moveTo(5, 5);
-    settle();
-    EXPECT_EQ(panels().display.colors.look, render::LookName::marble);
-    const render::Image picture = editor->readPicture();
-    const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
-    EXPECT_LT(picture.pixels[middle], 1.3 * picture.pixels[middle + 2]) << "grey, not red";
-    fs::remove(folder / "stone.kerf.json");
-    saveByKeys();
-    EXPECT_EQ(readSession(onlyFile(folder.path())).colors.look, before.colors.look);
+TEST_F(EditorViewTest, ColoursAndLooksAreKeptInTheSessionAndShownAgain) {
+    render::ChosenColors blue;
+    blue.skin = Vec3(0.1, 0.2, 0.9);
+    render::ChosenColors stone;
+    stone.look = render::LookName::marble;
+    for (const auto& [colors, mostRed] : {std::pair(blue, 0.5), {stone, 1.3}}) {
+        Session before;
+        before.model.builtin = "sphere80";
+        before.steps = 1;
+        before.params.floor = -0.7;
+        before.view = render::Camera{.eye = {0, 0.4, 3}};
+        before.colors = colors;
+        const fs::path file = folder / "dyed.kerf.json";
+        writeText(file, formatSession(before, folder.path()));
+        open(file);
+        moveTo(5, 5);
+        settle();
+        EXPECT_EQ(panels().display.colors, colors);
+        const render::Image picture = editor->readPicture();
+        const std::size_t middle = 4 * (std::size_t(kHeight / 2) * kWidth + kWidth / 2);
+        EXPECT_LT(picture.pixels[middle], mostRed * picture.pixels[middle + 2]);
+        fs::remove(file);
+        saveByKeys();
+        EXPECT_EQ(readSession(onlyFile(folder.path())).colors, colors);
+        fs::remove(onlyFile(folder.path()));
+    }
 }
 
 TEST_F(EditorViewTest, WhatIsShownApartIsFramedApart) {

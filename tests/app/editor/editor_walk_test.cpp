@@ -2,13 +2,10 @@
 // sought, saved, reopened, exchanged, lost and recovered has the state hashes that it had.
 
 #include <spawn.h>
-#include <sys/wait.h>
 
 #include <csignal>
-#include <random>
 
 #include "app/journal/journal.h"
-#include "app/scene/timeline/scene_timeline.h"
 #include "sim/run/undo/undo_history.h"
 #include "tests/support/file_limit.h"
 

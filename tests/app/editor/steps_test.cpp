@@ -209,30 +209,24 @@ std::vector<std::size_t> batchSizes(const std::vector<InputEvent>& events) {
     return sizes;
 }
 
-TEST(InputQueue, MovesShareABatch) {
-    EXPECT_THAT(batchSizes({kMove, kMove, kMove}), ElementsAre(3));
-}
-
-TEST(InputQueue, AMoveAndAButtonNeverShare) {
-    EXPECT_THAT(batchSizes({kMove, kDown, kMove, kMove, kUp, kMove}), ElementsAre(1, 1, 2, 1, 1));
-}
-
-TEST(InputQueue, AFastClickIsTwoBatches) {
-    EXPECT_THAT(batchSizes({kDown, kUp, kDown, kUp}), ElementsAre(1, 1, 1, 1));
-}
-
-TEST(InputQueue, AWheelTurnsWhereThePointerIs) {
-    EXPECT_THAT(batchSizes({kMove, Wheel{0, 1}, Wheel{0, 1}, kDown}), ElementsAre(3, 1));
-}
-
-TEST(InputQueue, AKeyGoesDownAndUpInTwoBatches) {
-    EXPECT_THAT(batchSizes({key(Key::a, true), key(Key::a, false)}), ElementsAre(1, 1));
-    EXPECT_THAT(batchSizes({key(Key::a, false), key(Key::b, true), kMove}), ElementsAre(3));
-    EXPECT_THAT(batchSizes({key(Key::a, true), key(Key::b, true), kMove}), ElementsAre(1, 2));
-}
-
-TEST(InputQueue, LosingTheFocusCountsAsAButton) {
-    EXPECT_THAT(batchSizes({kMove, ui::FocusLost{}, kMove}), ElementsAre(1, 1, 1));
+TEST(InputQueue, TakesInABatchWhatDoesNotDependOnAPictureBetween) {
+    using Events = std::vector<InputEvent>;
+    const InputEvent wheel = Wheel{0, 1};
+    const InputEvent a = key(Key::a, true);
+    const InputEvent aUp = key(Key::a, false);
+    const InputEvent b = key(Key::b, true);
+    for (const auto& [name, events, sizes] :
+         std::vector<std::tuple<const char*, Events, std::vector<std::size_t>>>{
+             {"moves", {kMove, kMove, kMove}, {3}},
+             {"buttons", {kMove, kDown, kMove, kMove, kUp, kMove}, {1, 1, 2, 1, 1}},
+             {"a fast click", {kDown, kUp, kDown, kUp}, {1, 1, 1, 1}},
+             {"the wheel", {kMove, wheel, wheel, kDown}, {3, 1}},
+             {"a key down and up", {a, aUp}, {1, 1}},
+             {"a key up, another down", {aUp, b, kMove}, {3}},
+             {"two keys down", {a, b, kMove}, {1, 2}},
+             {"a lost focus", {kMove, ui::FocusLost{}, kMove}, {1, 1, 1}}}) {
+        EXPECT_EQ(batchSizes(events), sizes) << name;
+    }
 }
 
 TEST(InputQueue, NothingIsLostAndTheOrderIsKept) {

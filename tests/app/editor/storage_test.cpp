@@ -1,5 +1,4 @@
 #include "app/editor/storage/file_chooser.h"
-#include "app/editor/storage/settings_file.h"
 
 namespace kerf::app {
 namespace {

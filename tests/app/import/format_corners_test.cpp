@@ -178,9 +178,7 @@ TEST(FormatCorners, EveryFileIsReadRightOrRefusedByName) {
 }
 
 UnitGuess guessOf(const char* file, double length) {
-    Bounds bounds;
-    bounds.add(Vec3(5, 5, 5));
-    bounds.add(Vec3(5 + 0.5 * length, 5 + length, 5 + 0.2 * length));
+    Bounds bounds{Vec3(5, 5, 5), Vec3(5 + 0.5 * length, 5 + length, 5 + 0.2 * length)};
     return guessUnits(file, bounds, std::nullopt);
 }
 
@@ -208,9 +206,7 @@ TEST(UnitGuess, SaysWhatWasTakenAndWhy) {
     EXPECT_EQ(guessOf("a.obj", 9.66).sentence,
               "OBJ has no unit: assumed centimetres with +y up, 9.66 cm long, since 9.66 m would "
               "be huge.");
-    Bounds bounds;
-    bounds.add(Vec3(0, 0, 0));
-    bounds.add(Vec3(1, 2, 1));
+    Bounds bounds{Vec3(0, 0, 0), Vec3(1, 2, 1)};
     EXPECT_EQ(guessUnits("a.fbx", bounds, FileUnits{LengthUnit::metre, UpAxis::minusZ}).sentence,
               "FBX is in metres with -z up: 2 m long.");
     EXPECT_NE(guessOf("a.stl", 0.92).sentence.find("since 920 \u00b5m would be tiny."),

@@ -308,6 +308,7 @@ TEST_F(Reader, ThatWaitsIsStopped) {
     const ImportEnd end = endOf("sleep 60", limits);
     EXPECT_TRUE(end.tooSlow);
     EXPECT_EQ(end.signal, SIGKILL);
+    EXPECT_EQ(endOf("exec >&- 2>&-\nsleep 60").signal, SIGKILL) << "its streams are closed";
 }
 
 TEST_F(Reader, ThatCrashesIsNamed) {
@@ -319,18 +320,6 @@ TEST_F(Reader, ThatCrashesIsNamed) {
     EXPECT_THAT(sentenceOf(crash), HasSubstr("the OBJ reader failed on it (SEGV)"));
 }
 
-TEST_F(Reader, ThatClosesItsStreamsAndWaitsIsStopped) {
-    EXPECT_EQ(endOf("exec >&- 2>&-\nsleep 60").signal, SIGKILL);
-}
-
-TEST_F(Reader, ThatOthersEndIsNoFaultOfTheFile) {
-    EXPECT_THAT(sentenceOf("kill -KILL $$"), HasSubstr("run out of memory; close other programs"));
-}
-
-TEST_F(Reader, ThatAnswersNonsenseIsRefused) {
-    EXPECT_THAT(sentenceOf("head -c 99999 /dev/urandom"), HasSubstr("stopped in the middle"));
-}
-
 TEST_F(Reader, TellsItsStagesWhichAreNoLog) {
     WorkProgress progress;
     const ImportEnd end =
@@ -340,9 +329,14 @@ TEST_F(Reader, TellsItsStagesWhichAreNoLog) {
     EXPECT_EQ(end.log, "odd\n");
 }
 
-TEST_F(Reader, ThatMendsTooLongIsToldWithItsStage) {
-    EXPECT_THAT(sentenceOf("printf '\\036Uniting\\n' >&2\nkill -XCPU $$"),
-                HasSubstr("\"Uniting\" did not end within 600 s"));
+TEST_F(Reader, ThatFailsIsToldWithTheReason) {
+    for (const auto& [script, words] :
+         {std::pair("kill -KILL $$", "run out of memory; close other programs"),
+          {"head -c 99999 /dev/urandom", "stopped in the middle"},
+          {"printf '\\036Uniting\\n' >&2\nkill -XCPU $$",
+           "\"Uniting\" did not end within 600 s"}}) {
+        EXPECT_THAT(sentenceOf(script), HasSubstr(words));
+    }
 }
 
 TEST_F(Reader, ThatIsMissingIsNamed) {

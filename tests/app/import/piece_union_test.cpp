@@ -1,6 +1,5 @@
 #include "app/import/piece_union.h"
 
-#include "app/import/model_answer.h"
 #include "sim/mesh/surface_mesh.h"
 #include "sim/repair/crossings.h"
 
@@ -152,29 +151,24 @@ TEST(PieceUnion, MaterialsAndTextureCoordinatesStayWhereTheyAre) {
     }
 }
 
-TEST(PieceUnion, PiecesThatWouldTouchInALineAreLeftWithTheReason) {
+TEST(PieceUnion, WhatCannotBeUnitedIsLeftWithTheReason) {
+    const auto expectLeft = [](TriangleSoup soup, const std::string& reason) {
+        const TriangleSoup before = soup;
+        const app::PieceUnion became = app::uniteCrossingPieces(soup);
+        EXPECT_THAT(became.done, IsEmpty());
+        EXPECT_THAT(became.left, ElementsAre(HasSubstr(reason)));
+        EXPECT_EQ(soup.positions, before.positions);
+        EXPECT_EQ(soup.triangles, before.triangles);
+    };
     // Two bars through a box: they leave it side by side and share an edge there.
-    TriangleSoup soup = joined(boxSoup(), boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
-    soup = joined(soup, boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
-    const TriangleSoup before = soup;
-    const app::PieceUnion became = app::uniteCrossingPieces(soup);
-    EXPECT_THAT(became.done, IsEmpty());
-    ASSERT_EQ(became.left.size(), 1u);
-    EXPECT_THAT(became.left[0], HasSubstr("touch in a line or a point"));
-    EXPECT_EQ(soup.positions, before.positions);
-}
-
-TEST(PieceUnion, APieceThatPassesThroughItselfIsLeft) {
-    TriangleSoup soup = icosphereSoup(2);
-    soup.positions[0] = -1.5 * soup.positions[0];
-    soup = joined(soup, boxSoup(), Vec3(0.4, 0, 0));
-    ASSERT_GT(reportOf(soup).crossingTriangles, 0);
-    const TriangleSoup before = soup;
-    const app::PieceUnion became = app::uniteCrossingPieces(soup);
-    EXPECT_THAT(became.done, IsEmpty());
-    ASSERT_EQ(became.left.size(), 1u);
-    EXPECT_THAT(became.left[0], HasSubstr("1 piece passes through itself"));
-    EXPECT_EQ(soup.triangles, before.triangles);
+    TriangleSoup bars = joined(boxSoup(), boxSoup(Vec3(0.5, 0.5, 2)), Vec3(0.25, 0.25, 0));
+    bars = joined(bars, boxSoup(Vec3(0.5, 0.5, 2)), Vec3(-0.25, -0.25, 0));
+    expectLeft(bars, "touch in a line or a point");
+    TriangleSoup crossed = icosphereSoup(2);
+    crossed.positions[0] = -1.5 * crossed.positions[0];
+    crossed = joined(crossed, boxSoup(), Vec3(0.4, 0, 0));
+    ASSERT_GT(reportOf(crossed).crossingTriangles, 0);
+    expectLeft(crossed, "1 piece passes through itself");
 }
 
 TEST(PieceUnion, ARepairSaysWhatItLeavesOfAPieceThatPassesThroughItself) {

@@ -10,9 +10,7 @@ namespace kerf::app {
 namespace {
 
 std::vector<Bounds> boxAt(double low) {
-    Bounds box;
-    box.add(Vec3(0, low, 0));
-    box.add(Vec3(1, low + 1, 1));
+    Bounds box{Vec3(0, low, 0), Vec3(1, low + 1, 1)};
     return {box};
 }
 

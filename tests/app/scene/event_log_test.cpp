@@ -308,30 +308,17 @@ std::vector<double> heightsAt(const SessionSchedule& schedule, int step) {
     return heights;
 }
 
-TEST(SessionSchedule, NothingMovesBeforeTheFirstKeyAndAfterTheLast) {
-    const Session session = sessionOf({key(10, 1), key(12, 0)});
+TEST(SessionSchedule, PosesBetweenKeysAreLinearOnePerStepAndThereAreNoOthers) {
+    const Session session = sessionOf({key(10, 1), key(14, 3), key(16, 1)});
     const SessionSchedule schedule(session);
+    std::vector<std::vector<double>> heights;
+    for (int step = 9; step <= 17; ++step) {
+        heights.push_back(heightsAt(schedule, step));
+    }
+    EXPECT_EQ(heights,
+              (std::vector<std::vector<double>>{{}, {1}, {1.5}, {2}, {2.5}, {3}, {2}, {1}, {}}));
     EXPECT_TRUE(schedule.actionsAt(0).empty());
-    EXPECT_TRUE(schedule.actionsAt(9).empty());
-    EXPECT_TRUE(schedule.actionsAt(13).empty());
-}
-
-TEST(SessionSchedule, PosesBetweenKeysAreLinearOnePerStep) {
-    const Session session = sessionOf({key(10, 1), key(14, 3)});
-    const SessionSchedule schedule(session);
-    EXPECT_EQ(heightsAt(schedule, 10), std::vector<double>{1});
-    EXPECT_EQ(heightsAt(schedule, 11), std::vector<double>{1.5});
-    EXPECT_EQ(heightsAt(schedule, 12), std::vector<double>{2});
-    EXPECT_EQ(heightsAt(schedule, 13), std::vector<double>{2.5});
-    EXPECT_EQ(heightsAt(schedule, 14), std::vector<double>{3});
-}
-
-TEST(SessionSchedule, KeysInARowShareTheirPose) {
-    const Session session = sessionOf({key(0, 0), key(2, 2), key(4, 0)});
-    const SessionSchedule schedule(session);
-    EXPECT_EQ(heightsAt(schedule, 1), std::vector<double>{1});
-    EXPECT_EQ(heightsAt(schedule, 2), std::vector<double>{2});
-    EXPECT_EQ(heightsAt(schedule, 3), std::vector<double>{1});
+    EXPECT_TRUE(schedule.actionsAt(17).empty());
 }
 
 TEST(SessionSchedule, ALiftEndsTheSweep) {

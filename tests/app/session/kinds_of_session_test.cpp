@@ -243,16 +243,13 @@ std::vector<std::string> remarksOn(const std::string& rest) {
         .remarks;
 }
 
-TEST(StartBelowFloor, IsTold) {
+TEST(StartBelowFloor, IsToldFarFromTheOriginToo) {
     const std::string sentence =
         "sphere80 starts 25 cm below the floor and will be pushed up; raise it by \"placement\".";
     EXPECT_THAT(remarksOn(R"("params": {"floor": 0}, "placement": {"scale": 0.5})"),
                 ElementsAre(sentence));
     EXPECT_THAT(remarksOn(R"("params": {"floor": -0.25}, "placement": {"scale": 0.5})"), IsEmpty());
     EXPECT_THAT(remarksOn(R"("params": {"floor": null}, "placement": {"scale": 0.5})"), IsEmpty());
-}
-
-TEST(StartBelowFloor, IsMeasuredFarFromTheOriginToo) {
     EXPECT_THAT(
         remarksOn(R"("params": {"floor": 1e6}, "placement": {"translate": [0, 1000002, 0]})"),
         Each(Not(HasSubstr("below the floor"))));

@@ -1,23 +1,10 @@
 #include "app/study/study.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include "app/files/io/encodings.h"
-#include "app/files/io/errors.h"
 #include "app/study/run_record.h"
 #include "app/study/study_plots.h"
-#include "tests/support/shapes.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-using test::sessionThatDoes;
-using test::writeText;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 class StudyFile : public testing::Test {
   protected:

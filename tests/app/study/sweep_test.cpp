@@ -1,32 +1,7 @@
 // kerf sweep, as a person or a cluster calls it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <thread>
-
-#include "render/scene/image.h"
-#include "tests/paths.h"
-#include "tests/support/run_kerf.h"
-#include "tests/support/small_sessions.h"
-#include "tests/support/temporary_folder.h"
 
 namespace kerf::app {
 namespace {
-
-namespace fs = std::filesystem;
-using test::ProgramRun;
-using test::readBytes;
-using test::runKerf;
-using test::sessionThatDoes;
-using test::writeText;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
 
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
@@ -274,15 +249,21 @@ TEST_F(Sweep, WhatWasDamagedSinceCountsAsMissingAndIsRunAgain) {
 }
 
 TEST_F(Sweep, AFolderOfSomebodyElseStaysWhateverItsRecordSays) {
-    fs::create_directories(folder_ / "out/1");
+    for (const char* folder : {"out/1", "out/2"}) {
+        fs::create_directories(folder_ / folder);
+        writeText(folder_ / folder / "precious.txt", "mine");
+    }
     writeText(folder_ / "out/1/run.json", R"({"my": 1})");
-    writeText(folder_ / "out/1/precious.txt", "mine");
     const ProgramRun run = sweep("out");
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_THAT(run.out, HasSubstr("out/1: there is something else than a run of a sweep"));
-    EXPECT_THAT(run.out, HasSubstr("4 runs, 1 missing (run 1)"));
-    EXPECT_EQ(bytes("out/1/precious.txt"), "mine");
+    EXPECT_THAT(run.out, HasSubstr("missing 2 a.kerf.json"));
+    EXPECT_THAT(run.out, HasSubstr("4 runs, 2 missing (runs 1 and 2)\n"));
     EXPECT_EQ(bytes("out/1/run.json"), R"({"my": 1})");
+    for (const char* file : {"out/1/precious.txt", "out/2/precious.txt"}) {
+        EXPECT_EQ(bytes(file), "mine");
+    }
+    EXPECT_TRUE(has("out/3/summary.json")) << "the others were run";
 }
 
 TEST_F(Sweep, WhatWouldStopEachRunIsToldOnceAndBefore) {
@@ -367,18 +348,6 @@ TEST_F(Sweep, SeveralProgramsMayDoTheSameRun) {
     EXPECT_TRUE(has("out/0/run.json"));
 }
 
-TEST_F(Sweep, NeverReplacesWhatIsNoRun) {
-    fs::create_directories(folder_ / "out/2");
-    writeText(folder_ / "out/2/mine.txt", "mine");
-    const ProgramRun run = sweep("out");
-    EXPECT_EQ(run.exitCode, 1);
-    EXPECT_THAT(run.out, HasSubstr("missing 2 a.kerf.json"));
-    EXPECT_THAT(run.out, HasSubstr("there is something else than a run of a sweep"));
-    EXPECT_THAT(run.out, HasSubstr("4 runs, 1 missing (run 2)\n"));
-    EXPECT_EQ(bytes("out/2/mine.txt"), "mine");
-    EXPECT_TRUE(has("out/3/summary.json")) << "the others were run";
-}
-
 TEST_F(Sweep, LinksInTheFolderOfResultsLeadNowhere) {
     writeStudy(R"("runs": [{}])");
     for (const char* name : {"0", ".0.part", ".lock", "table.csv"}) {
@@ -393,10 +362,7 @@ TEST_F(Sweep, LinksInTheFolderOfResultsLeadNowhere) {
         EXPECT_EQ(bytes("elsewhere/mine.txt"), "mine") << name;
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "elsewhere"), {}), 1) << name;
     }
-}
-
-TEST_F(Sweep, NoLockIsMadeWhereALinkLeads) {
-    writeStudy(R"("runs": [{}])");
+    fs::remove_all(folder_ / "out");
     fs::create_directories(folder_ / "out");
     fs::create_symlink(folder_ / "made", folder_ / "out/.lock");
     sweep("out");

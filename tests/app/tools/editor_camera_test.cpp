@@ -55,9 +55,7 @@ TEST(EditorCamera, ADragZooms) {
 }
 
 TEST(EditorCamera, NoZoomOrPanLosesTheBody) {
-    Bounds body;
-    body.add(Vec3(-1, -1, -1));
-    body.add(Vec3(1, 1, 1));
+    Bounds body{Vec3(-1, -1, -1), Vec3(1, 1, 1)};
     for (const double notches : {400.0, -400.0}) {
         EditorCamera control(camera());
         control.zoom(notches, Vec2(0.3, 0.2), 1.5);
@@ -167,9 +165,7 @@ TEST(EditorCamera, AFlightGoesOnFromWhereTheOneBeforeEnds) {
     EditorCamera shown(camera());
     shown.flyTo(AxisView::top);
     shown.advance(0.05);
-    Bounds body;
-    body.add(Vec3(-1, -1, -1));
-    body.add(Vec3(1, 1, 1));
+    Bounds body{Vec3(-1, -1, -1), Vec3(1, 1, 1)};
     shown.flyToFrame(body);
     shown.advance(1);
     EXPECT_FALSE(shown.flying());

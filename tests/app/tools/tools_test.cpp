@@ -71,9 +71,7 @@ TEST_F(ToolBoxTest, TheGuillotineKeepsItsPoseWhileAnotherToolIsUsed) {
 
 TEST_F(ToolBoxTest, AnotherDocumentFitsTheSettingsAndLeavesTheToolInHand) {
     take(ui::ToolKind::pin);
-    Bounds larger;
-    larger.add(Vec3::Zero());
-    larger.add(Vec3(30, 40, 0));
+    Bounds larger{Vec3::Zero(), Vec3(30, 40, 0)};
     tools.begin(larger);
     EXPECT_EQ(tools.settings().tool, ui::ToolKind::pin);
     EXPECT_DOUBLE_EQ(tools.settings().longest, 100);
@@ -81,10 +79,7 @@ TEST_F(ToolBoxTest, AnotherDocumentFitsTheSettingsAndLeavesTheToolInHand) {
 }
 
 Bounds ball() {
-    Bounds bounds;
-    bounds.add(Vec3::Constant(-0.5));
-    bounds.add(Vec3::Constant(0.5));
-    return bounds;
+    return {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
 }
 
 ViewFrame viewFrom(const Vec3& eye) {
@@ -219,9 +214,7 @@ TEST(Scalpel, GoesToAnotherDepthOnItsWay) {
 }
 
 TEST(Guillotine, GoesFromAboveTheBodyToBelowIt) {
-    Bounds bounds;
-    bounds.add(Vec3(-0.2, 0, -1));
-    bounds.add(Vec3(0.2, 0.5, 1));
+    Bounds bounds{Vec3(-0.2, 0, -1), Vec3(0.2, 0.5, 1)};
     const Guillotine guillotine(bounds);
     EXPECT_GT(guillotine.at(0).a.y(), 0.5);
     EXPECT_LT(guillotine.at(1).a.y(), 0);
@@ -230,9 +223,7 @@ TEST(Guillotine, GoesFromAboveTheBodyToBelowIt) {
 }
 
 TEST(Guillotine, HandlesMoveTurnAndLengthenIt) {
-    Bounds bounds;
-    bounds.add(Vec3(-0.5, -0.5, -0.5));
-    bounds.add(Vec3(0.5, 0.5, 0.5));
+    Bounds bounds{Vec3(-0.5, -0.5, -0.5), Vec3(0.5, 0.5, 0.5)};
     Guillotine guillotine(bounds);
     const Vec3 middle = guillotine.handles()[Guillotine::middle];
     guillotine.move(Guillotine::endB, middle + Vec3(0, 0, 0.9));

@@ -191,7 +191,26 @@ bool isLift(const SessionEvent& event) {
     return std::holds_alternative<LiftBlade>(event.action);
 }
 
-class EditorWindowTest : public GlTest {
+class EditorWindow : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
+            GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
+        }
+    }
+    /// What a script says that drives the editor under a virtual display.
+    std::string runInWindow(const std::string& script, const std::string& display = "",
+                            const std::string& words = "") const {
+        return outputOf("xvfb-run -a -s '-screen 0 1280x720x24" + display + "' bash " +
+                        KERF_SOURCE_DIR "/tests/app/window/" + script +
+                        " " KERF_BINARY_DIR "/kerf " + folder.path().string() + words + " 2>&1");
+    }
+
+    const test::TemporaryFolder folder;
+};
+
+class EditorWindowTest : public EditorWindow {
   protected:
     static constexpr int kPictureWidth = 1280;
     static constexpr int kPictureHeight = 720;
@@ -207,22 +226,16 @@ class EditorWindowTest : public GlTest {
     }
     /// What the window and its driver say.
     std::map<std::string, std::string> drive(const Acts& acts) {
-        writeText(window / "acts.sh", acts.shell());
-        seen = outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                        "/tests/app/window/editor_window.sh " KERF_BINARY_DIR "/kerf " +
-                        window.path().string() + " " + (window / "acts.sh").string() + " 2>&1");
+        writeText(folder / "acts.sh", acts.shell());
+        seen = runInWindow("editor_window.sh", "", " " + (folder / "acts.sh").string());
         return valuesIn(seen);
     }
 
-    test::TemporaryFolder window;
     test::TemporaryFolder headless;
     std::string seen;
 };
 
 TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow) {
-    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
-        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
-    }
     Editor editor(options(), openDocument(gpu::dataPath("assets/sessions/drop-in.kerf.json")));
     Acts::settle(editor);
     Acts acts;
@@ -232,7 +245,7 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     addSaving(acts, kPictureWidth);
 
     std::map<std::string, std::string> values = drive(acts);
-    SCOPED_TRACE(seen + readBytes(window / "errors.txt"));
+    SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     EXPECT_EQ(values["opened"], "Kerf - drop-in - 1 piece");
     EXPECT_EQ(values["cut"], "Kerf - drop-in - 2 pieces");
     EXPECT_EQ(values["undone"], "Kerf - drop-in - 1 piece");
@@ -244,13 +257,13 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
 
     acts.feed(editor);
     EXPECT_EQ(editor.title(), "Kerf - drop-in-cut - 5 pieces") << "as it was saved";
-    const render::Image shown = render::readPng(fileEnding(window.path(), ".png"));
+    const render::Image shown = render::readPng(fileEnding(folder.path(), ".png"));
     EXPECT_EQ(shown.width, kPictureWidth);
     EXPECT_EQ(shown.height, kPictureHeight);
     const render::Image drawn = render::readPng(fileEnding(headless.path(), ".png"));
     EXPECT_TRUE(viewPixels(shown) == viewPixels(drawn)) << "but for the panels, which show times";
 
-    const Session session = readSession(fileEnding(window.path(), ".kerf.json"));
+    const Session session = readSession(fileEnding(folder.path(), ".kerf.json"));
     const Session same = readSession(fileEnding(headless.path(), ".kerf.json"));
     EXPECT_EQ(lastCheck(session).hash, lastCheck(same).hash);
     EXPECT_EQ(std::ranges::count_if(session.events, isLift), 4)
@@ -258,17 +271,10 @@ TEST_F(EditorWindowTest, APersonsWayThroughItEndsAsTheSameEventsDoWithoutAWindow
     expectReplayed(session, loadSessionModel(session));
 }
 
-TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
-    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
-        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
-    }
-    const test::TemporaryFolder folder;
+TEST_F(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
     writeText(folder / "ball.obj", objText(icosphereSoup(2)));
     writeText(folder / "slow.obj", objText(icosphereSoup(1)));
-    const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_files.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " 2>&1");
+    const std::string seen = runInWindow("editor_window_files.sh");
     SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["opened"], "Kerf - ball - 1 piece");
@@ -282,18 +288,11 @@ TEST(EditorWindow, AModelIsOpenedByTheDialogExportedAndALoadingCancelled) {
 }
 
 // It had ended with a sentence in the terminal, which nobody sees who clicked on a file.
-TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
-    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
-        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
-    }
-    const test::TemporaryFolder folder;
+TEST_F(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
     TriangleSoup soup = icosphereSoup(1);
     soup.triangles.pop_back();
     writeText(folder / "bad.obj", objText(soup));
-    const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_bad_model.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " 2>&1");
+    const std::string seen = runInWindow("editor_window_bad_model.sh");
     const std::string errors = readBytes(folder / "errors.txt");
     SCOPED_TRACE(seen + errors);
     std::map<std::string, std::string> values = valuesIn(seen);
@@ -302,16 +301,9 @@ TEST(EditorWindow, ABadModelOfTheCommandLineIsToldInTheWindow) {
     EXPECT_THAT(errors, HasSubstr("bad.obj"));
 }
 
-TEST(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
-    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
-        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
-    }
-    const test::TemporaryFolder folder;
+TEST_F(EditorWindow, ResetsOfTheDriverThatFollowEachOtherFastEndIt) {
     writeText(folder / "ball.obj", objText(icosphereSoup(1)));
-    const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_resets.sh " KERF_BINARY_DIR "/kerf " +
-                 folder.path().string() + " 2>&1");
+    const std::string seen = runInWindow("editor_window_resets.sh");
     SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     std::map<std::string, std::string> values = valuesIn(seen);
     EXPECT_EQ(values["exit"], "4") << "and no window after the other for ever";
@@ -355,17 +347,9 @@ render::Image partOf(const render::Image& image, int width, int height) {
 }
 
 // A software driver went on with the size that the window had had at first.
-TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
-    if (!hasCommand("xvfb-run") || !hasCommand("xdotool")) {
-        GTEST_SKIP() << "needs xvfb-run and xdotool (Debian packages xvfb and xdotool)";
-    }
-    const test::TemporaryFolder folder;
-    const std::string path = folder.path().string();
+TEST_F(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
     const std::string seen =
-        outputOf("xvfb-run -a -s '-screen 0 1280x720x24 -fbdir " + path +
-                 "' bash " KERF_SOURCE_DIR
-                 "/tests/app/window/editor_window_sizes.sh " KERF_BINARY_DIR "/kerf " +
-                 path + " 2>&1");
+        runInWindow("editor_window_sizes.sh", " -fbdir " + folder.path().string());
     SCOPED_TRACE(seen + readBytes(folder / "errors.txt"));
     EXPECT_EQ(valuesIn(seen)["exit"], "0");
     for (const char* name : {"smaller", "larger"}) {
@@ -378,17 +362,17 @@ TEST(EditorWindow, OfAnotherSizeTheDisplayShowsWhatWasDrawn) {
     }
 }
 
-TEST(EditorWindow, WithoutADisplayItSaysSoAndExits4) {
+TEST(EditorWithoutAWindow, WithoutADisplayItSaysSoAndExits4) {
     const ProgramRun run = runKerf({}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
     expectEnd(run, 4, "No window can be opened");
     EXPECT_EQ(run.out, "");
 }
 
-TEST(EditorWindow, WithoutOpenGlItExits4) {
+TEST(EditorWithoutAWindow, WithoutOpenGlItExits4) {
     EXPECT_EQ(runKerf({}, {{"KERF_FORCE_NO_GL", "1"}}).exitCode, 4);
 }
 
-TEST(EditorWindow, AFileThatIsMissingIsExitCode3) {
+TEST(EditorWithoutAWindow, AFileThatIsMissingIsExitCode3) {
     const ProgramRun run = runKerf({"no-such-model.obj"});
     expectEnd(run, 3, "no-such-model.obj");
 }

@@ -1,8 +1,6 @@
 #include <climits>
 
 #include "sim/base/containers.h"
-#include "sim/base/pausing.h"
-#include "sim/base/placement.h"
 #include "sim/base/size_params.h"
 #include "sim/base/text.h"
 
@@ -51,10 +49,7 @@ TEST(Placement, LeadsBackToTheModel) {
 
 /// A body from low to high along each axis.
 Bounds cubeBetween(double low, double high) {
-    Bounds bounds;
-    bounds.add(Vec3::Constant(low));
-    bounds.add(Vec3::Constant(high));
-    return bounds;
+    return {Vec3::Constant(low), Vec3::Constant(high)};
 }
 
 TEST(Placement, ABodyMayReachTheLimitsOfTheRoomAndNotBeyond) {

@@ -51,21 +51,14 @@ struct CutBody {
     template <class Check>
     void run(const Stroke& stroke, Check&& check) {
         Cutter cutter(mesh, exactSettings());
-        cutter.begin(stroke.front());
-        for (std::size_t i = 1; i < stroke.size(); ++i) {
-            apply(cutter.advance(stroke[i]), check);
-        }
-        apply(cutter.finish(), check);
-    }
-
-    template <class Check>
-    void apply(const CutResult& result, Check&& check) {
-        if (!result.delta.empty()) {
-            const BodyModel before = model;
-            updater.update(result.delta);
-            ++changes;
-            check(before);
-        }
+        eachStep(cutter, stroke, [&](const CutResult& result) {
+            if (!result.delta.empty()) {
+                const BodyModel before = model;
+                updater.update(result.delta);
+                ++changes;
+                check(before);
+            }
+        });
     }
 };
 

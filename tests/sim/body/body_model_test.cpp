@@ -108,16 +108,6 @@ TEST(BodyModel, IncidenceListsEveryElementOfAVertexInOrder) {
     EXPECT_EQ(entries, 4 * model.ispcs.size());
 }
 
-TEST(BodyModel, BuildingTwiceGivesTheSameBits) {
-    const SurfaceMesh mesh = bentTube();
-    const BodyModel a = buildBodyModel(mesh);
-    const BodyModel b = buildBodyModel(mesh);
-    ASSERT_EQ(a.ispcs.size(), b.ispcs.size());
-    EXPECT_EQ(std::memcmp(a.ispcs.data(), b.ispcs.data(), a.ispcs.size() * sizeof a.ispcs[0]), 0);
-    EXPECT_EQ(std::memcmp(a.bends.data(), b.bends.data(), a.bends.size() * sizeof a.bends[0]), 0);
-    EXPECT_EQ(unitMasses(a), unitMasses(b));
-}
-
 /// A box cut in two along y = 0, with the models before and after.
 class CutBox : public testing::Test {
   protected:

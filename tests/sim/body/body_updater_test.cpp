@@ -3,7 +3,6 @@
 #include <bit>
 
 #include "sim/body/surface_tag.h"
-#include "tests/sim/body/ispc_bits.h"
 
 namespace kerf {
 namespace {
@@ -182,11 +181,7 @@ struct Follower {
 
     void cut(const Stroke& stroke) {
         Cutter cutter(mesh, exactSettings());
-        cutter.begin(stroke.front());
-        for (std::size_t i = 1; i < stroke.size(); ++i) {
-            apply(cutter.advance(stroke[i]));
-        }
-        apply(cutter.finish());
+        eachStep(cutter, stroke, [&](const CutResult& result) { apply(result); });
     }
 };
 
@@ -233,27 +228,6 @@ TEST(BodyUpdater, CopiesInPortions) {
     const auto copy = std::make_unique<BodyUpdater>(body);
     EXPECT_EQ(rests, 3);
     EXPECT_EQ(copy->model().triangles, body.model().triangles);
-}
-
-TEST(BodyUpdater, RunsTwiceToTheSameBits) {
-    const auto run = [] {
-        auto follower = std::make_unique<Follower>(icosphere(2));
-        follower->cut(straightStroke(Vec3(0.01, 0.02, 0.03), Vec3(1, 0.1, 0.2).normalized(),
-                                     -Vec3::UnitY(), 3, 2, 12));
-        return follower;
-    };
-    const auto a = run();
-    const auto b = run();
-    const BodyModel& x = a->updater.model();
-    const BodyModel& y = b->updater.model();
-    ASSERT_EQ(x.ispcs.size(), y.ispcs.size());
-    for (std::size_t i = 0; i < x.ispcs.size(); ++i) {
-        EXPECT_TRUE(sameBits(x.ispcs[i], y.ispcs[i]));
-    }
-    EXPECT_EQ(x.triangles, y.triangles);
-    EXPECT_EQ(x.incidences[shared::kStretch].entries, y.incidences[shared::kStretch].entries);
-    EXPECT_EQ(x.neighbours.entries, y.neighbours.entries);
-    EXPECT_EQ(unitMasses(x), unitMasses(y));
 }
 
 // The copies of a point have one look, and a tear leaves the end of a cut as it was.

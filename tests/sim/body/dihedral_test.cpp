@@ -1,5 +1,3 @@
-#include "sim/body/folded_triangles.h"
-#include "sim/body/rest_geometry.h"
 #include "tests/support/shell_lists.h"
 
 namespace kerf {

@@ -94,9 +94,7 @@ TEST(SegmentGrid, FindsEverySegmentThatPassesABox) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
     const auto point = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
-    Bounds box;
-    box.add(Vec3(-1, -1, -1));
-    box.add(Vec3(1, 1, 1));
+    Bounds box{Vec3(-1, -1, -1), Vec3(1, 1, 1)};
     const int count = 3000;
     SegmentGrid grid(box, count);
     std::vector<std::pair<Vec3, Vec3>> segments;
@@ -122,9 +120,7 @@ TEST(SegmentGrid, FindsEverySegmentThatPassesABox) {
 }
 
 TEST(SegmentGrid, TellsWhenItHoldsMuchThatIsOld) {
-    Bounds box;
-    box.add(Vec3(0, 0, 0));
-    box.add(Vec3(1, 1, 1));
+    Bounds box{Vec3(0, 0, 0), Vec3(1, 1, 1)};
     SegmentGrid grid(box, 500);
     int added = 0;
     while (!grid.overfull() && added < 100000) {

@@ -17,14 +17,6 @@ Params blunt() {
     return params;
 }
 
-SurfaceMesh pushedUp(SurfaceMesh mesh, double by) {
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, mesh.position(v) + Vec3(0, by, 0));
-        mesh.setRestPosition(v, mesh.position(v));
-    }
-    return mesh;
-}
-
 Blade acrossZ(double x, double y) {
     return {{x, y, -0.8}, {x, y, 0.8}};
 }
@@ -39,14 +31,6 @@ void lead(Simulation& simulation, const Blade& from, const Blade& to, int steps)
         ASSERT_EQ(simulation.execute(MoveBlade{interpolate(from, to, i / double(steps))}), "");
         simulation.step();
     }
-}
-
-Vec3 middleOf(const SurfaceMesh& mesh) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& p : mesh.positions()) {
-        sum += p;
-    }
-    return sum / mesh.vertexCount();
 }
 
 /// Coordinates along AB, to the back and across.
@@ -78,20 +62,13 @@ double deepestIn(const BladeMotion& blade, const SurfaceMesh& mesh, double front
     return deepest;
 }
 
-double topSpeed(const SurfaceMesh& mesh) {
-    double top = 0;
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        top = std::max(top, mesh.outgoing(v) < 0 ? 0.0 : mesh.velocity(v).norm());
-    }
-    return top;
-}
-
 class BladePushTest : public GlTest {};
 
-void expectPushesASphereOverTheFloor(Params params) {
+TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
+    Params params = pushing();
     params.youngsModulus = 1e6;
     params.friction = 0.2;
-    Simulation simulation(pushedUp(cubeSphere(4), 0.5), params);
+    Simulation simulation(movedBy(cubeSphere(4), {0, 0.5, 0}), params);
     step(simulation, 20);
     const Vec3 start = middleOf(simulation.mesh());
     lead(simulation, acrossZ(-0.6, 0.45), acrossZ(-0.95, 0.45), 10);
@@ -109,11 +86,8 @@ void expectPushesASphereOverTheFloor(Params params) {
     EXPECT_THAT(simulation.takeMessages(), IsEmpty());
 }
 
-TEST_F(BladePushTest, TheBackPushesASphereOverTheFloor) {
-    expectPushesASphereOverTheFloor(pushing());
-}
-
-void expectHoldsASlitOpen(Params params) {
+TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
+    Params params = blunt();
     params.bladeWidth = 0.3;
     params.bladeThickness = 0.02;
     Simulation simulation(cubeSphere(6), params);
@@ -155,12 +129,8 @@ void expectHoldsASlitOpen(Params params) {
     EXPECT_THAT(simulation.takeMessages(), IsEmpty());
 }
 
-TEST_F(BladePushTest, ASlitIsHeldOpenByTheThickness) {
-    expectHoldsASlitOpen(blunt());
-}
-
 TEST_F(BladePushTest, ABodyThatIsCutThroughPartsAsWithoutIt) {
-    Simulation simulation(pushedUp(cubeSphere(6), 0.5), pushing());
+    Simulation simulation(movedBy(cubeSphere(6), {0, 0.5, 0}), pushing());
     for (int i = 0; i <= 60; ++i) {
         const double y = 1.15 - 1.3 * i / 60;
         simulation.execute(MoveBlade{{{-0.9, y, 0.02}, {0.9, y + 0.02, 0.05}}});
@@ -295,7 +265,7 @@ TEST_F(BladePushTest, ABladeInTheAirFeelsNothing) {
 }
 
 std::string hashAfterAStroke(const Params& params, bool throughAMoment) {
-    Simulation simulation(pushedUp(cubeSphere(3), 0.45), params);
+    Simulation simulation(movedBy(cubeSphere(3), {0, 0.45, 0}), params);
     lead(simulation, acrossZ(0.02, 1.1), acrossZ(0.03, 0.5), 15);
     const Checkpoint then = simulation.checkpoint();
     const auto goOn = [&] {

@@ -27,14 +27,6 @@ double deepestEdgeOf(const StaticBox& box, const SurfaceMesh& mesh) {
     return deepest;
 }
 
-SurfaceMesh raised(SurfaceMesh mesh, double by) {
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, mesh.position(v) + Vec3(0, by, 0));
-        mesh.setRestPosition(v, mesh.position(v));
-    }
-    return mesh;
-}
-
 /// A model that falls on a turned box.
 struct Fall {
     std::string model;
@@ -74,7 +66,7 @@ Depths depthsOf(const Fall& fall) {
     SurfaceMesh mesh = builtin(fall.model);
     const double top = fall.box.bounds().high.y();
     const double way = top + fall.height - meshBounds(mesh).low.y();
-    mesh = raised(std::move(mesh), way);
+    mesh = movedBy(std::move(mesh), {0, way, 0});
     Params params;
     params.floor = top - 0.35;
     Simulation simulation(std::move(mesh), params, {fall.box});

@@ -154,16 +154,12 @@ TEST_F(ContactSolverTest, FindsTheSameWhileItIsCutAsInTheModelWhole) {
     Cutter cutter(mesh, exactSettings());
     const Stroke stroke = straightStroke(Vec3(0.013, 0.021, 0.034), Vec3(1, 0.05, 0.1).normalized(),
                                          -Vec3::UnitY(), 3, 2, 12);
-    cutter.begin(stroke.front());
     std::size_t found = 0;
-    for (std::size_t i = 1; i <= stroke.size(); ++i) {
-        const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+    eachStep(cutter, stroke, [&](const CutResult& result) {
         if (result.delta.empty()) {
-            continue;
+            return;
         }
-        const BodyChange change = body.update(result.delta);
-        const std::vector<std::uint32_t> written = rewrittenVertices(mesh, result.delta);
-        followed.update(body.model(), change, written, stateOf(mesh, written));
+        followCut(followed, body, mesh, result.delta);
         GpuSolver fresh;
         fresh.setModel(body.model(), stateOf(mesh));
         for (GpuSolver* solver : {&followed, &fresh}) {
@@ -171,11 +167,11 @@ TEST_F(ContactSolverTest, FindsTheSameWhileItIsCutAsInTheModelWhole) {
             solver->collisions().setSettings(contactSettings(params));
         }
         const auto ours = candidatesOf(followed);
-        EXPECT_EQ(ours, candidatesOf(fresh)) << "pose " << i;
+        EXPECT_EQ(ours, candidatesOf(fresh));
         for (const auto& triangles : ours) {
             found += triangles.size();
         }
-    }
+    });
     EXPECT_GT(found, 500U);
 }
 

@@ -13,14 +13,8 @@ Params contactAlone() {
 
 /// A block of 0.6 x 0.4 x 0.6 m about the origin, cut level in two.
 void cutLevel(Simulation& simulation) {
-    constexpr int kSteps = 20;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double z = 0.5 * (1 - 2.0 * i / kSteps);
-        simulation.execute(MoveBlade{{{-0.5, 0, z}, {0.5, 1e-3, z}}});
-        simulation.step();
-    }
-    simulation.execute(LiftBlade{});
-    simulation.step();
+    makeStroke(simulation, {{-0.5, 0, 0.5}, {0.5, 1e-3, 0.5}}, {{-0.5, 0, -0.5}, {0.5, 1e-3, -0.5}},
+               20);
 }
 
 /// The mean velocity of the upper half.

@@ -12,10 +12,8 @@ SurfaceMesh hollowBall() {
     return hollow(icosphereSoup(3, kRadius), icosphereSoup(2, kHollow), kCavity);
 }
 
-void expectSound(const CutCheck& check) {
-    EXPECT_EQ(check.problem, "");
-    EXPECT_EQ(check.unmirrored, "");
-    EXPECT_EQ(check.refused, 0) << check.reason;
+void expectSoundCut(const CutCheck& check) {
+    expectSound(check);
     EXPECT_GT(check.cuts, 0);
 }
 
@@ -59,7 +57,7 @@ TEST(CavityCut, ThroughTheMiddleGivesTwoBowlsWithRingsForWalls) {
     for (const int steps : {1, 60}) {
         const SurfaceMesh before = hollowBall();
         SurfaceMesh mesh = before;
-        expectSound(
+        expectSoundCut(
             runStroke(mesh, exactSettings(),
                       straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, steps)));
         expectParts(before, mesh, kMiddle, Vec3::UnitZ());
@@ -74,8 +72,8 @@ SurfaceMesh cutAt(double height) {
     const Vec3 at = kMiddle + Vec3(0, 0, height);
     const SurfaceMesh before = hollowBall();
     SurfaceMesh mesh = before;
-    expectSound(runStroke(mesh, exactSettings(),
-                          straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSoundCut(runStroke(mesh, exactSettings(),
+                             straightStroke(at, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
     expectParts(before, mesh, at, Vec3::UnitZ());
     return mesh;
 }
@@ -94,10 +92,10 @@ TEST(CavityCut, TwiceCrosswiseGivesFourQuarters) {
     SurfaceMesh mesh = hollowBall();
     const double volume = meshVolume(mesh);
     Cutter cutter(mesh, exactSettings());
-    expectSound(runStroke(cutter, mesh,
-                          straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
-    expectSound(runStroke(cutter, mesh,
-                          straightStroke(kMiddle, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSoundCut(runStroke(cutter, mesh,
+                             straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSoundCut(runStroke(cutter, mesh,
+                             straightStroke(kMiddle, Vec3::UnitZ(), -Vec3::UnitY(), 3, 2.4, 60)));
     const PieceMap map = findPieces(mesh);
     EXPECT_EQ(map.pieces.size(), 4u);
     double sum = 0;
@@ -115,7 +113,7 @@ TEST(CavityCut, SlitFromOutsideIntoTheCavityOpensItAndKeepsOnePiece) {
         const double x = -0.7 + 0.035 * i;
         stroke.push_back({{x, 1.5, 0.011}, {x, 0.05, 0.013}});
     }
-    expectSound(runStroke(mesh, exactSettings(), stroke));
+    expectSoundCut(runStroke(mesh, exactSettings(), stroke));
     EXPECT_EQ(findPieces(mesh).pieces.size(), 1u);
     EXPECT_FALSE(PieceLabels(mesh).hasCavities());
 }
@@ -129,7 +127,7 @@ TEST(CavityCut, SlitThatBeginsInTheCavityKeepsIt) {
         const double x = 0.02 + 0.018 * i;
         stroke.push_back({{x, -0.08, 0.031}, {x, 0.09, 0.033}});
     }
-    expectSound(runStroke(mesh, exactSettings(), stroke));
+    expectSoundCut(runStroke(mesh, exactSettings(), stroke));
     EXPECT_EQ(findPieces(mesh).pieces.size(), 1u);
     EXPECT_NEAR(meshVolume(mesh), volume, 1e-9);
     EXPECT_TRUE(PieceLabels(mesh).hasCavities());
@@ -144,8 +142,8 @@ TEST(CavityCut, AskewThroughBothShells) {
         const Vec3 at = kMiddle + (0.4 - 0.1 * i) * normal;
         const SurfaceMesh before = hollowBall();
         SurfaceMesh mesh = before;
-        expectSound(runStroke(mesh, exactSettings(),
-                              straightStroke(at, along, normal.cross(along), 3, 2.4, 50)));
+        expectSoundCut(runStroke(mesh, exactSettings(),
+                                 straightStroke(at, along, normal.cross(along), 3, 2.4, 50)));
         expectParts(before, mesh, at, normal);
     }
 }
@@ -157,8 +155,8 @@ TEST(CavityCut, SeveralCavitiesEachGoWithTheirPart) {
     }
     const SurfaceMesh before = meshOf(soup);
     SurfaceMesh mesh = before;
-    expectSound(runStroke(mesh, exactSettings(),
-                          straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
+    expectSoundCut(runStroke(mesh, exactSettings(),
+                             straightStroke(kMiddle, Vec3::UnitX(), -Vec3::UnitY(), 3, 2.4, 60)));
     expectParts(before, mesh, kMiddle, Vec3::UnitZ());
 }
 

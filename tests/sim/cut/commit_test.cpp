@@ -15,7 +15,7 @@ struct Committed {
     bool wasRepaired() const { return result.delta.addedTriangles.size() > plan.triangles.size(); }
 };
 
-void expectSound(const Committed& c) {
+void expectClosedBody(const Committed& c) {
     EXPECT_EQ(checkClosedManifold(c.after), "");
     EXPECT_NEAR(meshVolume(c.after), meshVolume(c.before), kRounding);
     EXPECT_NEAR(meshRestVolume(c.after), meshRestVolume(c.before), kRounding);
@@ -123,7 +123,7 @@ void expectRung(const Committed& c) {
 }
 
 void expectCommitted(const Committed& c) {
-    expectSound(c);
+    expectClosedBody(c);
     expectDeltaNamesWhatChanged(c);
     expectTwinsStay(c);
     expectIsThePlan(c);

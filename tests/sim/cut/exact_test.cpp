@@ -1,7 +1,6 @@
 #include "sim/base/predicates.h"
 #include "sim/cut/cleanup/self_piercing.h"
 #include "sim/cut/exact/directed_edges.h"
-#include "sim/cut/exact/piercing.h"
 #include "sim/cut/surface/broad_phase.h"
 #include "sim/mesh/triangle_tree.h"
 
@@ -93,16 +92,6 @@ TEST(Predicates, NearlyCollinearPointsHaveExactSigns) {
         zeros += exactSign2d(a, b, c) == 0;
     }
     EXPECT_GT(zeros, 1000);
-}
-
-TEST(Predicates, SignFlipsWithOrientation) {
-    LatticePoints points;
-    for (int i = 0; i < 2000; ++i) {
-        const Vec3 a = points.next(4).scaled(), b = points.next(4).scaled();
-        const Vec3 c = points.next(4).scaled(), p = points.next(4).scaled();
-        EXPECT_EQ(orient3d(a, b, c, p).sign, -orient3d(b, a, c, p).sign);
-        EXPECT_EQ(orient3d(a, b, c, p).sign, orient3d(b, c, a, p).sign);
-    }
 }
 
 TEST(Predicates, LexicographicOrderFallsBackToIds) {
@@ -350,33 +339,6 @@ TEST(CutSearch, TheWalkNeedsASeedForEachArm) {
     const SurfaceMesh two = meshOf(joined(arm, arm, {0.5, 0.1, 0.3}));
     EXPECT_EQ(Found(two, CutSearch::adjacency).work.seeds, 2 * 2);
     EXPECT_EQ(Found(two, CutSearch::all).work.seeds, 0);
-}
-
-TEST(DirectedEdges, KeepsTheFirstNumberOfAnEdge) {
-    cut::DirectedEdges edges(3);
-    EXPECT_TRUE(edges.add(0, 1, 5));
-    EXPECT_TRUE(edges.add(0, 2, 6));
-    EXPECT_TRUE(edges.add(1, 0, 7));
-    EXPECT_FALSE(edges.add(0, 1, 8));
-    EXPECT_EQ(edges.find(0, 1), 5);
-    EXPECT_EQ(edges.find(0, 2), 6);
-    EXPECT_EQ(edges.find(1, 0), 7);
-    EXPECT_EQ(edges.find(2, 0), -1);
-    EXPECT_EQ(edges.find(9, 0), -1);
-    EXPECT_FALSE(edges.has(2, 1));
-}
-
-TEST(VertexNumbers, FindsWhatWasAddedBeyondItsFirstRoom) {
-    cut::VertexNumbers numbers(2);
-    for (int i = 0; i < 1000; ++i) {
-        EXPECT_EQ(numbers.find(64 * i), -1);
-        numbers.add(64 * i, i);
-    }
-    EXPECT_EQ(numbers.size(), 1000u);
-    for (int i = 0; i < 1000; ++i) {
-        EXPECT_EQ(numbers.find(64 * i), i);
-        EXPECT_EQ(numbers.find(64 * i + 1), -1);
-    }
 }
 
 }  // namespace

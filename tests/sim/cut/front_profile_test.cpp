@@ -153,11 +153,9 @@ TEST(StrokeSurface, FollowsCutsLikeOneThatIsMadeAnew) {
     Cutter cutter(mesh, exactSettings());
     const Stroke stroke =
         straightStroke({0.013, 0.021, 0.3}, Vec3::UnitX(), -Vec3::UnitY(), 3, 2, 9);
-    cutter.begin(stroke.front());
-    for (std::size_t i = 1; i <= stroke.size(); ++i) {
-        const CutResult result = i < stroke.size() ? cutter.advance(stroke[i]) : cutter.finish();
+    eachStep(cutter, stroke, [&](const CutResult& result) {
         followed.follow(changedTriangles(result.delta), kMostRestMotion);
-    }
+    });
     followed.beginStroke();
     const cut::StrokeSurface fresh(mesh);
     EXPECT_EQ(followed.vertexCount(), fresh.vertexCount());

@@ -59,11 +59,8 @@ std::vector<GradedCase> gradedCases() {
 
 void run(SurfaceMesh& mesh, const CutSettings& settings, const Stroke& stroke) {
     Cutter cutter(mesh, settings);
-    cutter.begin(stroke.front());
-    for (const Blade& blade : stroke) {
-        EXPECT_EQ(cutter.advance(blade).statistics.refusedPieces, 0);
-    }
-    cutter.finish();
+    eachStep(cutter, stroke,
+             [](const CutResult& result) { EXPECT_EQ(result.statistics.refusedPieces, 0); });
 }
 
 SurfaceMesh cutBody(const GradedCase& sample, double ratio) {

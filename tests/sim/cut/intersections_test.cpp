@@ -39,7 +39,7 @@ class MeetATetrahedron : public ::testing::Test {
     }
 };
 
-TEST_F(MeetATetrahedron, ThreeEdgesToTheTopGiveThreeNodes) {
+TEST_F(MeetATetrahedron, EdgesToTheTopGiveNodesAndFacesAroundItSegments) {
     const CutCurves curves = meetAt(2, -8).curves;
     ASSERT_EQ(curves.nodes.size(), 3U);
     const std::map<Edge, Vec3> wanted{
@@ -52,10 +52,6 @@ TEST_F(MeetATetrahedron, ThreeEdgesToTheTopGiveThreeNodes) {
         EXPECT_LT((node.position - place).norm(), 1e-15);
         EXPECT_LT((node.layout - Vec2(place.x() + 2, 2 - place.y())).norm(), 1e-12);
     }
-}
-
-TEST_F(MeetATetrahedron, ThreeFacesAroundTheTopGiveThreeSegments) {
-    const CutCurves curves = meetAt(2, -8).curves;
     ASSERT_EQ(curves.segments.size(), 3U);
     EXPECT_EQ(curves.segmentsOfTriangle.size(), 3U);
     EXPECT_EQ(curves.segmentsOfTriangle.count(0), 0U) << "the bottom lies below";
@@ -101,26 +97,17 @@ TEST_F(MeetATetrahedron, AStripInTheAirMeetsNothing) {
     EXPECT_TRUE(curves.segmentsOfTriangle.empty());
 }
 
-class IntersectRefuses : public ::testing::Test {
-  protected:
-    static std::string reasonFor(const Blade& from, const Blade& to) {
+TEST(Intersections, DegenerateOnesAreRefused) {
+    const auto reasonFor = [](const Blade& from, const Blade& to) {
         StepBench bench(unitTetrahedron(), 1);
         bench.begin(from);
         return reasonOf([&] { meet(bench.stepTo(to)); });
-    }
-};
-
-TEST_F(IntersectRefuses, AVertexInTheStrip) {
+    };
     EXPECT_EQ(reasonFor({{-1, 2, 1}, {3, 2, -1}}, {{-1, -8, 1}, {3, -8, -1}}),
               "degenerate: a vertex lies on a triangle");
-}
-
-TEST_F(IntersectRefuses, AnEdgeOnTheRung) {
     EXPECT_EQ(reasonFor({{-2, -2, 0.25}, {2, 2, 0.25}}, {{1, -5, 0.25}, {5, -1, 0.25}}),
-              "degenerate: an edge meets an edge");
-}
-
-TEST_F(IntersectRefuses, AnEdgeInTheStrip) {
+              "degenerate: an edge meets an edge")
+        << "on the rung";
     EXPECT_EQ(reasonFor({{-2, -2, 0.75}, {2, 2, 0.75}}, {{-2, -2, 0.25}, {2, 2, 0.25}}),
               "degenerate: an edge lies in a triangle");
 }

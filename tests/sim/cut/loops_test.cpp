@@ -103,11 +103,6 @@ class Ears : public Loops {
     }
 };
 
-TEST_F(Ears, OfASquareAreTwo) {
-    loop(square(1, 2));
-    expectCovered(2);
-}
-
 TEST_F(Ears, GoAroundACornerInwards) {
     loop({{1, 1}, {3, 1}, {3, 1.2}, {1.2, 1.2}, {1.2, 3}, {1, 3}});
     expectCovered(4);
@@ -118,11 +113,6 @@ TEST_F(Ears, GoAroundHoles) {
     loop(turned(square(0.5, 1)));
     loop(turned(square(2, 3)));
     expectCovered(4 + 4 + 4 + 2 * 2 - 2);
-}
-
-TEST_F(Ears, OfTwoEdgesAreRefused) {
-    loop({{1, 1}, {2, 1}});
-    EXPECT_EQ(reasonOf([&] { cutAll(); }), "a loop of the wall has two edges");
 }
 
 TEST_F(Ears, CoverStarsOfAnyShape) {
@@ -359,28 +349,17 @@ class Plan {
     StepPlan plan_;
 };
 
-TEST(Bridges, WallsThatCrossTheOldOnesAllAlongLeaveNone) {
-    EXPECT_FALSE(
-        Plan().loop(true, {kSkin, kPlus}, false).loop(false, {kMinus}, true).leavesBridge());
-}
-
-TEST(Bridges, AroundTheEndOfTheOldWallsOneIsLeft) {
-    EXPECT_TRUE(Plan().loop(true, {kPlus, kMinus}, true).leavesBridge());
-    EXPECT_TRUE(Plan().loop(true, {kPlus, kMinus}, false).leavesBridge());
-}
-
-TEST(Bridges, WallsThatMissTheOldOnesLeaveOne) {
-    EXPECT_TRUE(Plan().loop(true, {kSkin}, true).leavesBridge());
-    EXPECT_TRUE(Plan().loop(true, {kSkin}, false).leavesBridge());
-}
-
-TEST(Bridges, AStartOnBothSidesOfTheOldWallsLeavesOne) {
-    EXPECT_TRUE(Plan().loop(true, {kPlus}, false).loop(true, {kMinus}, false).leavesBridge());
-    EXPECT_TRUE(Plan().loop(true, {kPlus}, false).loop(true, {kMinus}, true).leavesBridge());
-}
-
-TEST(Bridges, PiecesWithoutTheFrontDoNotMatter) {
-    EXPECT_FALSE(Plan().loop(true, {kPlus}, false).loop(true, {kSkin}, true, 1).leavesBridge());
+TEST(Bridges, AreLeftUnlessTheNewWallsCrossTheOldOnesAllAlong) {
+    const std::vector<int> skin{kSkin}, plus{kPlus}, minus{kMinus}, both{kPlus, kMinus};
+    EXPECT_FALSE(Plan().loop(true, {kSkin, kPlus}, false).loop(false, minus, true).leavesBridge());
+    EXPECT_FALSE(Plan().loop(true, plus, false).loop(true, skin, true, 1).leavesBridge())
+        << "a piece without the front";
+    for (const bool hasFront : {false, true}) {
+        EXPECT_TRUE(Plan().loop(true, both, hasFront).leavesBridge()) << "around their end";
+        EXPECT_TRUE(Plan().loop(true, skin, hasFront).leavesBridge()) << "past them";
+        EXPECT_TRUE(Plan().loop(true, plus, false).loop(true, minus, hasFront).leavesBridge())
+            << "a start on both sides";
+    }
 }
 
 TEST(Bridges, ThePiecesOfARungAreThoseOfItsFrontEdges) {

@@ -1,6 +1,5 @@
 #include "sim/mesh/piece_labels.h"
 
-#include "sim/mesh/piece_figures.h"
 #include "tests/sim/body/hand_cut.h"
 
 namespace kerf {
@@ -133,15 +132,10 @@ TEST(PieceLabels, FollowRandomCutsStepByStep) {
         const Vec3 travel = along.cross(direction()).normalized();
         Cutter cutter(mesh, exactSettings());
         const Stroke blades = straightStroke(0.1 * direction(), along, travel, 3, 2, 25);
-        cutter.begin(blades.front());
-        for (std::size_t i = 1; i <= blades.size(); ++i) {
-            const CutResult result =
-                i < blades.size() ? cutter.advance(blades[i]) : cutter.finish();
-            if (!result.delta.empty()) {
-                labels.update(mesh, changedTriangles(result.delta));
-                expectSamePieces(labels, mesh);
-            }
-        }
+        eachStep(cutter, blades, [&](const CutResult& result) {
+            labels.update(mesh, changedTriangles(result.delta));
+            expectSamePieces(labels, mesh);
+        });
     }
     EXPECT_GT(labels.pieces().size(), 3u);
 }

@@ -1,6 +1,5 @@
 #include "sim/mesh/triangle.h"
 
-#include "sim/mesh/triangle_quality.h"
 #include "sim/mesh/triangle_soup.h"
 #include "sim/mesh/winding.h"
 

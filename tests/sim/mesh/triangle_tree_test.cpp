@@ -89,12 +89,8 @@ TEST_F(TriangleTreeTest, FollowsCuts) {
         Cutter cutter(mesh, exactSettings());
         const Vec3 travel = along.cross(Vec3(0.3, 1, -0.4)).normalized();
         const Stroke blades = straightStroke(0.1 * point(), along.normalized(), travel, 3, 1.6, 30);
-        cutter.begin(blades.front());
-        for (const Blade& blade : blades) {
-            const CutResult result = cutter.advance(blade);
-            tree.update(changedTriangles(result.delta));
-        }
-        tree.update(changedTriangles(cutter.finish().delta));
+        eachStep(cutter, blades,
+                 [&](const CutResult& result) { tree.update(changedTriangles(result.delta)); });
         expectFindsAnywhere(tree, mesh);
     }
     EXPECT_GT(mesh.aliveTriangles(), 3000);

@@ -57,13 +57,8 @@ class CollapseTest : public SimulationFixture {
         ASSERT_EQ(simulation->execute(SetParam{name, value}), "");
     }
     void cutAt(double x, int steps = 40) {
-        for (int i = 0; i <= steps; ++i) {
-            const double y = 0.7 - 1.4 * i / steps;
-            ASSERT_EQ(simulation->execute(MoveBlade{{{x, y, 0.8}, {x, y, -0.8}}}), "");
-            simulation->step();
-        }
-        ASSERT_EQ(simulation->execute(LiftBlade{}), "");
-        simulation->step();
+        makeStroke(*simulation, {{x, 0.7, 0.8}, {x, 0.7, -0.8}}, {{x, -0.7, 0.8}, {x, -0.7, -0.8}},
+                   steps);
     }
     int triangles() { return simulation->mesh().aliveTriangles(); }
     PieceShape worst() { return worstOf(simulation->mesh()); }

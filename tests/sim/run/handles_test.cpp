@@ -5,14 +5,6 @@ namespace {
 
 class HandlesTest : public GlTest {};
 
-Vec3 middle(const SurfaceMesh& mesh) {
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& p : mesh.positions()) {
-        sum += p / mesh.vertexCount();
-    }
-    return sum;
-}
-
 TEST_F(HandlesTest, AHandPullsTheBodyAlongAndLetsGo) {
     Params params = weightless();
     params.airDrag = 10;
@@ -26,7 +18,7 @@ TEST_F(HandlesTest, AHandPullsTheBodyAlongAndLetsGo) {
         simulation.step();
     }
     step(simulation, 150);
-    EXPECT_NEAR(middle(simulation.mesh()).x(), 0.4, 0.05);
+    EXPECT_NEAR(middleOf(simulation.mesh()).x(), 0.4, 0.05);
     for (const Hands::Held& each : simulation.hands().at(0).held) {
         const Vec3 wanted = Vec3(0.9, 0, 0) + each.offset;
         EXPECT_LT((simulation.mesh().position(each.vertex) - wanted).norm(), 0.02);
@@ -67,25 +59,20 @@ TEST_F(HandlesTest, PinnedVerticesHoldTheBodyUp) {
         const int vertex = static_cast<int>(v);
         EXPECT_EQ(simulation.mesh().position(vertex), before.position(vertex));
     }
-    EXPECT_GT(middle(simulation.mesh()).y(), -0.3);
-    EXPECT_LT(middle(simulation.mesh()).y(), -0.001) << "it sags";
+    EXPECT_GT(middleOf(simulation.mesh()).y(), -0.3);
+    EXPECT_LT(middleOf(simulation.mesh()).y(), -0.001) << "it sags";
     ASSERT_EQ(simulation.execute(Pin{Ball{{0, 0.5, 0}, 2}, false}), "");
     EXPECT_TRUE(simulation.pinnedVertices().empty());
     step(simulation, 60);
-    EXPECT_LT(middle(simulation.mesh()).y(), -0.3) << "it falls";
+    EXPECT_LT(middleOf(simulation.mesh()).y(), -0.3) << "it falls";
 }
 
 TEST_F(HandlesTest, CopiesOfPinnedVerticesThatACutMakesStayPinned) {
     Simulation simulation(icosphere(2), weightless());
     ASSERT_EQ(simulation.execute(Pin{Ball{Vec3::Zero(), 1}, true}), "");
     const std::size_t before = simulation.pinnedVertices().size();
-    for (int i = 0; i <= 20; ++i) {
-        const double y = 0.7 - 0.07 * i;
-        simulation.execute(MoveBlade{{{-1, y, 0.013}, {1, y, 0.013}}});
-        simulation.step();
-    }
-    simulation.execute(LiftBlade{});
-    simulation.step();
+    makeStroke(simulation, {{-1, 0.7, 0.013}, {1, 0.7, 0.013}},
+               {{-1, -0.7, 0.013}, {1, -0.7, 0.013}}, 20);
     ASSERT_EQ(simulation.report().pieces, 2);
     const SurfaceMesh& mesh = simulation.mesh();
     EXPECT_GE(simulation.pinnedVertices().size() + 20, before);
@@ -176,7 +163,7 @@ TEST_F(HandlesTest, AFreeBodyIsAcceleratedByItsMass) {
         ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0, 0, 0}, 2}, Vec3(mass, 0, 0)}), "");
         step(simulation, 100);
         const double t = 100 * params.timeStep;
-        EXPECT_NEAR(middle(simulation.mesh()).x(), 0.5 * t * t, 0.02 * t * t);
+        EXPECT_NEAR(middleOf(simulation.mesh()).x(), 0.5 * t * t, 0.02 * t * t);
     }
 }
 
@@ -216,11 +203,8 @@ TEST_F(HandlesTest, ForcesAndMotionsFollowACutAndAreTakenBack) {
     ASSERT_EQ(simulation.execute(pin), "");
     const std::size_t pushed = simulation.forces().at(0).held.vertices().size();
     const std::size_t pinned = simulation.pinnedVertices().size();
-    for (int i = 0; i <= 20; ++i) {
-        const double y = 0.7 - 0.07 * i;
-        simulation.execute(MoveBlade{{{-1, y, 0.013}, {1, y, 0.013}}});
-        simulation.step();
-    }
+    leadBlade(simulation, {{-1, 0.7, 0.013}, {1, 0.7, 0.013}},
+              {{-1, -0.7, 0.013}, {1, -0.7, 0.013}}, 20);
     simulation.execute(LiftBlade{});
     step(simulation, 3);
     ASSERT_EQ(simulation.report().pieces, 2);
@@ -284,7 +268,7 @@ TEST_F(HandlesTest, ALostPieceIsTakenBackAndSaidOnce) {
     const std::vector<std::string> messages = simulation.takeMessages();
     ASSERT_EQ(messages.size(), 1u);
     EXPECT_THAT(messages[0], HasSubstr("1 piece of 1 left the range of numbers"));
-    EXPECT_LT(middle(simulation.mesh()).norm(), 1e-3);
+    EXPECT_LT(middleOf(simulation.mesh()).norm(), 1e-3);
     ASSERT_EQ(simulation.execute(ApplyForce{Ball{{0.5, 0, 0}, 0.3}, Vec3::Zero()}), "");
     EXPECT_EQ(simulation.step().lostPieces, 0);
     EXPECT_NEAR(simulation.report().volumeRatio, 1, 1e-3);

@@ -184,11 +184,8 @@ class MendingTest : public SimulationFixture {
         uncutTriangles = mesh.triangleSlots();
         Params params = weightless();
         simulation.emplace(mesh, params);
-        for (int i = 0; i <= 40; ++i) {
-            const double y = 0.7 - 1.4 * i / 40;
-            simulation->execute(MoveBlade{{{0.02, y, -1}, {0.02, y, 1}}});
-            simulation->step();
-        }
+        leadBlade(*simulation, {{0.02, 0.7, -1}, {0.02, 0.7, 1}},
+                  {{0.02, -0.7, -1}, {0.02, -0.7, 1}}, 40);
         simulation->execute(LiftBlade{});
         run(10);
     }

@@ -17,14 +17,10 @@ class PlacementTest : public SimulationFixture {
     }
     /// Right through the middle of a sphere that is so many times as large.
     void cut(double size) {
-        for (int i = 0; i <= 20; ++i) {
-            const double y = size * (1 - 0.1 * i);
-            simulation->execute(
-                MoveBlade{{Vec3(-size, y, 0.01 * size), Vec3(size, y, 0.02 * size)}});
-            simulation->step();
-        }
-        simulation->execute(LiftBlade{});
-        simulation->step();
+        const auto bladeAt = [&](double y) {
+            return Blade{size * Vec3(-1, y, 0.01), size * Vec3(1, y, 0.02)};
+        };
+        makeStroke(*simulation, bladeAt(1), bladeAt(-1), 20);
     }
     std::string place(const Placement& placement, bool continues = false) {
         return simulation->execute(Place{placement, continues});

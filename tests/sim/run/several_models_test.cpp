@@ -6,18 +6,6 @@ namespace {
 constexpr double kApart = 2;  // between the middles of both [m]
 constexpr std::size_t kUndoBudget = 1u << 30;
 
-SurfaceMesh moved(const SurfaceMesh& mesh, const Vec3& by) {
-    std::vector<Vec3> positions(mesh.vertexCount());
-    std::vector<Triangle> triangles(mesh.triangleSlots());
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        positions[v] = mesh.restPosition(v) + by;
-    }
-    for (int t = 0; t < mesh.triangleSlots(); ++t) {
-        triangles[t] = mesh.triangle(t);
-    }
-    return SurfaceMesh::fromTriangles(positions, triangles);
-}
-
 /// One behind the other.
 SurfaceMesh both(const SurfaceMesh& first, const SurfaceMesh& second) {
     std::vector<Vec3> positions;
@@ -90,19 +78,14 @@ class SeveralModelsTest : public SimulationFixture {
         return most;
     }
     std::string cutThroughBoth() {
-        for (int i = 0; i <= 20; ++i) {
-            const double y = 0.8 - 0.08 * i;
-            simulation->execute(MoveBlade{{Vec3(-1, y, 0.011), Vec3(kApart + 1, y, 0.012)}});
-            simulation->step();
-        }
-        simulation->execute(LiftBlade{});
-        simulation->step();
+        makeStroke(*simulation, {{-1, 0.8, 0.011}, {kApart + 1, 0.8, 0.012}},
+                   {{-1, -0.8, 0.011}, {kApart + 1, -0.8, 0.012}}, 20);
         return simulation->stateHash();
     }
 
     Params params;
     SurfaceMesh ball = cubeSphere(6, 0.5);
-    SurfaceMesh bar = moved(box(Vec3(0.6, 0.4, 0.3), 4), Vec3(kApart, -0.2, 0));
+    SurfaceMesh bar = movedBy(box(Vec3(0.6, 0.4, 0.3), 4), Vec3(kApart, -0.2, 0));
 };
 
 TEST_F(SeveralModelsTest, EachFallsAsIfItWereAlone) {

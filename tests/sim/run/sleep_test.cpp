@@ -90,13 +90,8 @@ TEST_F(SleepTest, AHandWakesItAndKeepsItAwake) {
 
 TEST_F(SleepTest, ABladeCutsWhatSleeps) {
     fallAsleep();
-    for (int i = 0; i <= 30; ++i) {
-        const double y = 0.7 - 1.5 * i / 30;
-        simulation->execute(MoveBlade{{{0.03, y, -1}, {0.03, y, 1}}});
-        simulation->step();
-    }
-    simulation->execute(LiftBlade{});
-    simulation->step();
+    makeStroke(*simulation, {{0.03, 0.7, -1}, {0.03, 0.7, 1}}, {{0.03, -0.8, -1}, {0.03, -0.8, 1}},
+               30);
     EXPECT_EQ(simulation->pieces().pieces.size(), 2u);
     EXPECT_TRUE(simulation->report().closed);
 }
@@ -131,13 +126,7 @@ class TimeStandsTest : public SimulationFixture {
     }
     void letTimeRun(bool runs) { EXPECT_EQ(simulation->execute(SetTime{runs}), ""); }
     void cutThrough(double x) {
-        for (int i = 0; i <= 20; ++i) {
-            const double y = 0.7 - 2.0 * i / 20;
-            ASSERT_EQ(simulation->execute(MoveBlade{{{x, y, -1}, {x, y, 1}}}), "");
-            simulation->step();
-        }
-        simulation->execute(LiftBlade{});
-        simulation->step();
+        makeStroke(*simulation, {{x, 0.7, -1}, {x, 0.7, 1}}, {{x, -1.3, -1}, {x, -1.3, 1}}, 20);
     }
     double time() const { return simulation->report().time; }
 };
@@ -176,15 +165,10 @@ TEST_F(TimeStandsTest, ABladeCutsTheBodyWhereItLies) {
     }
     EXPECT_GT(same, 0.8 * before.vertexCount()) << "only beside the cut vertices are moved";
     EXPECT_NEAR(simulation->report().volumeRatio, 1, 0.02);
-}
-
-TEST_F(TimeStandsTest, TheHalvesFallOnceTimeRunsAgain) {
-    letTimeRun(false);
-    cutThrough(0.02);
     const double high = simulation->bounds().center().y();
     letTimeRun(true);
     run(40);
-    EXPECT_LT(simulation->bounds().center().y(), high - 0.01);
+    EXPECT_LT(simulation->bounds().center().y(), high - 0.01) << "the halves fall";
     EXPECT_EQ(simulation->report().pieces, 2);
     EXPECT_TRUE(simulation->report().closed);
 }
@@ -200,19 +184,15 @@ TEST_F(TimeStandsTest, AnUndoTakesBackWhatWasCutThen) {
     EXPECT_FALSE(simulation->timeRuns());
 }
 
-TEST_F(TimeStandsTest, AResetLetsItRun) {
-    letTimeRun(false);
-    simulation->reset();
-    EXPECT_TRUE(simulation->timeRuns());
-}
-
-TEST_F(TimeStandsTest, AMomentKnowsThatItStood) {
+TEST_F(TimeStandsTest, AMomentKnowsThatItStoodAndAResetLetsItRun) {
     letTimeRun(false);
     const Checkpoint then = simulation->checkpoint();
     letTimeRun(true);
     run(3);
     simulation->goTo(then);
     EXPECT_FALSE(simulation->timeRuns());
+    simulation->reset();
+    EXPECT_TRUE(simulation->timeRuns());
 }
 
 // Iterations that the simulation chooses before each step.

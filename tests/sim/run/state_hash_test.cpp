@@ -152,11 +152,8 @@ class Work {
         const double x = uniform(-0.35, 0.35);
         const double slant = uniform(-0.2, 0.2);
         const double depth = uniform(0.2, 1.6);
-        for (int i = 0; i <= 12; ++i) {
-            const double y = 0.8 - depth * i / 12;
-            simulation.execute(MoveBlade{{{x, y, -1}, {x + slant, y, 1}}});
-            simulation.step();
-        }
+        leadBlade(simulation, {{x, 0.8, -1}, {x + slant, 0.8, 1}},
+                  {{x, 0.8 - depth, -1}, {x + slant, 0.8 - depth, 1}}, 12);
         simulation.execute(LiftBlade{});
         for (int left = std::uniform_int_distribution(1, 12)(random_); left > 0; --left) {
             simulation.step();

@@ -392,12 +392,7 @@ TEST_F(UndoTest, PinsMadeInMidStrokeFollowTheRestOfIt) {
     ASSERT_EQ(simulation->execute(Pin{Ball{{0, 0, -0.5}, 0.3}}), "");
     const auto first = pinned();
     ASSERT_EQ(simulation->execute(Pin{Ball{{0, 0, 0.5}, 0.3}}), "");
-    for (int i = 11; i <= 30; ++i) {
-        ASSERT_EQ(simulation->execute(MoveBlade{bladeAt(0.03, 0.7 - 1.5 * i / 30)}), "");
-        simulation->step();
-    }
-    simulation->execute(LiftBlade{});
-    simulation->step();
+    makeStroke(*simulation, bladeAt(0.03, 0.15), bladeAt(0.03, -0.8), 19);
     ASSERT_EQ(pieces(), 2);
     EXPECT_EQ(names(), (std::vector<std::string>{"Cut 1", "Pin", "Pin"}));
     const std::string hash = simulation->stateHash();

@@ -225,26 +225,18 @@ TEST(Metrics, SummaryHoldsWhatScriptsReadFromIt) {
     EXPECT_EQ(json["closed_every_step"], false);
 }
 
-TEST(AtomicFile, AppearsOnlyWhenItIsComplete) {
+TEST(AtomicFile, AppearsAndReplacesOnlyWhenItIsComplete) {
     const test::TemporaryFolder folder;
-    {
+    const auto abandon = [&] {
         AtomicFile file(folder / "a.txt");
         file.write("half");
-        EXPECT_FALSE(fs::exists(folder / "a.txt"));
-    }
+        return fs::exists(folder / "a.txt");
+    };
+    EXPECT_FALSE(abandon());
     EXPECT_TRUE(fs::is_empty(folder.path())) << "an abandoned file leaves nothing";
     writeOutputFile(folder / "a.txt", "whole");
+    abandon();
     EXPECT_EQ(readBytes(folder / "a.txt"), "whole");
-}
-
-TEST(AtomicFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
-    const test::TemporaryFolder folder;
-    writeText(folder / "a.txt", "old");
-    {
-        AtomicFile file(folder / "a.txt");
-        file.write("new");
-    }
-    EXPECT_EQ(readBytes(folder / "a.txt"), "old");
 }
 
 TEST(AtomicFile, FailuresNameTheFileAndTheReason) {

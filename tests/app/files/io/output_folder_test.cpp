@@ -2,7 +2,6 @@
 // made, written or removed.
 #include "app/files/io/output_folder.h"
 
-#include "app/files/io/file_io.h"
 #include "app/files/io/system_file.h"
 
 namespace kerf::app {

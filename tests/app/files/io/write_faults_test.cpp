@@ -46,53 +46,58 @@ void failAtEachCall(const std::function<std::string()>& write,
     EXPECT_LT(number, kMostCalls);
 }
 
-std::string writeSentence(const std::function<void()>& write) {
+/// What an error says; "" where there is none.
+template <class Error>
+std::string sentenceOf(const std::function<void()>& call) {
     try {
-        write();
+        call();
         return "";
-    } catch (const OutputError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
 }
 
-TEST(WriteFaults, AFileIsTheOldOneOrTheNewOne) {
+std::string writeSentence(const std::function<void()>& write) {
+    return sentenceOf<OutputError>(write);
+}
+
+/// A file that is there stays the old one until it is the new one.
+class OldOrNew : public testing::Test {
+  protected:
+    void write(const std::function<void()>& writeNew) const {
+        writeText(file, "old");
+        const auto before = contents(folder.path());
+        failAtEachCall([&] { return writeSentence(writeNew); },
+                       [&] { EXPECT_EQ(contents(folder.path()), before); });
+    }
+
     const test::TemporaryFolder folder;
-    writeText(folder / "a.txt", "old");
-    const auto before = contents(folder.path());
+    const fs::path file = folder / "a";
+};
+
+TEST_F(OldOrNew, IsAFile) {
     const std::string large(300'000, 'x');
-    failAtEachCall([&] { return writeSentence([&] { writeOutputFile(folder / "a.txt", large); }); },
-                   [&] { EXPECT_EQ(contents(folder.path()), before); });
-    EXPECT_EQ(readBytes(folder / "a.txt"), large);
+    write([&] { writeOutputFile(file, large); });
+    EXPECT_EQ(readBytes(file), large);
 }
 
-TEST(WriteFaults, APictureIsTheOldOneOrTheNewOne) {
-    const test::TemporaryFolder folder;
-    writeText(folder / "a.png", "old");
-    const auto before = contents(folder.path());
+TEST_F(OldOrNew, IsAPicture) {
     const render::Image picture{64, 64, std::vector<std::uint8_t>(4 * 64 * 64, 99)};
-    failAtEachCall([&] { return writeSentence([&] { writePicture(picture, folder / "a.png"); }); },
-                   [&] { EXPECT_EQ(contents(folder.path()), before); });
-    EXPECT_EQ(readPicture(folder / "a.png").pixels, picture.pixels);
+    write([&] { writePicture(picture, file); });
+    EXPECT_EQ(readPicture(file).pixels, picture.pixels);
 }
 
-TEST(WriteFaults, ACacheIsTheOldOneOrTheNewOne) {
-    const test::TemporaryFolder folder;
-    writeText(folder / "a.abc", "old");
-    const auto before = contents(folder.path());
+TEST_F(OldOrNew, IsACache) {
     const SurfaceMesh box = test::box(Vec3::Ones(), 12);
     const ExportMesh mesh = gatherMesh(box, findPieces(box), {});
-    failAtEachCall(
-        [&] {
-            return writeSentence([&] {
-                AlembicCache cache(folder / "a.abc", "box", Vec3::Zero());
-                for (int sample = 0; sample < 3; ++sample) {
-                    cache.add(sample, mesh, true);
-                }
-                cache.finish();
-            });
-        },
-        [&] { EXPECT_EQ(contents(folder.path()), before); });
-    EXPECT_EQ(readBytes(folder / "a.abc").substr(0, 6), "Ogawa\xFF");
+    write([&] {
+        AlembicCache cache(file, "box", Vec3::Zero());
+        for (int sample = 0; sample < 3; ++sample) {
+            cache.add(sample, mesh, true);
+        }
+        cache.finish();
+    });
+    EXPECT_EQ(readBytes(file).substr(0, 6), "Ogawa\xFF");
 }
 
 TEST(WriteFaults, ADeviceAFolderAndALongNameAreRefused) {
@@ -206,12 +211,7 @@ TEST_F(WriteFaultsInTheEditor, AnExportThatCannotBeWrittenLeavesTheOldOneAndTheW
 constexpr const char* kBytes = "KERF_MEMORY_BYTES";
 
 std::string sentenceBy(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const MemoryShortage& shortage) {
-        return shortage.what();
-    }
-    return "";
+    return sentenceOf<MemoryShortage>(call);
 }
 
 TEST(MemoryMeans, AVariableStandsForTheMachine) {

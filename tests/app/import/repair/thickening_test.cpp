@@ -218,26 +218,17 @@ TEST(Thickening, RefusesWhatHasOneSide) {
     EXPECT_GT(thickenedVolume(band(24, 2), 0.01), 0) << "turned over twice it has two";
 }
 
-TEST(Thickening, RefusesWhatBranches) {
-    TriangleSoup soup = sheetSoup(2);
-    const auto apex = static_cast<int>(soup.positions.size());
-    soup.positions.emplace_back(0.5, 1, 0.5);
-    soup.triangles.push_back({4, 5, apex});
-    EXPECT_THAT(problemOf(soup, 0.01), StartsWith("1 edge with more than two triangles"));
-}
-
-TEST(Thickening, RefusesTrianglesWithoutArea) {
-    TriangleSoup soup = sheetSoup(1);
-    soup.positions.emplace_back(0.5, 0, 0);
-    soup.triangles.push_back({0, 4, 1});
-    EXPECT_THAT(problemOf(soup, 0.01), StartsWith("1 triangle without area"));
-}
-
-TEST(Thickening, RefusesAVertexWithoutAngles) {
-    TriangleSoup soup = sheetSoup(1);
-    soup.positions.emplace_back(3, 1e-200, 0);
-    soup.triangles.push_back({0, 1, 4});
-    EXPECT_THAT(problemOf(soup, 0.01), HasSubstr("nearly without area"));
+TEST(Thickening, RefusesBranchesAndTrianglesWithoutArea) {
+    const auto with = [](int n, int a, int b, const Vec3& apex) {
+        TriangleSoup soup = sheetSoup(n);
+        soup.triangles.push_back({a, b, static_cast<int>(soup.positions.size())});
+        soup.positions.push_back(apex);
+        return soup;
+    };
+    EXPECT_THAT(problemOf(with(2, 4, 5, {0.5, 1, 0.5}), 0.01),
+                StartsWith("1 edge with more than two triangles"));
+    EXPECT_THAT(problemOf(with(1, 0, 1, {0.5, 0, 0}), 0.01), StartsWith("1 triangle without area"));
+    EXPECT_THAT(problemOf(with(1, 0, 1, {3, 1e-200, 0}), 0.01), HasSubstr("nearly without area"));
 }
 
 TEST(Thickening, SaysWhichThicknessDoes) {

@@ -9,12 +9,7 @@ constexpr double kSize = 0.1;  // of the block [m]
 
 /// A block of gel whose bottom is at y = 0, its top at kSize.
 SurfaceMesh block(int n = 5) {
-    SurfaceMesh mesh = box({kSize, kSize, kSize}, n);
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        mesh.setPosition(v, mesh.position(v) + Vec3(0, 0.5 * kSize, 0));
-        mesh.setRestPosition(v, mesh.position(v));
-    }
-    return mesh;
+    return movedBy(box(Vec3::Constant(kSize), n), {0, 0.5 * kSize, 0});
 }
 
 Params feeling(double toughness) {
@@ -101,7 +96,8 @@ TEST(FeltEdge, SetsFreeWhatTheNewSurfaceTakes) {
 
 class BladeFeelsTest : public GlTest {};
 
-void expectYieldsUntilTheForceSuffices(const Params& params) {
+TEST_F(BladeFeelsTest, TheMaterialYieldsUntilTheForceSuffices) {
+    const Params params = feeling(40);
     const Course course = pressedDown(params, 0.07, 200);
     const std::size_t cut = course.firstCut();
     ASSERT_LT(cut, course.reports.size());
@@ -120,11 +116,8 @@ void expectYieldsUntilTheForceSuffices(const Params& params) {
     EXPECT_GT(course.reports.back().strainEnergy.value(), 0);
 }
 
-TEST_F(BladeFeelsTest, TheMaterialYieldsUntilTheForceSuffices) {
-    expectYieldsUntilTheForceSuffices(feeling(40));
-}
-
-void expectGainsWhatTheBladeGives(Params params) {
+TEST_F(BladeFeelsTest, WhatTheBladeGivesIsWhatTheBodyGains) {
+    Params params = feeling(1e5);
     params.airDrag = 0;
     params.youngsModulus = 1e6;
     Simulation simulation(block(), params);
@@ -143,10 +136,6 @@ void expectGainsWhatTheBladeGives(Params params) {
     }
     EXPECT_LT(gained.y(), -0.05) << "[kg m/s]";
     EXPECT_LT((given - gained).norm(), 1e-3 * gained.norm());
-}
-
-TEST_F(BladeFeelsTest, WhatTheBladeGivesIsWhatTheBodyGains) {
-    expectGainsWhatTheBladeGives(feeling(1e5));
 }
 
 /// Sums of a course, to its end [J].
@@ -171,16 +160,13 @@ Account accountOf(const Course& course, const Params& params) {
 
 // Slow. The edge gives more than the material: where that is turned round, work lacks
 // (docs/limits.md).
-void expectWorkBecomesStrain(const Params& params) {
+TEST_F(BladeFeelsTest, WorkBecomesStrainWhileTheMaterialYields) {
+    const Params params = feeling(200);
     const Course course = pressedDown(params, 0.012, 100);
     ASSERT_EQ(course.firstCut(), course.reports.size());
     const Account sums = accountOf(course, params);
     EXPECT_GT(sums.work, 0);
     EXPECT_NEAR(sums.gained + sums.drag, sums.work, 0.06 * sums.work);
-}
-
-TEST_F(BladeFeelsTest, WorkBecomesStrainWhileTheMaterialYields) {
-    expectWorkBecomesStrain(feeling(200));
 }
 
 TEST_F(BladeFeelsTest, WorkBecomesStrainAndNewSurface) {

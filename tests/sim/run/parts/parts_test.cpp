@@ -87,22 +87,16 @@ void expectSums(const StrokeRecord& record, int times) {
     EXPECT_DOUBLE_EQ(record.debris.volume, 0.25 * times);
 }
 
-TEST(StrokeRecord, SumsUpItsSteps) {
+TEST(StrokeRecord, SumsUpItsStepsAndOtherStrokes) {
     StrokeRecord record;
     EXPECT_FALSE(record.metBody());
     record.add(aStep());
     record.add(refusedStep());
     EXPECT_TRUE(record.metBody());
     expectSums(record, 1);
-}
-
-TEST(StrokeRecord, SumsUpOtherStrokes) {
-    StrokeRecord one;
-    one.add(aStep());
-    one.add(refusedStep());
     StrokeRecord all;
-    all.add(one);
-    all.add(one);
+    all.add(record);
+    all.add(record);
     expectSums(all, 2);
 }
 
