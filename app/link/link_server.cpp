@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t kMostClients = 8;
 constexpr std::size_t kMostUnsent = 64u << 20;  // to a client, before the latest body [bytes]
 constexpr double kFinishing = 0.01;             // from one look at what is left to the next [s]
+constexpr int kInTransit = 1 << 18;             // at the system, so that no old body waits [bytes]
 constexpr double kLastWords = 1;                // for what clients are still to be sent [s]
 constexpr double kLongestWait = 0.5;            // at a time [s]
 
@@ -108,6 +109,7 @@ void LinkServer::accept() {
     }
     const int on = 1;
     ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
+    ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &kInTransit, sizeof(kInTransit));
     spdlog::info("Link: {} has joined.", client.name);
     ++joined_;
 }
@@ -171,6 +173,7 @@ void LinkServer::flush(Client& client) {
 /// Says so once.
 void LinkServer::disconnect(Client& client, const std::string& reason) {
     if (!std::exchange(client.gone, true)) {
+        client.dropped += (client.unsent.empty() ? 0 : 1) + (client.latest.empty() ? 0 : 1);
         spdlog::info("Link: {} is disconnected: {} {} dropped, as it was too slow.", client.name,
                      reason, counted(client.dropped, "message was", "messages were"));
     }

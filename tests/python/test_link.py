@@ -48,8 +48,11 @@ def transform(position, axis, device="Blade", version=1):
 class Client:
     """A client of OpenIGTLink in a few lines."""
 
-    def __init__(self, port):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=20)
+    def __init__(self, port, most_received=1 << 20):
+        self.socket = socket.socket()
+        self.socket.settimeout(20)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, most_received)
+        self.socket.connect(("127.0.0.1", port))
 
     def send(self, data):
         self.socket.sendall(data)
@@ -171,7 +174,7 @@ class Link(TestCase):
     def test_a_client_that_takes_nothing_blocks_no_step(self):
         session = {**SESSION, "model": {"builtin": "sphere20", "remesh": True, "remesh_edge": 0.03}}
         port = self.serve("--until", "100", session=session)
-        slow = Client(port)
+        slow = Client(port, most_received=4096)
         summary, errors = self.finished()
         self.assertEqual(summary["steps"], 100)
         self.assertNotIn(" 0 messages were dropped", errors)
