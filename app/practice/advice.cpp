@@ -55,13 +55,13 @@ std::string cutAll(const Score& score, const Task& task) {
                          });
     return skipped ? fmt::format("Cut all {} lines.", task.lines.size())
            : std::ranges::any_of(task.lines, isClosed)
-               ? "Go one and a quarter turns, so that the cut closes."
+               ? "Go all the way round."
                : "Begin at one end of the line, and go on to the other.";
 }
 
 std::string stayOnLine(const Score& /*score*/, const Task& task) {
     return std::ranges::any_of(task.lines, isClosed)
-               ? "Begin on the line, and stay on it all the way round."
+               ? "Stay on the line all the way round."
            : task.depth ? "Begin on the line, and lift the blade at its end."
                         : "Stay on the line from its one end to the other.";
 }
@@ -74,7 +74,7 @@ std::string keepNear(const Score& score, const Task& task) {
 }
 
 std::string takeOut(const Score& /*score*/, const Task& /*task*/) {
-    return "Cut all the way round and right through, so that it comes out whole.";
+    return "Begin at the outer ring, and end there across your first cut, so that the cut closes.";
 }
 
 /// What to do about a figure beyond its limit.

@@ -108,10 +108,11 @@ def excision():
         "task": {
             "name": "Excision",
             "about": "Cut out the lump in one piece with the stroke, which goes right through: "
-                     "one and a quarter turns along the line, so that the cut closes.",
+                     "begin at the outer ring, go once round on the line, and end at the outer "
+                     "ring, across your first cut.",
             "lines": [{"points": [rounded(p) for p in points], "closed": True}],
             "reach": 0.008, "spare": [1], "take": 1},
-        "limits": {"deviation": 0.003, "ends": 0.004, "margin": 0.007, "seconds": 40, "idle": 5,
+        "limits": {"deviation": 0.005, "ends": 0.004, "margin": 0.007, "seconds": 40, "idle": 5,
                    "economy": 0.75, "wobble": WOBBLE},
         "pins": BASE,
         "view": {"eye": [0, 0.30, 0.001], "target": [0, 0.010, 0], "up": [0, 0, -1],
@@ -167,16 +168,21 @@ def expert_incision(along=1.0, deeper=0.0, aside=lambda share, seconds: 0.0, sec
 BEHIND = 0.0045  # the edge cuts so far behind the blade: a wall edge (docs/physics.md) [m]
 
 
+OUTSIDE = 0.004  # of the line, at either end of the stroke: so they cross steeply [m]
+
+
 def expert_excision(aside=lambda share, seconds: 0.0, lean=0.0, seconds=8.0, overlap=1.0,
                     way=least_jerk):
     """Upright, once round and a little farther, so much outside that the edge behind it is on the
-    line; at last outwards, across where it began. `lean` [radians] tilts it towards the lump below
-    the skin."""
+    line. It comes in from outside, and leaves across that. `lean` [radians] tilts it towards the
+    lump below the skin."""
     lead = math.hypot(RADIUS, BEHIND) - RADIUS
+    leaves = 2 * math.pi + math.atan(BEHIND / RADIUS)  # once the edge is round
 
     def blade(share, time):
         turn = (2 * math.pi + overlap) * share
-        out = lead * least_jerk(turn / 0.5) + 0.0025 * max(0, turn - 2 * math.pi + 0.1)
+        out = (lead * least_jerk(turn / 0.5) + OUTSIDE * (1 - least_jerk(turn / 0.5)) +
+               OUTSIDE * least_jerk((turn - leaves) / 0.5))
 
         def at(y):
             r = RADIUS + out + aside(share, time) + (y - TOP) * math.tan(lean)

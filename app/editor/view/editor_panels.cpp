@@ -55,7 +55,7 @@ std::shared_ptr<const Cards> readCards() {
         {"../practice/incision", "Practise: incision",
          "Draw along the line. Shift+Enter shows the score.", ToolKind::scalpel},
         {"../practice/excision", "Practise: excision",
-         "Lead the blade one and a quarter turns along the line. Then Shift+Enter."},
+         "Begin at the outer ring, go round, end there across your cut. Then Shift+Enter."},
         {"../practice/slice", "Practise: slice",
          "Cut down through the right line, then the left one. Then Shift+Enter."},
     });
