@@ -60,8 +60,7 @@ std::string cutAll(const Score& score, const Task& task) {
 }
 
 std::string stayOnLine(const Score& /*score*/, const Task& task) {
-    return std::ranges::any_of(task.lines, isClosed)
-               ? "Stay on the line all the way round."
+    return std::ranges::any_of(task.lines, isClosed) ? "Stay on the line all the way round."
            : task.depth ? "Begin on the line, and lift the blade at its end."
                         : "Stay on the line from its one end to the other.";
 }
