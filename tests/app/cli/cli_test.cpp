@@ -314,7 +314,7 @@ TEST_F(Installed, ThePagesKnowAllVerbs) {
     const std::string page = outputOf("zcat '" + prefix() + "/share/man/man1/kerf.1.gz'");
     const std::string completion = readBytes(prefix() + "/share/bash-completion/completions/kerf");
     for (const char* const verb : {"replay", "experiment", "inspect", "compare", "test",
-                                   "materials", "schema", "sweep", "reduce", "doctor"}) {
+                                   "materials", "schema", "sweep", "reduce", "doctor", "score"}) {
         EXPECT_THAT(completion, HasSubstr(std::string(verb) + ") words='"));
         EXPECT_THAT(page, HasSubstr(std::string("kerf ") + verb + " "));
     }
