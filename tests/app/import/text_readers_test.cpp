@@ -344,8 +344,9 @@ TEST_F(PlyReader, ElementsComeInAnyOrderWithCommentsAndAByteOrderMark) {
     expectBox("ply\ncomment before\nformat ascii 1.0\nelement none 0\n" + kVertex + kFace + kEnd +
               replaced(kVertices, "1", "+1e0") + replaced(kFaces, " ", "  "));
     expectBox(kPly + "element none 99999999999999\n" + kVertex + kFace + kEnd + kVertices + kFaces);
+    const std::string plain = kPly + kVertex + kFace + kEnd + kVertices + kFaces;
     for (const char* end : {"\r\n", "\r", " \n", "\t\r\n"}) {
-        expectBox(replaced(kPly + kVertex + kFace + kEnd + kVertices + kFaces, "\n", end));
+        expectBox(replaced(plain, "\n", end));
     }
 }
 

@@ -123,12 +123,13 @@ TEST_F(GpuSolverTest, PredictsLikeTheReference) {
 }
 
 TEST_F(GpuSolverTest, SolvesEdgesBendsAndIspcsLikeTheReference) {
-    for (const auto& [part, kind] : {std::pair{shared::kStretchPart, shared::kStretch},
-                                     {shared::kBendPart, shared::kBend},
-                                     {shared::kIspcPart, shared::kIspc}}) {
+    for (const auto& row : {std::pair{shared::kStretchPart, shared::kStretch},
+                            {shared::kBendPart, shared::kBend},
+                            {shared::kIspcPart, shared::kIspc}}) {
+        const auto kind = row.second;
         SCOPED_TRACE(kind);
         expectSamePhase(
-            part, kSweepTolerance,
+            row.first, kSweepTolerance,
             [&](GpuSolver& s) {
                 if (kind != shared::kStretch) {  // which comes with the prediction
                     s.phases().solve(kind);
