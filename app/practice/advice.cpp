@@ -72,8 +72,10 @@ std::string keepNear(const Score& score, const Task& task) {
                      millimetreText(score.deviationMax.value_or(0)) + " beside it.";
 }
 
-std::string takeOut(const Score& /*score*/, const Task& /*task*/) {
-    return "Begin at the outer ring, and end there across your first cut, so that the cut closes.";
+std::string takeOut(const Score& /*score*/, const Task& task) {
+    return std::ranges::any_of(task.lines, isClosed)
+               ? "Cut right through; begin outside the line, and end there across your first cut."
+               : "Cut right through, so that it comes out whole.";
 }
 
 /// What to do about a figure beyond its limit.

@@ -166,8 +166,6 @@ def expert_incision(along=1.0, deeper=0.0, aside=lambda share, seconds: 0.0, sec
 
 
 BEHIND = 0.0045  # the edge cuts so far behind the blade: a wall edge (docs/physics.md) [m]
-
-
 OUTSIDE = 0.004  # of the line, at either end of the stroke: so they cross steeply [m]
 
 
@@ -181,8 +179,8 @@ def expert_excision(aside=lambda share, seconds: 0.0, lean=0.0, seconds=8.0, ove
 
     def blade(share, time):
         turn = (2 * math.pi + overlap) * share
-        out = (lead * least_jerk(turn / 0.5) + OUTSIDE * (1 - least_jerk(turn / 0.5)) +
-               OUTSIDE * least_jerk((turn - leaves) / 0.5))
+        come, gone = least_jerk(turn / 0.5), least_jerk((turn - leaves) / 0.5)
+        out = lead * come + OUTSIDE * (1 - come + gone)
 
         def at(y):
             r = RADIUS + out + aside(share, time) + (y - TOP) * math.tan(lean)
