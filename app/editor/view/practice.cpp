@@ -27,6 +27,7 @@ using Kind = ui::Overlay::Trace::Kind;
 
 constexpr double kPointsApart = 2e-3;  // of a line on the skin [m]
 constexpr int kMostPoints = 200;       // of a line
+constexpr double kMostStretch = 2;     // of skin; what is farther apart was cut
 constexpr int kBallPoints = 300;       // of a ball to spare
 constexpr double kTrail = 0.7;         // of the expert's hand [s]
 constexpr double kPause = 1.5;         // before the expert begins again [s]
@@ -216,6 +217,7 @@ void Practice::open(EditorScene& scene, const std::string& person) {
     openLast(person);
 }
 
+/// The line ends where its neighbouring points lie on two sides of a cut.
 void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceMesh& mesh,
                        bool closed) {
     const Vec3 into = task_->into.normalized();
@@ -223,15 +225,23 @@ void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceM
     const std::size_t count = anchors.size();
     const std::vector<Vec3> at =
         mapped(anchors, [&](const SurfaceAnchor& anchor) { return anchor.position(mesh); });
+    const auto goesOn = [&](std::size_t i) {
+        const std::size_t next = (i + 1) % count;
+        const double atRest = (anchors[next].rest() - anchors[i].rest()).norm();
+        return (closed || next > 0) && (at[next] - at[i]).norm() <= kMostStretch * atRest;
+    };
     std::vector<Vec3> aside;  // to the edge of the band
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 way = at[closed || i + 1 < count ? (i + 1) % count : i] -
-                         at[closed || i > 0 ? (i + count - 1) % count : i];
+        const std::size_t before = (i + count - 1) % count;
+        const Vec3 way = at[goesOn(i) ? (i + 1) % count : i] - at[goesOn(before) ? before : i];
         aside.emplace_back(width * way.cross(into).stableNormalized());
     }
-    for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::size_t next = (i + 1) % count;
         const Vec3 normal = areaNormal(cornersOf(mesh, anchors[i].triangle()));
+        if (!goesOn(i)) {
+            continue;
+        }
         traces_.push_back({Kind::line, at[i], at[next], normal});
         if (width > 0) {
             traces_.push_back({Kind::band, at[i] - aside[i], at[next] - aside[next], normal});

@@ -23,7 +23,7 @@ class EditorPractice : public EditorTest {
         Task task;
         task.name = "Halve it";
         task.about = "From top to bottom.";
-        task.lines = {{{Vec3(0, 0.49, 0.1), Vec3(0, 0.49, -0.1)}}};
+        task.lines = {{{Vec3(0.02, 0.49, 0.1), Vec3(-0.02, 0.49, -0.1)}}};
         task.reach = 0.2;
         task.spareRegions = {Ball{Vec3(0.4, 0, 0), 0.05}};
         task.limits.deviation = 0.1;
@@ -235,6 +235,30 @@ TEST_F(EditorPractice, WhatBreaksALimitIsMarkedAndOnesBladeIsShownOnItsWay) {
     EXPECT_GT(shown(), 0);
     EXPECT_THAT(practice().advice, HasSubstr("Slow down"));
     EXPECT_TRUE(editor->itemRects().contains("practice.advice"));
+}
+
+/// The line and the edges of its band, on the skin, end at a gap.
+TEST_F(EditorPractice, NoLineCrossesTheOpenCut) {
+    const auto longest = [&] {
+        double most = 0;
+        for (const auto& [kind, line] : panels().view.overlay.traces) {
+            const bool ofTask =
+                kind == ui::Overlay::Trace::Kind::line || kind == ui::Overlay::Trace::Kind::band;
+            const double length = std::hypot(line[1].x - line[0].x, line[1].y - line[0].y);
+            most = ofTask ? std::max(most, length) : most;
+        }
+        return most;
+    };
+    tap(Key::digit7);  // from above
+    settle();
+    const double whole = longest();
+    ASSERT_GT(whole, 0);
+    cutDown(0);
+    const ApplyForce pull{Ball{{0.4, 0, 0}, 0.2}, {3000, 0, 0}};
+    EXPECT_EQ(editor->scene()->execute(pull), "");
+    tap(Key::space, {.shift = true}, 80);
+    EXPECT_GT(longest(), 0);
+    EXPECT_LT(longest(), 2.5 * whole);
 }
 
 TEST_F(EditorPractice, WithoutATaskThereIsNoSuchSection) {
