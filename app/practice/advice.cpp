@@ -107,6 +107,7 @@ constexpr Advice kAdvice[] = {
     {"taken", takeOut},
     {"length_over", stayOnLine},
     {"deviation_max", keepNear},
+    {"deviation_mean", stayOnLine},
     {"wobble", always<kSteady>},
     {"spared_cut", always<kSpare>},
     {"margin_least", always<kSpare>},

@@ -36,7 +36,8 @@ constexpr FigureUnit kLogarithm{"", 1, 1};
 
 using Limits = TaskLimits;
 constexpr FigureRow kRows[] = {
-    {"deviation_mean", "Mean deviation", kLength, -1, &Score::deviationMean},
+    {"deviation_mean", "Mean deviation", kLength, -1, &Score::deviationMean, &Limits::meanDeviation,
+     kForLines},
     {"deviation_max", "Largest deviation", kLength, -1, &Score::deviationMax, &Limits::deviation,
      kForLines},
     {"depth_mean", "Mean depth", kLength, 0, &Score::depthMean},

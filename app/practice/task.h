@@ -22,6 +22,7 @@ struct TaskLimits {
     std::optional<double> smoothness;  ///< at least
     std::optional<double> wobble;      ///< at most [m]
     std::optional<double> newtons;     ///< at most
+    std::optional<double> meanDeviation;  ///< at most [m]
 };
 
 /// What to practise, and how well it is to be done (docs/practice.md).

@@ -112,6 +112,13 @@ struct SessionEvent {
     int number = -1;  ///< in the file's list, from 0; -1 without a file
 };
 
+/// How the editor shows a piece.
+struct ShownPiece {
+    bool hidden = false;
+    std::optional<Vec3> color;  ///< in display colours, instead of its look
+    bool operator==(const ShownPiece&) const = default;
+};
+
 /// What the editor showed when it saved a session. Replays ignore it.
 struct SavedView {
     render::Camera camera;
@@ -120,6 +127,7 @@ struct SavedView {
     bool wireframe = false;
     double apart = 0;  ///< see ui::DisplaySettings
     std::optional<render::SectionPlane> section;
+    std::vector<ShownPiece> pieces;  ///< the first ones; the others look as always
 };
 
 /// How the names of session files end.

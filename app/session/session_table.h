@@ -20,6 +20,7 @@ inline constexpr FileFormat kSessionFormat{"kerf-session", 1};
 inline constexpr HexDigits kSha256Digits{64};
 inline constexpr Limits kColorParts{0, 1};
 inline constexpr Limits kShares{0, 1};
+inline constexpr std::size_t kMostShownPieces = 100'000;
 inline constexpr Limits kCosines = within(1 + 1e-6);
 inline constexpr double kLengthError = 1e-6;
 inline constexpr Limits kDistances{0, kMaxSessionCoordinate};  // [m]
@@ -114,6 +115,12 @@ void describe(auto& fields, render::SectionPlane& plane) {
     fields.check(std::abs(plane.normal.norm() - 1) < kLengthError, "normal", "expected length 1.");
 }
 
+void describe(auto& fields, ShownPiece& piece) {
+    fields.optional({"hidden", "Whether it is not drawn."}, piece.hidden);
+    fields.optional({"color", "Its colour instead of its look: red, green and blue, 0 to 1."},
+                    piece.color, kColorParts);
+}
+
 void describe(auto& fields, SavedView& view) {
     fields.required({"camera", "Where it was seen from."}, view.camera);
     fields.optional({"tool", "The tool in hand: Stroke, Scalpel, Grab and so on."}, view.tool,
@@ -125,6 +132,8 @@ void describe(auto& fields, SavedView& view) {
                     view.apart, kShares);
     fields.optional({"section", "The plane at which the body is opened for the view."},
                     view.section);
+    fields.list({"pieces", "The first pieces, by number; the others look as always."}, view.pieces,
+                kMostShownPieces);
 }
 
 void describe(auto& fields, TaskLine& line) {
@@ -140,6 +149,8 @@ void describe(auto& fields, TaskLine& line) {
 void describe(auto& fields, TaskLimits& limits) {
     fields.optional({"deviation", "How far the rim may be from the line, at most [m]."},
                     limits.deviation, kDistances);
+    fields.optional({"deviation_mean", "How far it may be from the line on average, at most [m]."},
+                    limits.meanDeviation, kDistances);
     fields.optional({"ends",
                      "How much of the lines may be left uncut, and how long a cut beside or beyond "
                      "them may be, at most [m]."},

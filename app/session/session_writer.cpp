@@ -153,7 +153,7 @@ requires requires(FieldWriter& fields, Described item, Rule... rule) {
     describe(fields, item, rule...);
 }
 Json toJson(Described item, const Rule&... rule) {
-    Json json;
+    Json json = Json::object();
     FieldWriter fields(json);
     describe(fields, item, rule...);
     return json;

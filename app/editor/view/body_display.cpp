@@ -99,13 +99,21 @@ void BodyDisplay::begin(const Document& document) {
 void BodyDisplay::followRemoval(int piece, bool back) {
     own(piece);
     const auto place = own_.begin() + piece;
-    back ? own_.insert(place, OwnLook{}) : own_.erase(place);
+    back ? own_.insert(place, ShownPiece{}) : own_.erase(place);
     pieces = {};
 }
 
-BodyDisplay::OwnLook& BodyDisplay::own(int piece) {
+ShownPiece& BodyDisplay::own(int piece) {
     own_.resize(std::max(own_.size(), static_cast<std::size_t>(piece) + 1));
     return own_[piece];
+}
+
+std::vector<ShownPiece> BodyDisplay::ownLooks() const {
+    std::vector<ShownPiece> looks = own_;
+    while (!looks.empty() && looks.back() == ShownPiece{}) {
+        looks.pop_back();
+    }
+    return looks;
 }
 
 bool BodyDisplay::join() {
@@ -167,13 +175,13 @@ render::BodyLook BodyDisplay::look(const Document& document) const {
 /// The look of each piece; empty where all look as always.
 std::vector<render::PieceLook> BodyDisplay::looksOf(const std::vector<Bounds>& bounds) const {
     const bool plain = pieces.hovered < 0 && settings.apart == 0 &&
-                       std::ranges::count(own_, OwnLook{}) == std::ssize(own_);
+                       std::ranges::count(own_, ShownPiece{}) == std::ssize(own_);
     std::vector<render::PieceLook> looks(plain ? 0 : bounds.size());
     if (settings.apart > 0) {
         shiftApart(bounds, settings.apart, looks);
     }
     for (std::size_t p = 0; p < looks.size(); ++p) {
-        const OwnLook own = p < own_.size() ? own_[p] : OwnLook{};
+        const ShownPiece own = p < own_.size() ? own_[p] : ShownPiece{};
         looks[p].hidden = own.hidden;
         if (own.color) {
             looks[p].tint = render::toLinear(*own.color);
@@ -211,7 +219,7 @@ void BodyDisplay::describe(const BusyScene& scene, ui::PanelModel& model) {
     model.pieces.hovered = pieces.hovered;
     model.pieces.selected = pieces.selected;
     for (std::size_t p = 0; p < model.pieces.rows.size(); ++p) {
-        const OwnLook own = p < own_.size() ? own_[p] : OwnLook{};
+        const ShownPiece own = p < own_.size() ? own_[p] : ShownPiece{};
         model.pieces.rows[p].hidden = own.hidden;
         model.pieces.rows[p].color = own.color;
     }

@@ -32,6 +32,9 @@ class BodyDisplay {
     void show(int piece, bool visible) { own(piece).hidden = !visible; }
     /// Gives a piece a colour, in display colours, or its look again.
     void color(int piece, const std::optional<Vec3>& color) { own(piece).color = color; }
+    /// The hidden and the coloured pieces, as a session keeps them.
+    std::vector<ShownPiece> ownLooks() const;
+    void setOwnLooks(std::vector<ShownPiece> looks) { own_ = std::move(looks); }
     /// Selects a row of the loads, -1 for none, and keeps to that load while rows come and go.
     void select(const std::vector<Load>& rows, int row);
     /// Follows that a piece was removed, or came back: those behind it have other numbers now.
@@ -54,15 +57,10 @@ class BodyDisplay {
     void describe(const BusyScene& scene, ui::PanelModel& model);
 
   private:
-    struct OwnLook {
-        bool hidden = false;
-        std::optional<Vec3> color;
-        bool operator==(const OwnLook&) const = default;
-    };
-    OwnLook& own(int piece);
+    ShownPiece& own(int piece);
     std::vector<render::PieceLook> looksOf(const std::vector<Bounds>& bounds) const;
 
-    std::vector<OwnLook> own_;          ///< of the first pieces; the others look as always
+    std::vector<ShownPiece> own_;       ///< of the first pieces; the others look as always
     std::optional<Load> selectedLoad_;  ///< as it was listed last
 };
 

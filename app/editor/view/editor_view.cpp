@@ -64,7 +64,8 @@ SavedView EditorView::saved() const {
             std::string(render::infoOf(shown.field.field).name),
             shown.wireframe,
             shown.apart,
-            shown.section};
+            shown.section,
+            display.ownLooks()};
 }
 
 void EditorView::show(const SavedView& saved) {
@@ -81,6 +82,7 @@ void EditorView::show(const SavedView& saved) {
     shown.wireframe = saved.wireframe;
     shown.apart = saved.apart;
     shown.section = saved.section;
+    display.setOwnLooks(saved.pieces);
 }
 
 void EditorView::beginAgain(const EditorScene& scene) {

@@ -64,6 +64,25 @@ TEST_F(EditorReopenTest, FromItsStoredEndWithoutAStep) {
     EXPECT_TRUE(panels().changes.recallable);
 }
 
+TEST_F(EditorReopenTest, HiddenAndColouredPiecesStaySo) {
+    const fs::path file = saveHalves();
+    click("eye.1");
+    saveByKeys();
+    std::string text = readBytes(file);  // as a person would colour it
+    const std::string hidden = R"("hidden":true)";
+    ASSERT_NE(text.find(hidden), std::string::npos);
+    text.replace(text.find(hidden), hidden.size(), hidden + R"(,"color":[0,0.5,1])");
+    writeText(file, text);
+    reopen(file);
+    frames(1);
+    ASSERT_EQ(panels().pieces.rows.size(), 2U);
+    EXPECT_FALSE(panels().pieces.rows[0].hidden);
+    EXPECT_TRUE(panels().pieces.rows[1].hidden);
+    EXPECT_EQ(panels().pieces.rows[1].color, Vec3(0, 0.5, 1));
+    saveByKeys();
+    EXPECT_EQ(readSession(file).editor->pieces[1].color, Vec3(0, 0.5, 1));
+}
+
 TEST_F(EditorReopenTest, ByPlayingWhereNoEndIsStored) {
     const auto file = saveHalves();
     const std::string then = hash();

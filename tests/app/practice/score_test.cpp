@@ -86,9 +86,10 @@ TEST_F(ScoreTest, EachFigureOfTheTableIsItsOwn) {
 }
 
 TEST_F(ScoreTest, OnlyWhatATaskAsksForHasALimit) {
-    task_.limits = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    task_.limits = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
     const auto limit = [&](const std::string& key) { return limitOf(rowOf(key), task_); };
     EXPECT_EQ(limit("deviation_max"), 1);
+    EXPECT_EQ(limit("deviation_mean"), 11);
     EXPECT_EQ(limit("length_under"), 2);
     EXPECT_EQ(limit("length_over"), 2);
     EXPECT_EQ(limit("depth_in_band"), 3);
@@ -120,7 +121,8 @@ TEST_F(ScoreTest, ACutWithinAllLimitsPasses) {
                     .economy = 0.9,
                     .smoothness = -6,
                     .wobble = 1e-4,
-                    .newtons = 2.1};
+                    .newtons = 2.1,
+                    .meanDeviation = 0.001};
     const Score score = this->score();
     EXPECT_THAT(score.violations, IsEmpty());
     EXPECT_TRUE(score.passed());
@@ -144,7 +146,8 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
                     .economy = 0.9,
                     .smoothness = -2,
                     .wobble = {},
-                    .newtons = 1.9};
+                    .newtons = 1.9,
+                    .meanDeviation = 0.015};
     TaskRun run = this->run();
     run.undos = 1;
     run.changes = 2;
@@ -152,7 +155,7 @@ TEST_F(ScoreTest, EachLimitThatIsNotKeptIsNamed) {
     EXPECT_FALSE(score.passed());
     EXPECT_THAT(
         score.violations,
-        ElementsAre("Largest deviation: 20.00 mm (at most 2.00 mm).",
+        ElementsAre(HasSubstr("Mean deviation: "), "Largest deviation: 20.00 mm (at most 2.00 mm).",
                     "Depth within limits: 0.0 % (at least 90.0 %).",
                     "Least margin: 0.00 mm (at least 200.00 mm).",
                     "Structures damaged: 1 (at most 0).", "Taken out whole: no (must be yes).",
@@ -192,13 +195,17 @@ TEST_F(ScoreTest, AdviceSaysWhatToDoNextTime) {
     EXPECT_THAT(adviceOn(score(), task_), HasSubstr("Slow down at the bend."));
     task_.limits = {};
     EXPECT_EQ(adviceOn(score(), task_), "");
+    task_.take = 0;
+    EXPECT_EQ(adviceOn(score(), task_), "Cut right through, so that it comes out whole.");
+    task_.lines[0].closed = true;
+    EXPECT_THAT(adviceOn(score(), task_), HasSubstr("end there across your first cut."));
     Score undone;
     undone.undos = 1;
     EXPECT_THAT(adviceOn(undone, task_), HasSubstr("Try again"));
 }
 
 TEST_F(ScoreTest, EachLimitThatATaskCanHaveHasItsAdvice) {
-    task_.limits = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    task_.limits = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     task_.spare = {0};
     task_.take = 0;
     for (const FigureRow& row : figureRows()) {
