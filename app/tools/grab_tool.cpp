@@ -17,9 +17,11 @@ class GrabTool : public Tool {
 
     std::string press(const ToolContext& c) override {
         const auto point = c.scene->pick(c.view.rayThrough(c.pixel));
-        std::string problem =
-            point ? c.scene->hands().grab(point->position, c.settings.grab.radius) : "";
-        if (point && problem.empty()) {
+        if (!point) {
+            return std::string(kBesideModel);
+        }
+        std::string problem = c.scene->hands().grab(point->position, c.settings.grab.radius);
+        if (problem.empty()) {
             held_ = to_ = point->position;
         }
         return problem;

@@ -119,7 +119,7 @@ std::string MeasureTool::press(const ToolContext& c) {
     const ui::MeasureKind kind = c.settings.measure;
     const auto point = pickVisible(*c.scene, c.view.rayThrough(c.pixel), c.section);
     if (!point) {
-        return "";
+        return std::string(kBesideModel);
     }
     if (pending_.kind != kind) {
         pending_ = {kind, {}, {}};

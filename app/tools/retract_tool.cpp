@@ -32,7 +32,7 @@ std::string RetractTool::press(const ToolContext& c) {
 std::string RetractTool::hookLips(const ToolContext& c) {
     const auto point = c.scene->pick(c.view.rayThrough(c.pixel));
     if (!point) {
-        return "";
+        return std::string(kBesideModel);
     }
     const std::optional<Incision> incision = incisionAt(point->position, *c.scene);
     if (!incision) {

@@ -11,6 +11,9 @@ namespace kerf::app {
 class BladeStroke;
 class EditorScene;
 
+/// Said where a tool that takes a point of the body was pressed beside it.
+inline constexpr std::string_view kBesideModel = "Nothing is there. Press on the model.";
+
 /// The context of each call to a tool.
 struct ToolContext {
     ViewFrame view;

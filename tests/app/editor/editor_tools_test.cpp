@@ -140,6 +140,16 @@ TEST_F(EditorToolsTest, AHandPullsTheBodyWhileItHoldsIt) {
     EXPECT_EQ(panels().changes.rows[0].name, "Pull");
 }
 
+TEST_F(EditorToolsTest, APressBesideTheBodySaysSo) {
+    for (const Key tool : {Key::d, Key::y, Key::m}) {
+        start(options());  // without a toast
+        tap(tool, 1);
+        drag({kWidth / 2.0, 40}, {kWidth / 2.0, 60}, 2);
+        frames(1);
+        EXPECT_EQ(panels().toast.text, "Nothing is there. Press on the model.") << int(tool);
+    }
+}
+
 TEST_F(EditorToolsTest, APullIsRecordedAndReplaysToTheSameBits) {
     tap(Key::d);
     pull(12);
