@@ -383,6 +383,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::saveSessionAs,
             [](State& s, const BusyScene&) { s.browse(FilePurpose::saveSession); }},
     Handler{ActionId::saveTest, [](State& s, const BusyScene&) { s.askAboutTest(); }},
+    Handler{ActionId::makeTask, [](State& s, EditorScene&) { s.makeTask(); }},
     Handler{ActionId::exportBody,
             [](State& s, const BusyScene&) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::makeFilm,
@@ -616,6 +617,7 @@ struct Answer {
         s.place(now.body().placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted, EditorScene&) const { s.removeModel(wanted.model); }
+    void onBody(const ui::ChangeTask& wanted, EditorScene&) const { s.changeTask(wanted.draft); }
     void onBody(const ui::Remesh& wanted, EditorScene&) const { s.remesh(wanted); }
     void onBody(const ui::UnitePieces& wanted, EditorScene&) const { s.unitePieces(wanted.model); }
     void onBody(const ui::TakeMaterial& wanted, EditorScene&) const { s.takeMaterial(wanted); }

@@ -408,6 +408,10 @@ void Editor::State::save(const ChosenFile& chosen) {
     if (!isTest) {
         saved.session.editor = view.saved();
     }
+    const bool isTask = !isTest && scene->document().makesTask;
+    if (isTask) {
+        leaveTask(chosen.file, saved);
+    }
     for (const std::filesystem::path& model : changedModels(scene->document())) {
         saved.remark +=
             (saved.remark.empty() ? "" : " ") + model.filename().string() +
@@ -416,7 +420,8 @@ void Editor::State::save(const ChosenFile& chosen) {
                  : " is gone; the saved session needs it.");
     }
     work.save(isTest ? startSavingTest(chosen.file, std::move(saved))
-                     : startSaving(chosen.file, std::move(saved), scene->recorder().savedEnd(),
+                     : startSaving(chosen.file, std::move(saved),
+                                   isTask ? std::nullopt : scene->recorder().savedEnd(),
                                    sessionFile.ends));
 }
 

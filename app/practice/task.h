@@ -10,6 +10,8 @@ struct TaskLine {
     bool closed = false;       ///< the last point is joined to the first
 };
 
+inline constexpr std::size_t kMostOfTask = 20;  ///< lines, and regions to spare
+
 /// How well a task must be done; a figure without a limit is measured, but not judged.
 struct TaskLimits {
     std::optional<double> deviation;   ///< of the rim from the line, at most [m]

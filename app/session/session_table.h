@@ -24,7 +24,6 @@ inline constexpr std::size_t kMostShownPieces = 100'000;
 inline constexpr Limits kCosines = within(1 + 1e-6);
 inline constexpr double kLengthError = 1e-6;
 inline constexpr Limits kDistances{0, kMaxSessionCoordinate};  // [m]
-inline constexpr std::size_t kMostOfTask = 20;                 // lines, and regions to spare
 inline constexpr double kLeastSineOfInto = 0.1;                // between it and a line
 
 /// The view of a session: the camera and, beside it, the colours.

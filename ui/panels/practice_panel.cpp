@@ -9,6 +9,11 @@ namespace kerf::ui {
 namespace {
 
 constexpr std::size_t kMostName = 60;
+constexpr std::size_t kMostAbout = 300;
+constexpr double kFirstDepth = 0.03;  // of the body's size
+constexpr double kDeepest = 0.3;      // of it
+constexpr double kMostOff = 0.1;      // of it
+constexpr double kMostSeconds = 300;
 
 struct Column {
     const char* title;
@@ -102,12 +107,75 @@ void drawVerdict(const PracticeState& practice) {
     noteItem("practice.advice");
 }
 
+bool editText(const char* label, std::string& text, std::size_t most, const std::string& name,
+              const char* tooltip) {
+    std::string buffer(most + 1, '\0');
+    text.copy(buffer.data(), most);
+    ImGui::SetNextItemWidth(-1);
+    const bool changed =
+        ImGui::InputTextWithHint(("##" + name).c_str(), label, buffer.data(), most + 1);
+    noteItem(name);
+    itemTooltip(tooltip);
+    text = changed ? std::string(buffer.c_str()) : text;
+    return changed;
+}
+
+bool slideMillimetres(const SlideText& text, double& metres, double most) {
+    double shown = 1e3 * metres;
+    const double longest = 1e3 * most;
+    const double least = 0.1;
+    const bool changed = slideRow(text, {ImGuiDataType_Double, &shown, &least, &longest, "%.1f mm"},
+                                  ImGui::GetContentRegionAvail().x)
+                             .changed;
+    metres = changed ? shown / 1e3 : metres;
+    return changed;
+}
+
+/// What a teacher sets of a task that is being made.
+void drawDraft(TaskDraft draft, std::vector<Action>& actions) {
+    const double none = 0;
+    bool changed = editText("Name of the task", draft.name, kMostName, "task.name", "Its name.");
+    changed |= editText("What to do", draft.about, kMostAbout, "task.about", "What to do.");
+    bool through = draft.depth <= 0;
+    if (checkbox("Right through", through, "task.through", "The cut goes right through.")) {
+        draft.depth = through ? 0 : kFirstDepth * draft.longest;
+        changed = true;
+    }
+    if (!through) {
+        changed |= slideMillimetres({"Depth", "How deep to cut", "task.depth"}, draft.depth,
+                                    kDeepest * draft.longest);
+    }
+    changed |= slideMillimetres(
+        {"Off the line", "How far the cut may be from the line, at most", "task.deviation"},
+        draft.deviation, kMostOff * draft.longest);
+    changed |= slideRow({"Time", "The time for it; 0 s as long as it takes", "task.seconds"},
+                        {ImGuiDataType_Double, &draft.seconds, &none, &kMostSeconds, "%.0f s"},
+                        ImGui::GetContentRegionAvail().x)
+                   .changed;
+    for (TaskDraft::Spared& model : draft.models) {
+        changed |= checkbox(("Spare " + model.name).c_str(), model.spared,
+                            "task.spare." + std::to_string(model.model),
+                            "A cut in this model breaks a limit.");
+    }
+    if (changed) {
+        actions.emplace_back(ChangeTask{draft});
+    }
+    if (button("Save task...", "task.save",
+               "Without your tries. One that passed is saved beside it as the expert's.")) {
+        actions.emplace_back(ActionId::saveSession);
+    }
+}
+
 }  // namespace
 
 void drawPractice(const PracticeState& practice, const Settings& settings,
                   std::vector<Action>& actions) {
-    textWrapped(practice.name);
-    textWrapped(practice.about);
+    if (practice.draft) {
+        drawDraft(*practice.draft, actions);
+    } else {
+        textWrapped(practice.name);
+        textWrapped(practice.about);
+    }
     drawPerson(settings, actions);
     if (practice.hasExpert) {
         drawSwitch("Expert's blade", "practice.expert", "Shows how an expert leads the blade.",

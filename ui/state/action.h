@@ -4,6 +4,7 @@
 #include "ui/base/settings.h"
 #include "ui/plots/plot_math.h"
 #include "ui/state/file_dialog_state.h"
+#include "ui/state/task_draft.h"
 #include "ui/state/tool_settings.h"
 
 namespace kerf::ui {
@@ -145,6 +146,11 @@ struct ShowPiece {
     bool visible = true;
 };
 
+/// Changes the task that is being made.
+struct ChangeTask {
+    TaskDraft draft;
+};
+
 /// All actions of panels. The editor executes them once per frame; panels change nothing.
 using Action =
     std::variant<ActionId, SetParam, GoToChange, SetSpeed, SeekTo, RemoveMark, RenameMark, SetTools,
@@ -153,6 +159,6 @@ using Action =
                  SetPlotView, ExportPlots, RemoveMeasure, ExportMeasures, OpenExperiment,
                  OpenStartScene, HoverPiece, SelectPiece, FramePiece, ShowPiece, ColorPiece,
                  ExportSelectedPiece, ExportPieces, HoverLoad, SelectLoad, RemoveLoad,
-                 AnswerQuestion, FileAction>;
+                 AnswerQuestion, FileAction, ChangeTask>;
 
 }  // namespace kerf::ui

@@ -46,6 +46,7 @@ constexpr std::array kOtherActions{
               "File", withBody},
     ActionRow{ActionId::saveTest, at(Key::t, kControl, "Ctrl+T"), "Save as test...", "File",
               withBody},
+    ActionRow{ActionId::makeTask, {}, "Make a task of this cut", "File", withBody},
     ActionRow{ActionId::exportBody, at(Key::e, kControl, "Ctrl+E"), "Export model...", "File",
               withBody},
     ActionRow{ActionId::makeFilm, at(Key::m, kControl, "Ctrl+M"), "Export video...", "File",

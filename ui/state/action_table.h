@@ -21,6 +21,7 @@ enum class ActionId : std::uint8_t {
     saveSession,
     saveSessionAs,
     saveTest,
+    makeTask,
     exportBody,
     makeFilm,
     screenshot,

@@ -118,6 +118,7 @@ struct PracticeState {
     std::vector<ScoreRow> rows;
     std::vector<std::string> violations;  ///< of the finished try; it passed without any
     std::string advice;                   ///< for the next one; "" if it passed
+    std::optional<TaskDraft> draft;       ///< of a task that is being made
 };
 
 }  // namespace kerf::ui

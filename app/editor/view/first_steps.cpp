@@ -66,8 +66,14 @@ void FirstSteps::follow(const Situation& now) {
 
 /// While a task runs, hints lead to its score and nowhere else: an undo would break a limit.
 static Hint ofTask(const Situation& now) {
+    if (now.scored && now.makesTask) {
+        return {"Save the task. A try that passed goes with it as the expert's:",
+                {{ActionId::saveSession, "Save"}, {ActionId::reset, "Try again"}}};
+    }
     if (now.scored) {
-        return {"Your blade and the expert's, side by side.", {{ActionId::reset, "Try again"}}};
+        return {now.hasExpert ? "Your blade and the expert's, side by side."
+                              : "Your blade, as you led it.",
+                {{ActionId::reset, "Try again"}}};
     }
     if (now.outcome == StrokeOutcome::missed) {
         return {"The blade missed. Press on the purple line, and follow it.", {}};
@@ -179,7 +185,10 @@ Situation NewcomerGuide::situationOf(const EditorScene* scene, const EditorView&
     now.session = scene->timeline().playingBack() && !now.past;
     now.cutting = scene->stroke().drawing() || scene->stroke().pending() > 0;
     now.touching = view.tools.holdsBody();
-    now.task = scene->document().session.task.has_value();
+    const std::optional<Task>& task = scene->document().session.task;
+    now.task = task.has_value();
+    now.hasExpert = task && !task->expert.empty();
+    now.makesTask = scene->document().makesTask;
     now.cut = !scene->simulation().strokes().empty();
     now.pieces = scene->simulation().report().pieces;
     now.piecesAtFirst = piecesAtFirst_;

@@ -47,6 +47,8 @@ struct Situation {
     bool task = false;        ///< one is practised
     bool cut = false;         ///< a stroke was cut since the body was whole
     bool scored = false;      ///< the try was
+    bool hasExpert = true;    ///< the task
+    bool makesTask = false;   ///< see Document::makesTask
     ui::ToolKind tool = ui::kFirstTool;
     int pieces = 1;
     int piecesAtFirst = 1;  ///< when opened: a file may hold several shells

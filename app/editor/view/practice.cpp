@@ -130,6 +130,25 @@ std::string textOf(const FigureRow& row, const nlohmann::json& score) {
     return value.is_number() ? formatFigure(row.unit, value.get<double>()) : "";
 }
 
+/// What a teacher sets of it.
+ui::TaskDraft draftOf(const Task& task, const Document& document) {
+    ui::TaskDraft draft{task.name,
+                        task.about,
+                        task.depth.value_or(0),
+                        task.limits.deviation.value_or(0),
+                        task.limits.seconds.value_or(0),
+                        document.restBounds.diagonal(),
+                        {}};
+    const std::vector<FurtherModel>& more = document.session.moreModels;
+    for (int model = 0; model <= int(more.size()); ++model) {
+        if (model != task.model) {
+            const ModelReference& of = model == 0 ? document.session.model : more[model - 1].model;
+            draft.models.push_back({of.name(), model, std::ranges::count(task.spare, model) > 0});
+        }
+    }
+    return draft;
+}
+
 /// The figures of a score as text, by key.
 std::map<std::string, std::string> textsOf(const nlohmann::json& score) {
     std::map<std::string, std::string> texts;
@@ -189,12 +208,17 @@ void Practice::open(EditorScene& scene, const std::string& person) {
     traces_.clear();
     revision_ = -1;
     score_.reset();
+    passed_.reset();
+    draft_.reset();
     finishing_ = false;
     watch_.restart();
     if (!task_) {
         return;
     }
     scene.simulation().feelBlade(true);
+    if (scene.document().makesTask) {
+        draft_ = draftOf(*task_, scene.document());
+    }
     std::vector<int> body;
     for (const int model : task_->spare) {
         spared_.emplace_back();
@@ -215,6 +239,15 @@ void Practice::open(EditorScene& scene, const std::string& person) {
                   ? OtherTry{}
                   : readTry(task_->expert, origin_, pivotOf(*task_, uncut_->mesh));
     openLast(person);
+}
+
+void Practice::change(const Document& document, bool spares) {
+    task_ = document.session.task;
+    draft_ = draftOf(*task_, document);
+    score_.reset();
+    passed_.reset();
+    revision_ = -1;
+    uncut_ = spares ? nullptr : uncut_;
 }
 
 /// The line ends where its neighbouring points lie on two sides of a cut.
@@ -331,6 +364,7 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     if (!score_) {
         return "Nothing was cut yet: lead the blade along the line first.";
     }
+    passed_ = score_->passed() ? std::optional(played) : std::nullopt;
     deeds_ = scene.recorder().deeds();
     revision_ = -1;
     scored_.hand = handOf(played);
@@ -424,7 +458,8 @@ void Practice::describe(ui::PracticeState& state) const {
         return;
     }
     state.name = task_->name;
-    state.about = task_->about + (expert_.hand.empty() ? " " + expert_.problem : "");
+    state.about = task_->about + (expert_.problem.empty() ? "" : " " + expert_.problem);
+    state.draft = draft_;
     state.hasExpert = !expert_.hand.empty();
     state.hasLast = !last_.hand.empty();
     state.finished = score_.has_value();

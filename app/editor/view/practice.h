@@ -33,6 +33,12 @@ class Practice {
     /// Scores the try, and keeps it. Returns "" or one sentence.
     std::string judge(EditorScene& scene, Session played, const std::string& person);
 
+    /// The task of the open scene has changed, perhaps with what is to be spared.
+    void change(const Document& document, bool spares);
+    /// The try that was scored, if it passed.
+    const std::optional<Session>& passed() const { return passed_; }
+    const std::optional<Score>& score() const { return score_; }
+
     void addTo(ui::Overlay& overlay, const ViewFrame& view, const ui::Settings& settings) const;
     void describe(ui::PracticeState& state) const;
     bool isScored() const { return score_.has_value(); }
@@ -79,6 +85,8 @@ class Practice {
     bool cutting_ = false;
     bool finishing_ = false;
     std::optional<Score> score_;
+    std::optional<Session> passed_;
+    std::optional<ui::TaskDraft> draft_;
     int deeds_ = 0;  ///< of the scene that was scored
 };
 

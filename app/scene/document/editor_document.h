@@ -25,13 +25,14 @@ struct Document {
     render::Camera camera;  ///< the first view
     OwnLooks looks;         ///< of `mesh`
     std::string note;       ///< what was done on opening, one sentence; may be empty
-    std::optional<UnitGuess> guess = std::nullopt;         ///< of a model file
-    std::vector<PlacedModel> placed = {{}};                ///< what `mesh` consists of
-    repair::Faults faults = {};                            ///< see ModelMesh
-    std::vector<std::string> objects = {};                 ///< of the file of a scene of one model
-    bool inFile = true;                                    ///< false: no file holds this scene
-    std::optional<StoredEnd> end = {};                     ///< of a session, if it is known
-    std::filesystem::path file = {};                       ///< of the session; empty for none
+    std::optional<UnitGuess> guess = std::nullopt;  ///< of a model file
+    std::vector<PlacedModel> placed = {{}};         ///< what `mesh` consists of
+    repair::Faults faults = {};                     ///< see ModelMesh
+    std::vector<std::string> objects = {};          ///< of the file of a scene of one model
+    bool inFile = true;                             ///< false: no file holds this scene
+    bool makesTask = false;             ///< its task is being made: saved without the tries of it
+    std::optional<StoredEnd> end = {};  ///< of a session, if it is known
+    std::filesystem::path file = {};    ///< of the session; empty for none
     std::map<std::filesystem::path, ReadModel> read = {};  ///< its model files
 };
 /// The model files that have changed since.

@@ -1,0 +1,117 @@
+// A task that is made in the window of what was cut.
+#include "app/editor/editor_state.h"
+#include "app/editor/view/new_task.h"
+#include "app/files/io/file_io.h"
+#include "app/session/session_json.h"
+#include "app/session/task_run.h"
+
+namespace kerf::app {
+namespace {
+
+constexpr char kExpertEnding[] = ".expert.kerf.json";
+constexpr double kEconomy = 0.5;  // of the expert's path over that of a pupil
+
+SavedSession savedSoFar(Editor::State& s) {
+    return s.scene->recorder().savedSession(s.view.camera.destination(),
+                                            s.view.display.settings.colors);
+}
+
+/// Whether the line of a task would leave the blade.
+bool fallsUnpinned(const Simulation& simulation) {
+    return simulation.pinnedVertices().empty() && !simulation.params().gravity.isZero(0);
+}
+
+void switchGravityOff(Session& start) {
+    start.params.gravity = Vec3::Zero();
+    std::erase_if(start.events, [](const SessionEvent& event) {
+        const auto* set = std::get_if<SetParam>(&event.action);
+        return set != nullptr && set->name == "gravity";
+    });
+}
+
+/// Writes the try that passed, with its score, beside the file of the task.
+void saveExpert(const std::filesystem::path& file, const Practice& practice, Task& task) {
+    Session shown = *practice.passed();
+    const std::filesystem::path expert =
+        file.parent_path() / (shortName(file) + std::string(kExpertEnding));
+    task.path = shown.task->path = practice.score()->path;
+    task.limits.economy = shown.task->limits.economy = kEconomy;
+    shown.task->person = "expert";
+    writeOutputFile(expert, formatSession(shown, expert.parent_path()));
+    writeOutputFile(scoreFileOf(expert), toJson(*practice.score(), *shown.task).dump(2) + "\n");
+    task.expert = expert;
+}
+
+}  // namespace
+
+void Editor::State::makeTask() {
+    Session done = savedSoFar(*this).session;
+    const render::Camera camera = view.camera.destination();
+    auto made = taskOfCuts(done, *scene->simulation().uncut(), camera.eye);
+    if (const auto* problem = std::get_if<std::string>(&made)) {
+        say(*problem);
+        return;
+    }
+    Session start = beforeCuts(std::move(done));
+    start.steps = start.events.empty() ? 0 : std::max(1, start.steps);
+    start.task = std::get<Task>(std::move(made));
+    start.view = camera;
+    start.params.bladeFeels = 1;  // The edge follows the blade as in the tasks of the start page.
+    const bool falls = fallsUnpinned(scene->simulation());
+    if (falls) {
+        switchGravityOff(start);
+    }
+    OpeningOrder order{"Making the task", start.model.file(),
+                       [name = scene->document().name, start](const ReadOptions& options) {
+                           Document document = openScene(name, start, options);
+                           document.makesTask = true;
+                           return document;
+                       }};
+    order.change = "Make task";
+    order.atEnd = !start.events.empty();
+    order.shown = [this, falls] {
+        sessionFile.begin({});
+        view.takeToolsOf(*scene->document().session.task);
+        panels.unfold("practice");
+        toast.show("This is the task now. Try it, set its limits under Practice, and save it." +
+                       std::string(falls ? " Gravity is off, since nothing is pinned." : ""),
+                   false);
+    };
+    open(std::move(order));
+}
+
+void Editor::State::changeTask(const ui::TaskDraft& draft) {
+    Task& task = *scene->body().document.session.task;
+    const std::vector<int> spared = task.spare;
+    task.name = draft.name;
+    const bool ownWords = draft.about != aboutOf(task);
+    task.depth = draft.depth > 0 ? std::optional(draft.depth) : std::nullopt;
+    task.band = kBand * draft.depth;
+    task.about = ownWords ? draft.about : aboutOf(task);
+    task.limits.inBand =
+        task.depth ? std::optional(task.limits.inBand.value_or(kInBand)) : std::nullopt;
+    task.limits.deviation = draft.deviation;
+    task.limits.seconds = draft.seconds > 0 ? std::optional(draft.seconds) : std::nullopt;
+    task.spare.clear();
+    for (const ui::TaskDraft::Spared& model : draft.models) {
+        if (model.spared) {
+            task.spare.push_back(model.model);
+        }
+    }
+    view.takeToolsOf(task);
+    panels.practice.change(scene->document(), task.spare != spared);
+}
+
+void Editor::State::leaveTask(const std::filesystem::path& file, SavedSession& saved) {
+    saved.session = beforeCuts(std::move(saved.session));
+    saved.session.steps = std::max(1, saved.session.steps);
+    if (panels.practice.passed()) {
+        try {
+            saveExpert(file, panels.practice, *saved.session.task);
+        } catch (const std::exception& problem) {
+            saved.remark = std::string("The expert's try was not saved: ") + problem.what();
+        }
+    }
+}
+
+}  // namespace kerf::app
