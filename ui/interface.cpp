@@ -103,7 +103,10 @@ constexpr std::array kSections{
     PanelPart{
         "Practice",
         [](const PanelModel& m, Actions& to) { drawPractice(m.session.practice, m.settings, to); },
-        "practice", [](const PanelModel& m) { return !m.session.practice.name.empty(); }},
+        "practice",
+        [](const PanelModel& m) {
+            return !m.session.practice.name.empty() || m.session.practice.draft.has_value();
+        }},
     PanelPart{
         "Model",
         [](const PanelModel& m, Actions& to) { drawModel(m.model, m.parameters, m.display, to); },

@@ -1,4 +1,5 @@
 #include "app/editor/editor_state.h"
+#include "app/editor/editor_task.h"
 #include "app/editor/storage/file_saving.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/editor_stroke.h"
@@ -383,7 +384,7 @@ constexpr std::array kOtherHandlers{
     Handler{ActionId::saveSessionAs,
             [](State& s, const BusyScene&) { s.browse(FilePurpose::saveSession); }},
     Handler{ActionId::saveTest, [](State& s, const BusyScene&) { s.askAboutTest(); }},
-    Handler{ActionId::makeTask, [](State& s, EditorScene&) { s.makeTask(); }},
+    Handler{ActionId::makeTask, [](State& s, EditorScene&) { makeTask(s); }},
     Handler{ActionId::exportBody,
             [](State& s, const BusyScene&) { s.browse(FilePurpose::exportMesh); }},
     Handler{ActionId::makeFilm,
@@ -617,7 +618,7 @@ struct Answer {
         s.place(now.body().placeCommand(wanted.placement, wanted.continues, wanted.model));
     }
     void onBody(const ui::RemoveModel& wanted, EditorScene&) const { s.removeModel(wanted.model); }
-    void onBody(const ui::ChangeTask& wanted, EditorScene&) const { s.changeTask(wanted.draft); }
+    void onBody(const ui::ChangeTask& wanted, EditorScene&) const { changeTask(s, wanted.draft); }
     void onBody(const ui::Remesh& wanted, EditorScene&) const { s.remesh(wanted); }
     void onBody(const ui::UnitePieces& wanted, EditorScene&) const { s.unitePieces(wanted.model); }
     void onBody(const ui::TakeMaterial& wanted, EditorScene&) const { s.takeMaterial(wanted); }

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "app/editor/editor_state.h"
+#include "app/editor/editor_task.h"
 #include "app/editor/view/editor_panels.h"
 #include "app/files/io/file_io.h"
 #include "app/scene/readout/scene_readout.h"
@@ -410,7 +411,7 @@ void Editor::State::save(const ChosenFile& chosen) {
     }
     const bool isTask = !isTest && scene->document().makesTask;
     if (isTask) {
-        leaveTask(chosen.file, saved);
+        leaveTask(*this, chosen.file, saved);
     }
     for (const std::filesystem::path& model : changedModels(scene->document())) {
         saved.remark +=

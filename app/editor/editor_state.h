@@ -118,14 +118,6 @@ struct Editor::State {
     /// Reads the models of the scene again.
     void reloadModels();
 
-    // A task that is made in the window: editor_task.cpp.
-    /// Makes a task of what was cut, and begins it: a change that can be undone.
-    void makeTask();
-    void changeTask(const ui::TaskDraft& draft);
-    /// The task as pupils begin with it, without tries. One that passed is saved beside `file` as
-    /// the expert's.
-    void leaveTask(const std::filesystem::path& file, SavedSession& saved);
-
     // Faults, and what is done about them: editor_faults.cpp.
     /// Shows the scene again.
     void hideFaulty();

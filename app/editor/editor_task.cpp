@@ -1,5 +1,6 @@
 // A task that is made in the window of what was cut.
-#include "app/editor/editor_state.h"
+#include "app/editor/editor_task.h"
+
 #include "app/editor/view/new_task.h"
 #include "app/files/io/file_io.h"
 #include "app/session/session_json.h"
@@ -44,12 +45,12 @@ void saveExpert(const std::filesystem::path& file, const Practice& practice, Tas
 
 }  // namespace
 
-void Editor::State::makeTask() {
-    Session done = savedSoFar(*this).session;
-    const render::Camera camera = view.camera.destination();
-    auto made = taskOfCuts(done, *scene->simulation().uncut(), camera.eye);
+void makeTask(Editor::State& s) {
+    Session done = savedSoFar(s).session;
+    const render::Camera camera = s.view.camera.destination();
+    auto made = taskOfCuts(done, *s.scene->simulation().uncut(), camera.eye);
     if (const auto* problem = std::get_if<std::string>(&made)) {
-        say(*problem);
+        s.say(*problem);
         return;
     }
     Session start = beforeCuts(std::move(done));
@@ -57,31 +58,34 @@ void Editor::State::makeTask() {
     start.task = std::get<Task>(std::move(made));
     start.view = camera;
     start.params.bladeFeels = 1;  // The edge follows the blade as in the tasks of the start page.
-    const bool falls = fallsUnpinned(scene->simulation());
+    const bool falls = fallsUnpinned(s.scene->simulation());
     if (falls) {
         switchGravityOff(start);
     }
     OpeningOrder order{"Making the task", start.model.file(),
-                       [name = scene->document().name, start](const ReadOptions& options) {
+                       [name = s.scene->document().name, start](const ReadOptions& options) {
                            Document document = openScene(name, start, options);
                            document.makesTask = true;
                            return document;
                        }};
     order.change = "Make task";
     order.atEnd = !start.events.empty();
-    order.shown = [this, falls] {
-        sessionFile.begin({});
-        view.takeToolsOf(*scene->document().session.task);
-        panels.unfold("practice");
-        toast.show("This is the task now. Try it, set its limits under Practice, and save it." +
-                       std::string(falls ? " Gravity is off, since nothing is pinned." : ""),
-                   false);
+    order.shown = [&s, falls] {
+        s.sessionFile.begin({});
+        s.view.takeToolsOf(*s.scene->document().session.task);
+        s.panels.unfold("practice");
+        s.toast.show("This is the task now. Try it, set its limits under Practice, and save it." +
+                         std::string(falls ? " Gravity is off, since nothing is pinned." : ""),
+                     false);
     };
-    open(std::move(order));
+    s.open(std::move(order));
 }
 
-void Editor::State::changeTask(const ui::TaskDraft& draft) {
-    Task& task = *scene->body().document.session.task;
+void changeTask(Editor::State& s, const ui::TaskDraft& draft) {
+    if (!s.scene->document().makesTask) {
+        return;
+    }
+    Task& task = *s.scene->body().document.session.task;
     const std::vector<int> spared = task.spare;
     task.name = draft.name;
     const bool ownWords = draft.about != aboutOf(task);
@@ -98,16 +102,18 @@ void Editor::State::changeTask(const ui::TaskDraft& draft) {
             task.spare.push_back(model.model);
         }
     }
-    view.takeToolsOf(task);
-    panels.practice.change(scene->document(), task.spare != spared);
+    s.view.takeToolsOf(task);
+    s.panels.practice.change(s.scene->document(), task.spare != spared);
 }
 
-void Editor::State::leaveTask(const std::filesystem::path& file, SavedSession& saved) {
+void leaveTask(const Editor::State& s, const std::filesystem::path& file, SavedSession& saved) {
     saved.session = beforeCuts(std::move(saved.session));
     saved.session.steps = std::max(1, saved.session.steps);
-    if (panels.practice.passed()) {
+    std::string& name = saved.session.task->name;
+    name = name.empty() ? "Cut" : name;
+    if (s.panels.practice.passed()) {
         try {
-            saveExpert(file, panels.practice, *saved.session.task);
+            saveExpert(file, s.panels.practice, *saved.session.task);
         } catch (const std::exception& problem) {
             saved.remark = std::string("The expert's try was not saved: ") + problem.what();
         }
