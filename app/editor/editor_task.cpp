@@ -17,16 +17,13 @@ SavedSession savedSoFar(Editor::State& s) {
                                             s.view.display.settings.colors);
 }
 
-/// Whether the line of a task would leave the blade.
-bool fallsUnpinned(const Simulation& simulation) {
-    return simulation.pinnedVertices().empty() && !simulation.params().gravity.isZero(0);
-}
-
-void switchGravityOff(Session& start) {
+/// What nothing pins would fall, or give way, and the line would leave the blade.
+void keepInPlace(Session& start) {
     start.params.gravity = Vec3::Zero();
+    start.params.bladeFeels = 0;
     std::erase_if(start.events, [](const SessionEvent& event) {
         const auto* set = std::get_if<SetParam>(&event.action);
-        return set != nullptr && set->name == "gravity";
+        return set != nullptr && (set->name == "gravity" || set->name == "blade_feels");
     });
 }
 
@@ -58,9 +55,9 @@ void makeTask(Editor::State& s) {
     start.task = std::get<Task>(std::move(made));
     start.view = camera;
     start.params.bladeFeels = 1;  // The edge follows the blade as in the tasks of the start page.
-    const bool falls = fallsUnpinned(s.scene->simulation());
-    if (falls) {
-        switchGravityOff(start);
+    const bool loose = s.scene->simulation().pinnedVertices().empty();
+    if (loose) {
+        keepInPlace(start);
     }
     OpeningOrder order{"Making the task", start.model.file(),
                        [name = s.scene->document().name, start](const ReadOptions& options) {
@@ -70,13 +67,15 @@ void makeTask(Editor::State& s) {
                        }};
     order.change = "Make task";
     order.atEnd = !start.events.empty();
-    order.shown = [&s, falls] {
+    order.shown = [&s, loose] {
         s.sessionFile.begin({});
         s.view.takeToolsOf(*s.scene->document().session.task);
         s.panels.unfold("practice");
-        s.toast.show("This is the task now. Try it, set its limits under Practice, and save it." +
-                         std::string(falls ? " Gravity is off, since nothing is pinned." : ""),
-                     false);
+        s.toast.show(
+            "This is the task now. Try it, set its limits under Practice, and save it." +
+                std::string(loose ? " Nothing is pinned, so gravity and the blade's force are off."
+                                  : ""),
+            false);
     };
     s.open(std::move(order));
 }

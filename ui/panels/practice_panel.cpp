@@ -116,7 +116,7 @@ bool editText(const char* label, std::string& text, std::size_t most, const std:
         ImGui::InputTextWithHint(("##" + name).c_str(), label, buffer.data(), most + 1);
     noteItem(name);
     itemTooltip(tooltip);
-    text = changed ? std::string(buffer.c_str()) : text;
+    text = changed ? buffer.substr(0, buffer.find('\0')) : text;
     return changed;
 }
 

@@ -64,11 +64,13 @@ TEST_F(EditorTaskTest, ABodyThatNothingPinsStaysBelowItsLine) {
     incise();
     make();
     EXPECT_TRUE(scene().simulation().params().gravity.isZero(0));
-    EXPECT_THAT(panels().toast.text, HasSubstr("Gravity is off"));
+    EXPECT_FALSE(scene().simulation().params().bladeFeels);
+    EXPECT_THAT(panels().toast.text, HasSubstr("Nothing is pinned"));
     undo();
     ASSERT_EQ(scene().execute(Pin{Ball{{0, -0.5, 0}, 0.2}}), "");
     make();
     EXPECT_FALSE(scene().simulation().params().gravity.isZero(0)) << "it is pinned";
+    EXPECT_TRUE(scene().simulation().params().bladeFeels);
 }
 
 TEST_F(EditorTaskTest, ACutThroughTheBodyHasNoDepthAndALoopIsClosed) {
