@@ -28,15 +28,18 @@ void keepInPlace(Session& start) {
 }
 
 /// Writes the try that passed, with its score, beside the file of the task.
-void saveExpert(const std::filesystem::path& file, const Practice& practice, Task& task) {
-    Session shown = *practice.passed();
+void saveExpert(const std::filesystem::path& file, Practice::ScoredTry shown, Task& task) {
     const std::filesystem::path expert =
         file.parent_path() / (shortName(file) + std::string(kExpertEnding));
-    task.path = shown.task->path = practice.score()->path;
-    task.limits.economy = shown.task->limits.economy = kEconomy;
-    shown.task->person = "expert";
-    writeOutputFile(expert, formatSession(shown, expert.parent_path()));
-    writeOutputFile(scoreFileOf(expert), toJson(*practice.score(), *shown.task).dump(2) + "\n");
+    Task& its = *shown.session.task;
+    if (shown.score.path) {
+        task.path = its.path = shown.score.path;
+        task.limits.economy = its.limits.economy = kEconomy;
+        shown.score.economy = 1;  // It is the measure.
+    }
+    its.person = "expert";
+    writeOutputFile(expert, formatSession(shown.session, expert.parent_path()));
+    writeOutputFile(scoreFileOf(expert), toJson(shown.score, its).dump(2) + "\n");
     task.expert = expert;
 }
 
@@ -112,9 +115,10 @@ void leaveTask(const Editor::State& s, const std::filesystem::path& file, SavedS
     name = name.empty() ? "Cut" : name;
     if (s.panels.practice.passed()) {
         try {
-            saveExpert(file, s.panels.practice, *saved.session.task);
+            saveExpert(file, *s.panels.practice.passed(), *saved.session.task);
         } catch (const std::exception& problem) {
-            saved.remark = std::string("The expert's try was not saved: ") + problem.what();
+            saved.remark += std::string(saved.remark.empty() ? "" : " ") +
+                            "The expert's try was not saved: " + problem.what();
         }
     }
 }

@@ -270,11 +270,11 @@ void Practice::layLine(const std::vector<SurfaceAnchor>& anchors, const SurfaceM
         aside.emplace_back(width * way.cross(into).stableNormalized());
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t next = (i + 1) % count;
-        const Vec3 normal = areaNormal(cornersOf(mesh, anchors[i].triangle()));
         if (!goesOn(i)) {
             continue;
         }
+        const std::size_t next = (i + 1) % count;
+        const Vec3 normal = areaNormal(cornersOf(mesh, anchors[i].triangle()));
         traces_.push_back({Kind::line, at[i], at[next], normal});
         if (width > 0) {
             traces_.push_back({Kind::band, at[i] - aside[i], at[next] - aside[next], normal});
@@ -364,7 +364,9 @@ std::string Practice::judge(EditorScene& scene, Session played, const std::strin
     if (!score_) {
         return "Nothing was cut yet: lead the blade along the line first.";
     }
-    passed_ = score_->passed() ? std::optional(played) : std::nullopt;
+    if (score_->passed()) {
+        passed_ = {played, *score_};
+    }
     deeds_ = scene.recorder().deeds();
     revision_ = -1;
     scored_.hand = handOf(played);

@@ -35,9 +35,13 @@ class Practice {
 
     /// The task of the open scene has changed, perhaps with what is to be spared.
     void change(const Document& document, bool spares);
-    /// The try that was scored, if it passed.
-    const std::optional<Session>& passed() const { return passed_; }
-    const std::optional<Score>& score() const { return score_; }
+    /// A try with its score.
+    struct ScoredTry {
+        Session session;
+        Score score;
+    };
+    /// The last one that passed, since the task was opened or changed.
+    const std::optional<ScoredTry>& passed() const { return passed_; }
 
     void addTo(ui::Overlay& overlay, const ViewFrame& view, const ui::Settings& settings) const;
     void describe(ui::PracticeState& state) const;
@@ -85,7 +89,7 @@ class Practice {
     bool cutting_ = false;
     bool finishing_ = false;
     std::optional<Score> score_;
-    std::optional<Session> passed_;
+    std::optional<ScoredTry> passed_;
     std::optional<ui::TaskDraft> draft_;
     int deeds_ = 0;  ///< of the scene that was scored
 };

@@ -258,7 +258,7 @@ TEST_F(EditorPractice, NoLineCrossesTheOpenCut) {
     EXPECT_EQ(editor->scene()->execute(pull), "");
     tap(Key::space, {.shift = true}, 80);
     EXPECT_GT(longest(), 0);
-    EXPECT_LT(longest(), 10 * whole);
+    EXPECT_LT(longest(), 4 * whole);
 }
 
 TEST_F(EditorPractice, WithoutATaskThereIsNoSuchSection) {

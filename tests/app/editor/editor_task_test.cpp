@@ -104,6 +104,8 @@ TEST_F(EditorTaskTest, ATryThatPassesIsSavedAsTheExpertsAndTheTaskWithoutIt) {
     tap(Key::enter, {.shift = true}, 3);
     ASSERT_TRUE(practice().finished);
     EXPECT_THAT(practice().violations, IsEmpty());
+    tap(Key::r, {}, 3);  // takes the score away, but not the try
+    EXPECT_FALSE(practice().finished);
     const fs::path file = save();
     const Session saved = readSession(file);
     ASSERT_EQ(saved.events.size(), 1U) << "the pin";
@@ -114,6 +116,8 @@ TEST_F(EditorTaskTest, ATryThatPassesIsSavedAsTheExpertsAndTheTaskWithoutIt) {
     ASSERT_TRUE(score);
     EXPECT_THAT(score->violations, IsEmpty());
     EXPECT_NEAR(*score->economy, 1, 1e-6);
+    const Json kept = Json::parse(readBytes(scoreFileOf(saved.task->expert)));
+    EXPECT_EQ(kept["economy"], 1) << "as it is computed";
     start(options());
     open(file, 2);
     settle(2);
@@ -125,7 +129,6 @@ TEST_F(EditorTaskTest, ATryThatPassesIsSavedAsTheExpertsAndTheTaskWithoutIt) {
 TEST_F(EditorTaskTest, WhatATeacherSetsIsSaved) {
     incise();
     make();
-    ui::TaskDraft draft = *practice().draft;
     click("task.through", 2);
     EXPECT_FALSE(task().depth);
     EXPECT_EQ(task().about, "Cut along the line, right through.") << "as nobody wrote another";
